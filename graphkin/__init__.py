@@ -35,7 +35,7 @@ Where a new thing goes, and the test that guides it:
 - a mistake: a function under `@mistake(id, topic, section)` in the file of `marking/mistakes` for its subject; in
   `say/phrases/marking.py` the lines `mistakes.made ID` and `mistakes.kind ID` (and `look TOPIC` of a new topic); a row
   of `TABLE` in tests/marking/test_mistakes.py, with the numbers that a student gets. If it is common, `_COMMON` in
-  `handouts/proofs.py`. `graphkin tolerance MECHANISM --power` tells how well it is found.
+  `handouts/problem.py`. `graphkin tolerance MECHANISM --power` tells how well it is found.
 - an output format: a file of `outputs`, with its writer in `WRITERS` of `outputs/drawings.py`: the commands offer what
   stands there. README.md names the endings in the rows of `draw`; tests/outputs/test_exports.py, test_readme.py.
 - a phrase: a line of `say/phrases/SUBJECT.py`, both languages side by side; tests/say/test_catalogue.py.

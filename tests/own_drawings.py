@@ -15,11 +15,12 @@ from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import finding_sheet
-from graphkin.sheet.about_sheet import about_sheet, bobillier_sheet, bobillier_step_sheets
-from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
+from graphkin.sheet.about_sheet import about_sheet, bobillier_sheet
+from graphkin.sheet.centre_sheet import centre_sheet
 from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
 from graphkin.sheet.linkage_sheet import limit_sheet
 from graphkin.sheet.motion_frames import motion_frames
+from graphkin.sheet.page import step_sheets
 from graphkin.studies import sweeps
 from graphkin.studies.centres import Centres, centres
 from graphkin.studies.centres.about import about
@@ -100,7 +101,7 @@ def linkage(of: Of) -> Iterator[str]:
 
 def all_centres(of: Of) -> Iterator[str]:
     yield svg(centre_sheet(of.centres, lang=of.lang, fit=of.rng.random() < 0.3))
-    pages = list(centre_step_sheets(of.centres, lang=of.lang))
+    pages = list(step_sheets(centre_sheet(of.centres, lang=of.lang), range(1, len(of.centres.centring.stages) + 1)))
     yield svg(of.rng.choice(pages))
 
 
@@ -108,8 +109,9 @@ def one_link(of: Of) -> Iterator[str]:
     seen = about(of.centres, of.rng.choice(list(of.mechanism.moving)))
     yield svg(about_sheet(seen, lang=of.lang))
     drawn = bobillier(seen, of.rng.choice(of.mechanism.points))
-    yield svg(bobillier_sheet(seen, drawn, lang=of.lang))
-    yield svg(of.rng.choice(list(bobillier_step_sheets(seen, drawn, lang=of.lang))))
+    whole = bobillier_sheet(seen, drawn, lang=of.lang)
+    yield svg(whole)
+    yield svg(of.rng.choice(list(step_sheets(whole, range(1, len([*drawn.construction.steps]) + 1)))))
 
 
 def curves(of: Of) -> Iterator[str]:

@@ -4,7 +4,7 @@
 `outlines`), lays a ruler on its vectors, points and lines of links (`ruler`), solves the mechanism it carries anew by
 the matrix method, and compares. Of the numbers in the file it uses the scales and the drivers' values to know what the
 drawing claims, and nothing else (`claims` says what that proves). What a mark should be follows from the sites it names
-(`expected`, `links`); marks of instant centres are held against the velocities of that solution (`centre_measure`).
+(`expected`, `links`); marks of instant centres are held against the velocities of that solution.
 Beside lengths: arrow `heads`, what is `hidden`, and `signs` that show no length, held to where they were drawn.
 """
 

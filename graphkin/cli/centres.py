@@ -168,7 +168,7 @@ class _CentreCommand:
     def _pole_of_two_velocities(self) -> None:
         from graphkin.outputs import svg
         from graphkin.say.centre_about import pole_words
-        from graphkin.sheet.pole_sheet import pole_sheet
+        from graphkin.sheet.centrode_sheet import pole_sheet
         from graphkin.studies.centres.two_velocities import from_text
 
         if self.steps is not None:
@@ -196,11 +196,13 @@ class _CentreCommand:
 
     def _sheets(self, found: Centres) -> tuple[Sheet, Iterable[Sheet], str]:
         """The sheet that the options name, one for each step, and what they are called."""
+        from graphkin.sheet.page import step_sheets
+
         if not self.link:
-            from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
+            from graphkin.sheet.centre_sheet import centre_sheet
 
             whole = centre_sheet(found, paper=self.paper, lang=self.lang, fit=self.fit)
-            return whole, centre_step_sheets(found, paper=self.paper, lang=self.lang, fit=self.fit), "centres"
+            return whole, step_sheets(whole, range(1, len(found.centring.stages) + 1)), "centres"
         from graphkin.studies.centres.about import about
 
         pole = about(found, self.link)
@@ -209,12 +211,12 @@ class _CentreCommand:
 
             whole = about_sheet(pole, paper=self.paper, lang=self.lang)
             return whole, (whole,), f"about-{self.link}"
-        from graphkin.sheet.about_sheet import bobillier_sheet, bobillier_step_sheets
+        from graphkin.sheet.about_sheet import bobillier_sheet
 
         curvature = self._bobillier(found, pole)
         whole = bobillier_sheet(pole, curvature, paper=self.paper, lang=self.lang)
-        steps = bobillier_step_sheets(pole, curvature, paper=self.paper, lang=self.lang)
-        return whole, steps, f"bobillier-{self.point}"
+        count = len([*curvature.construction.steps])
+        return whole, step_sheets(whole, range(1, count + 1)), f"bobillier-{self.point}"
 
     def _rolling_sheets(self, found: Centres) -> tuple[Sheet | str, Iterable[Sheet], str]:
         """The same of centrodes: the sheet, or the drawing that moves."""

@@ -79,16 +79,18 @@ def _write(
 ) -> None:  # fmt: skip
     from graphkin.outputs import files, svg
     from graphkin.say.design import as_toml, error
-    from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
+    from graphkin.sheet.design_sheet import design_sheet
+    from graphkin.sheet.page import step_sheets
 
     if (missing := error(solution)) is not None:
         raise missing
     pages: list[tuple[Path, bytes | str]] = []
-    if output is not None:
-        pages.append((output, svg.svg(design_sheet(solution, paper=paper, lang=lang))))
-    if steps is not None:
-        sheets = design_step_sheets(solution, paper=paper, lang=lang)
-        pages += [(steps / f"{solution.kind}-{k:02d}.svg", svg.svg(page)) for k, page in enumerate(sheets, 1)]
+    if output is not None or steps is not None:
+        whole = design_sheet(solution, paper=paper, lang=lang)
+        pages += [(output, svg.svg(whole))] if output is not None else []
+        if steps is not None:
+            sheets = enumerate(step_sheets(whole), start=1)
+            pages += [(steps / f"{solution.kind}-{k:02d}.svg", svg.svg(page)) for k, page in sheets]
     if toml is not None:
         files.refuse(toml, force, (b"graphkin",))
     shared.write_drawings(pages, output, steps, force, err=True)

@@ -45,11 +45,6 @@ class Equation:
         if (unknowns := sum(term.unknowns for term in self.left + self.right)) != 2:
             raise NotClosable(f"{unknowns} unknown scalars, not 2")
 
-    @property
-    def double(self) -> bool:
-        """True if a textbook writes the motion sought before both sides: `v_E = v_C + v_EC = v_D + v_ED`."""
-        return not (len(self.left) == 1 and self.left[0].of == self.of and not self.left[0].seen_from)
-
 
 @frozen
 class Node:

@@ -4,11 +4,10 @@ Every error says three things: where (file, line, key), what is wrong, what to d
 the data; only the edge (the command line, a notebook) asks for the words.
 
 `base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys, values and names,
-`shapes` about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and
-poses, `motion` about assembly and movement, `drawings` about what is measured or written, `marking`, `submissions`,
-`answers` and `problem_sets` about homework, `asking` about what is asked for, `finding` about conditions. A new error is
-a class in one of them, and a name in its `__all__`: this module passes on all that those hold, and loads each where
-something of it is first asked for.
+`mechanism` about links, pairs, drivers and poses, `motion` about assembly and movement, `drawings` about what is
+measured or written, `asking` about what is asked for, `studies` about conditions, linkages and instant centres,
+`homework` about keys and marks, what is handed in, and problem sets. A new error is a class in one of them, and a name
+in its `__all__`: this module passes on all that those hold, and loads each where something of it is first asked for.
 """
 
 from __future__ import annotations
@@ -17,28 +16,17 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from graphkin.errors.answers import *  # noqa: F403
     from graphkin.errors.asking import *  # noqa: F403
     from graphkin.errors.base import *  # noqa: F403
-    from graphkin.errors.centring import *  # noqa: F403
-    from graphkin.errors.design import *  # noqa: F403
     from graphkin.errors.drawings import *  # noqa: F403
-    from graphkin.errors.drivers import *  # noqa: F403
     from graphkin.errors.files import *  # noqa: F403
-    from graphkin.errors.finding import *  # noqa: F403
+    from graphkin.errors.homework import *  # noqa: F403
     from graphkin.errors.keys import *  # noqa: F403
-    from graphkin.errors.linkages import *  # noqa: F403
-    from graphkin.errors.marking import *  # noqa: F403
+    from graphkin.errors.mechanism import *  # noqa: F403
     from graphkin.errors.motion import *  # noqa: F403
-    from graphkin.errors.pairs import *  # noqa: F403
-    from graphkin.errors.problem_sets import *  # noqa: F403
-    from graphkin.errors.shapes import *  # noqa: F403
-    from graphkin.errors.submissions import *  # noqa: F403
+    from graphkin.errors.studies import *  # noqa: F403
 
-_FILES = (
-    "base", "drawings", "files", "keys", "shapes", "drivers", "pairs", "motion", "asking", "centring", "finding",
-    "linkages", "design", "marking", "submissions", "answers", "problem_sets",
-)  # fmt: skip
+_FILES = ("base", "drawings", "files", "keys", "mechanism", "motion", "asking", "studies", "homework")
 """In the order in which a name is looked for: what every command and every mechanism file may meet comes first."""
 
 if not TYPE_CHECKING:

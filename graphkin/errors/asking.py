@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import Choice, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
     "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
@@ -11,10 +11,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-class BadRange(LocatedError):
-    """A range of driver values that is none."""
-
-    given: str
+class BadRange(AboutText):
     en = (
         "{where}: {given!r} is no range. Write FROM:TO:STEP (0:360:10, or 50 mm:90 mm:5 mm), with FROM and TO "
         "different, STEP above 0, at most 1000 turns and 10 million steps; drivers that move together take equally many."
@@ -22,10 +19,7 @@ class BadRange(LocatedError):
     zh = "{where}：{given!r} 不是有效的范围。请写成 起:止:步长（如 0:360:10 或 50 mm:90 mm:5 mm），起止不得相同，步长大于 0，最多 1000 转、一千万步；同时运动的各原动件步数必须相同。"
 
 
-class BadValues(LocatedError):
-    """Numbers that are no values of a driver, or of drivers together."""
-
-    given: str
+class BadValues(AboutText):
     en = (
         "{where}: {given!r} are no values to move through. Give finite numbers in deg or mm, a list or an array (n,) "
         "of at most ten million and 1000 turns, or a text FROM:TO:STEP; drivers that move together take equally many, "
@@ -34,25 +28,18 @@ class BadValues(LocatedError):
     zh = "{where}：{given!r} 不能作为运动的取值。请给出以 deg 或 mm 为单位的有限数（列表或一维数组，最多一千万个、1000 转），或写成 起:止:步长；同时运动的各原动件取值个数相同，并按比例变化。"
 
 
-class BadPair(LocatedError):
-    """Two values that belong together, written otherwise."""
-
-    given: str
+class BadPair(AboutText):
     en = "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', two angles as PHI:PSI (40:30)."
     zh = "{where}：{given!r} 不是一对数值。点写成 X,Y（如 10,40），两点写成 'X,Y X,Y'，两个角写成 φ:ψ（如 40:30）。"
 
 
 class GivenTwice(LocatedError):
-    """A driver with two ranges."""
-
     driver: str
     en = "{where}: driver {driver} is given twice. Give each driver one range or one value."
     zh = "{where}：原动件 {driver} 给了两次，每个原动件只能给一个范围或一个值。"
 
 
 class TooManyRows(LocatedError):
-    """More positions than can be shown in that way."""
-
     rows: int
     most: int
     en = (
@@ -63,15 +50,11 @@ class TooManyRows(LocatedError):
 
 
 class NoSuchDriver(Choice):
-    """A driver that the mechanism does not have, or has no range left for."""
-
     en = "{where}: there is no driver {given} to move. {hint}"
     zh = "{where}：没有可以运动的原动件 {given}。{hint}"
 
 
 class NoSuchValue(Choice):
-    """A name that is to have another value, and means no number of the mechanism's file, or more than one."""
-
     en = (
         "{where}: {given!r} is not one value of this file. A length is named AB, an angle BDE, a fixed or sketched "
         "point A, a driver's value 'angle AB' or 'omega AB', any other by its place: links.2.AB, slide.0.angle. {hint}"
@@ -80,22 +63,16 @@ class NoSuchValue(Choice):
 
 
 class NoSuchName(Choice, KeyError):
-    """A name that a table of results does not have."""
-
     en = "{where}: there is no {given!r}. {hint}"
     zh = "{where}：没有 {given!r}。{hint}"
 
 
 class NotSwept(Choice, KeyError):
-    """A quantity that a sweep does not hold."""
-
     en = "{where}: {given!r} is not in this sweep. Name it in `of` to have it. {hint}"
     zh = "{where}：这次扫描中没有 {given!r}，需要时请写入 `of`。{hint}"
 
 
 class NoPosition(LocatedError):
-    """A sweep none of whose positions is reached."""
-
     driver: str
     low: str
     high: str
@@ -107,8 +84,6 @@ class NoPosition(LocatedError):
 
 
 class ValueForEach(LocatedError, ValueError):
-    """So many values for drivers, of which there are more or fewer."""
-
     count: int
     drivers: tuple[str, ...]
     en = "{where}: {needed} drivers, {count} values. Give one value for each of {names}, in this order [rad, m]."
@@ -119,8 +94,6 @@ class ValueForEach(LocatedError, ValueError):
 
 
 class StandsStill(LocatedError):
-    """A point whose path is asked for, and that stays where it is."""
-
     point: str
     en = "{where}: {point} stays where it is as the mechanism moves, so it has no path. Name a point that moves."
     zh = "{where}：机构运动时点 {point} 静止不动，没有轨迹。请改用运动的点。"
@@ -136,8 +109,6 @@ class NoSpeed(LocatedError):
 
 
 class UnknownQuantity(Choice):
-    """A text that names no quantity."""
-
     en = "{where}: {given!r} names no quantity. Write for example `theta 3`, `omega 3`, `v C`, `a_k B3B2`, `s ram`, `omega 1 / omega 3`. {hint}"
     zh = "{where}：{given!r} 不是一个量。请写成如 `theta 3`、`omega 3`、`v C`、`a_k B3B2`、`s ram`、`omega 1 / omega 3`。{hint}"
 
@@ -157,10 +128,9 @@ class NeedsTwo(LocatedError):
         return {**super()._words(lang), "hint": hint}
 
 
-class NoQuestion(LocatedError):
+class NoQuestion(AboutText):
     """A text of `ask` that names nothing, and is no question in words either; `meant` is the nearest that does."""
 
-    given: str
     meant: str
     en = "{where}: `{given}` names nothing that can be answered. {advice}A question in words ends with `?`; it is shown only."
     zh = "{where}：`{given}` 不是可以求解的量。{advice}文字问题请以“？”结尾，只显示、不求解。"

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import ClassVar, Literal, NamedTuple, dataclass_transform
 
 from graphkin.base.value import filled, frozen
 
 Lang = Literal["en", "zh"]
+WordTable = Mapping[str, tuple[str, str]]  # English, Chinese
 
-__all__ = ["NOWHERE", "AboutLinks", "Choice", "GraphkinError", "Lang", "LocatedError", "Several", "Where", "listed", "steers"]
+__all__ = [
+    "NOWHERE", "AboutLink", "AboutLinks", "AboutText", "Choice", "GraphkinError", "Lang", "LocatedError", "Several",
+    "Where", "WordTable", "listed", "steers",
+]  # fmt: skip
 
 
 @frozen
@@ -33,15 +37,18 @@ NOWHERE = Where("")  # stands until the one who knows the place fills it in (`Gr
 class GraphkinError(Exception):
     """Something the user can mend. Exit status 3 at the command line.
 
-    A subclass names its data as a dataclass does, and has its sentence in English and in Chinese.
+    A subclass names its data as a dataclass does, and has its sentence in English and in Chinese; a field that is a key
+    of a table is said in the table's words: `class WrongType(LocatedError, expected=KINDS)`.
     """
 
     __match_args__: ClassVar[tuple[str, ...]] = ()
     en: ClassVar[str] = ""
     zh: ClassVar[str] = ""
     exit_code: ClassVar[int] = 3
+    _tables: ClassVar[Mapping[str, WordTable]] = {}
 
-    def __init_subclass__(cls) -> None:
+    def __init_subclass__(cls, **tables: WordTable) -> None:
+        cls._tables = {**cls._tables, **tables}
         cls.__doc__ = cls.__doc__ or cls.en
         filled(cls)
 
@@ -61,7 +68,7 @@ class GraphkinError(Exception):
         return {
             name: _Names(value, lang) if isinstance(value, tuple) and all(isinstance(x, str) for x in value) else value
             for name, value in self._data().items()
-        }
+        } | {name: table[getattr(self, name)][lang == "zh"] for name, table in self._tables.items()}
 
     def _data(self) -> dict[str, object]:
         return {name: getattr(self, name) for name in self.__match_args__}
@@ -94,10 +101,19 @@ class LocatedError(GraphkinError):
     where: Where
 
 
-class Choice(LocatedError):
-    """Something named that is not there: `{hint}` says what is, the nearest first."""
+class AboutText(LocatedError):
+    """An error about what somebody wrote."""
 
     given: str
+
+
+class AboutLink(LocatedError):
+    link: str
+
+
+class Choice(AboutText):
+    """Something named that is not there: `{hint}` says what is, the nearest first."""
+
     possible: tuple[str, ...]
 
     def _words(self, lang: Lang) -> dict[str, object]:

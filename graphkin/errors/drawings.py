@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import GraphkinError, Lang, LocatedError
+from graphkin.errors.base import GraphkinError, Lang, LocatedError, WordTable
 
 __all__ = [
     "BadDrawing", "CannotWrite", "NoChineseLetters", "NoDrawing", "NoFolder", "NoFont", "NoLetter", "NothingToMeasure",
@@ -10,8 +10,6 @@ __all__ = [
 
 
 class NoFolder(GraphkinError):
-    """A file to be written into a folder that is not there."""
-
     path: str
     folder: str
     en = "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o."
@@ -19,8 +17,6 @@ class NoFolder(GraphkinError):
 
 
 class CannotWrite(GraphkinError):
-    """A file that cannot be written."""
-
     path: str
     reason: str
     en = "{path}: cannot be written ({reason}). Choose another place, or make the folder first."
@@ -35,37 +31,30 @@ class CannotWrite(GraphkinError):
 
 
 class NoDrawing(LocatedError):
-    """A drawing that is not there."""
-
     en = "{where}: there is no such file. Check the path."
     zh = "{where}：没有这个文件，请检查路径。"
 
 
-class NothingToMeasure(LocatedError):
-    """A drawing of graphkin's that a ruler does not judge: `style` is a key of `_UNJUDGED`."""
-
-    style: str = "given"
-    en = "{where}: nothing of this drawing is judged: {reason}"
-    zh = "{where}：本图不作任何判断：{reason}"
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"reason": _UNJUDGED[self.style][lang]}
-
-
-_UNJUDGED: dict[str, dict[Lang, str]] = {
-    "given": {
-        "en": "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without `--style given`.",
-        "zh": "它只画出已知条件。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
-    },
-    "bare": {
-        "en": "it carries no mechanism file to solve anew. Check one of a mechanism, as `graphkin draw` makes it.",
-        "zh": "图中没有可重新求解的机构文件。请检查某一机构的图（`graphkin draw`）。",
-    },
-    "moving": {
-        "en": "it moves, and a ruler measures one position. Check one drawn at a position, without `--animate`.",
-        "zh": "它是动态图，而直尺只能测量一个位置。请检查某一位置的图（不加 `--animate`）。",
-    },
+_UNJUDGED: WordTable = {
+    "given": (
+        "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without `--style given`.",
+        "它只画出已知条件。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
+    ),
+    "bare": (
+        "it carries no mechanism file to solve anew. Check one of a mechanism, as `graphkin draw` makes it.",
+        "图中没有可重新求解的机构文件。请检查某一机构的图（`graphkin draw`）。",
+    ),
+    "moving": (
+        "it moves, and a ruler measures one position. Check one drawn at a position, without `--animate`.",
+        "它是动态图，而直尺只能测量一个位置。请检查某一位置的图（不加 `--animate`）。",
+    ),
 }
+
+
+class NothingToMeasure(LocatedError, style=_UNJUDGED):
+    style: str = "given"
+    en = "{where}: nothing of this drawing is judged: {style}"
+    zh = "{where}：本图不作任何判断：{style}"
 
 
 class BadDrawing(LocatedError):
@@ -98,8 +87,6 @@ REASONS: dict[str, dict[Lang, str]] = {
 
 
 class NoChineseLetters(GraphkinError):
-    """A Chinese handout on a machine without Chinese letters."""
-
     en = (
         "No Chinese font was found, so Chinese text would be printed as boxes. Install one (on Debian: apt install "
         "fonts-noto-cjk), or name a font file: --font PATH, or the environment variable GRAPHKIN_FONT."
@@ -108,19 +95,13 @@ class NoChineseLetters(GraphkinError):
 
 
 class NoFont(GraphkinError):
-    """A font that is named and is not there, or is none."""
-
     path: str
-
     en = "{path} is not a font file (.ttf, .otf, .ttc) that can be read. Name another, or leave --font out."
     zh = "{path} 不是可读取的字体文件（.ttf、.otf、.ttc）。请另行指定，或不用 --font。"
 
 
 class NoLetter(GraphkinError):
-    """A letter that no font here has."""
-
     letter: str
-
     en = (
         "No font here has the character {letter!r}, which would be printed as a box. Install one that has (on Debian: "
         "apt install fonts-noto-core fonts-noto-cjk), or name its file with --font PATH."

@@ -18,8 +18,6 @@ class NoFile(Choice):
 
 
 class UnknownMechanism(Choice):
-    """No mechanism of that name in the library."""
-
     en = "The library has no mechanism {given}. {hint}"
     zh = "机构库中没有 {given}。{hint}"
 
@@ -67,8 +65,6 @@ class ControlCharacter(LocatedError):
 
 
 class BrokenToml(LocatedError):
-    """`reason` is the TOML reader's own sentence."""
-
     reason: str
     en = "{where}: this is not valid TOML: {reason}. Mend this line, or the one above it."
     zh = "{where}：TOML 语法错误（{reason}），请改正这一行或上一行。"

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
-from graphkin.errors.base import Choice, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, Lang, LocatedError, WordTable
 
 __all__ = [
     "AngleRange", "BadName", "DuplicateName", "KeyClash", "LongName", "MissingKey", "Negative", "NoMeaning", "NoUnit",
@@ -12,7 +10,7 @@ __all__ = [
     "UnknownPoint", "UnknownSlide", "UnknownUnit", "WrongCount", "WrongType",
 ]  # fmt: skip
 
-KINDS: dict[str, tuple[str, str]] = {
+KINDS: WordTable = {
     "text": ("a text in quotes", "带引号的文字"),
     "name": ("a name in quotes", "带引号的名称"),
     "title": ("a text in quotes, or { en = \"..\", zh = \"..\" }",
@@ -38,7 +36,7 @@ KINDS: dict[str, tuple[str, str]] = {
 }  # fmt: skip
 """The kinds of value that can be expected somewhere, in words."""
 
-QUANTITIES: dict[str, tuple[str, str]] = {
+QUANTITIES: WordTable = {
     "length": ("a length", "长度"),
     "angle": ("an angle", "角度"),
     "angular velocity": ("an angular velocity", "角速度"),
@@ -48,19 +46,12 @@ QUANTITIES: dict[str, tuple[str, str]] = {
 }
 
 
-def _pick(words: tuple[str, str], lang: Lang) -> str:
-    return words[1] if lang == "zh" else words[0]
-
-
 class UnknownKey(Choice):
     en = "{where}: the key {given} means nothing here. {hint}"
     zh = "{where}：此处没有 {given} 这个键。{hint}"
 
 
-class UnitAsKey(LocatedError):
-    """A unit that stands where the key of its quantity does."""
-
-    given: str
+class UnitAsKey(AboutText):
     key: str
     value: str
     en = "{where}: {given} is a unit, not a key. Write {key} = \"{value}\"."
@@ -68,8 +59,6 @@ class UnitAsKey(LocatedError):
 
 
 class UnknownPoint(Choice):
-    """`possible` are the points that may stand there."""
-
     en = "{where}: there is no point {given} here. {hint}"
     zh = "{where}：此处没有点 {given}。{hint}"
 
@@ -89,62 +78,41 @@ class NotOneOf(Choice):
     zh = "{where}：此处不能写 {given}。{hint}"
 
 
-class UnknownUnit(Choice):
-    """`quantity` is what stands there, `possible` its units."""
-
+class UnknownUnit(Choice, quantity=QUANTITIES):
     quantity: str
     en = "{where}: {given} is not a unit graphkin knows; {quantity} is wanted. {hint}"
     zh = "{where}：不认识单位 {given}，此处应为{quantity}。{hint}"
 
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "quantity": _pick(QUANTITIES[self.quantity], lang)}
 
-
-class OtherDimension(Choice):
-    """A known unit, but of something else (`found`)."""
-
+class OtherDimension(Choice, quantity=QUANTITIES, found=QUANTITIES):
     quantity: str
     found: str
     en = "{where}: {given} is the unit of {found}, but {quantity} is wanted. {hint}"
     zh = "{where}：{given} 是{found}的单位，此处应为{quantity}。{hint}"
 
-    def _words(self, lang: Lang) -> dict[str, object]:
-        quantities = {"quantity": self.quantity, "found": self.found}
-        return super()._words(lang) | {key: _pick(QUANTITIES[name], lang) for key, name in quantities.items()}
-
 
 class NoUnit(Choice):
-    """A number in quotes without a unit."""
-
     en = "{where}: \"{given}\" has no unit. Leave the quotes out, or add a unit. {hint}"
     zh = "{where}：“{given}”没有单位，请去掉引号或加上单位。{hint}"
 
 
-class NotANumber(LocatedError):
-    given: str
+class NotANumber(AboutText):
     en = "{where}: \"{given}\" does not read as a number with a unit. Write it like \"24 in\" or \"120 r/min\"."
     zh = "{where}：“{given}”不能读作带单位的数，请写成 \"24 in\" 或 \"120 r/min\" 的形式。"
 
 
-class OutOfRange(LocatedError):
-    """Not a number, infinite, or beyond anything that can be drawn."""
-
-    given: str
+class OutOfRange(AboutText):
     en = "{where}: {given} is not a finite number of reasonable size. Write an ordinary number."
     zh = "{where}：{given} 不是大小合理的有限数，请写普通的数。"
 
 
-class TooSmall(LocatedError):
-    """Zero, negative, or too small; `least` is the smallest that will do."""
-
-    given: str
+class TooSmall(AboutText):
     least: str
     en = "{where}: {given} will not do, the value must be greater than 0 (at least {least}). Correct it."
     zh = "{where}：{given} 不合要求，数值必须大于 0（不小于 {least}），请改正。"
 
 
-class Negative(LocatedError):
-    given: str
+class Negative(AboutText):
     en = "{where}: {given} is negative; a radius is 0 (a knife edge) or more. Correct it."
     zh = "{where}：{given} 为负；半径应为 0（尖点）或正数，请改正。"
 
@@ -156,60 +124,48 @@ class AngleRange(LocatedError):
 
 
 class MissingKey(LocatedError):
-    """`key` has to be there."""
-
     key: str
     en = "{where}: {key} is missing. Add it."
     zh = "{where}：缺少 {key}，请补上。"
 
 
 class KeyClash(LocatedError):
-    """Two keys that say the same thing twice, or two different things."""
-
     first: str
     second: str
     en = "{where}: {first} and {second} cannot stand together. Leave one of them out."
     zh = "{where}：{first} 与 {second} 不能同时给出，请去掉其一。"
 
 
-class NoMeaning(LocatedError):
-    """A key of the format that says nothing in this place; `why` chooses the reason."""
+_MEANINGLESS: WordTable = {
+    "tilt": ("a block of one point takes its direction from the line (one that has a second point, such as BQ = 30, "
+             "has its own)", "单点滑块的方向就是导路方向（若有自身方向，请给它第二个点，例如 BQ = 30）"),
+    "pin": ("a pin in a slot may turn", "销在槽中可以转动"),
+    "own line": ("a guide of one point that slides on nothing is its own line (for a line at an angle give the link a "
+                 "second point, such as CQ = 30, and measure from = \"CQ\")",
+                 "只有一个点、不在其他构件上滑动的导路以自身轴线为导路（若导路与轴线成角度，请给该构件第二个点，例如 CQ = 30，并用 from = \"CQ\"）"),
+    "circle": ("it belongs to a line, and this is a circle", "它只用于直线，而此处是圆"),
+    "line": ("it belongs to a circle, and this is a line", "它只用于圆，而此处是直线"),
+    "slide": ("it belongs to a turning driver, and a slide is driven by at, velocity, acceleration",
+              "它用于转动原动件；移动副用 at、velocity、acceleration 驱动"),
+    "vector": ("it belongs to a driven slide, and a vector is driven by angle, omega, alpha",
+               "它用于移动副；转动原动件用 angle、omega、alpha 驱动"),
+    "spin": ("a wheel whose own direction does not matter has omega and alpha only",
+             "不计自身方位的轮只需 omega 和 alpha"),
+}
 
+
+class NoMeaning(LocatedError, why=_MEANINGLESS):
     key: str
     why: str
     en = "{where}: {key} has no meaning here: {why}. Leave it out."
     zh = "{where}：此处的 {key} 没有意义：{why}。请删去。"
-    reasons: ClassVar[dict[str, tuple[str, str]]] = {
-        "tilt": ("a block of one point takes its direction from the line (one that has a second point, such as BQ = 30, "
-                 "has its own)", "单点滑块的方向就是导路方向（若有自身方向，请给它第二个点，例如 BQ = 30）"),
-        "pin": ("a pin in a slot may turn", "销在槽中可以转动"),
-        "own line": ("a guide of one point that slides on nothing is its own line (for a line at an angle give the link a "
-                     "second point, such as CQ = 30, and measure from = \"CQ\")",
-                     "只有一个点、不在其他构件上滑动的导路以自身轴线为导路（若导路与轴线成角度，请给该构件第二个点，例如 CQ = 30，并用 from = \"CQ\"）"),
-        "circle": ("it belongs to a line, and this is a circle", "它只用于直线，而此处是圆"),
-        "line": ("it belongs to a circle, and this is a line", "它只用于圆，而此处是直线"),
-        "slide": ("it belongs to a turning driver, and a slide is driven by at, velocity, acceleration",
-                  "它用于转动原动件；移动副用 at、velocity、acceleration 驱动"),
-        "vector": ("it belongs to a driven slide, and a vector is driven by angle, omega, alpha",
-                   "它用于移动副；转动原动件用 angle、omega、alpha 驱动"),
-        "spin": ("a wheel whose own direction does not matter has omega and alpha only",
-                 "不计自身方位的轮只需 omega 和 alpha"),
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "why": _pick(self.reasons[self.why], lang)}
 
 
-class WrongType(LocatedError):
-    """`expected` is one of `KINDS`."""
-
+class WrongType(LocatedError, expected=KINDS):
     expected: str
     given: str
     en = "{where}: {given} stands where {expected} is wanted. Replace it."
     zh = "{where}：此处应为{expected}，而不是 {given}，请改正。"
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "expected": _pick(KINDS[self.expected], lang)}
 
 
 class WrongCount(LocatedError):
@@ -220,8 +176,6 @@ class WrongCount(LocatedError):
 
 
 class BadName(WrongType):
-    """A name or key that is not formed as its kind is."""
-
     en = "{where}: {given}{odd} is not formed as it must be: {expected}. Rename it."
     zh = "{where}：{given}{odd} 的写法不对，应为：{expected}。请改名。"
 
@@ -232,16 +186,12 @@ class BadName(WrongType):
         return {**super()._words(lang), "odd": code}
 
 
-class LongName(LocatedError):
-    """A name that no drawing has room for."""
-
-    given: str
+class LongName(AboutText):
     most: int
     en = "{where}: the name {given} is too long for a drawing. Shorten it to {most} letters."
     zh = "{where}：名称 {given} 太长，图上写不下。请缩短到 {most} 个字母（汉字按两个计）以内。"
 
 
-class DuplicateName(LocatedError):
-    given: str
+class DuplicateName(AboutText):
     en = "{where}: the name {given} is used already. Choose another."
     zh = "{where}：名称 {given} 已被使用，请另取一个。"

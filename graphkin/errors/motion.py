@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import AboutLinks, Lang, LocatedError, Where, listed
+from graphkin.errors.base import AboutLink, AboutLinks, Lang, LocatedError, Where, listed
 
 __all__ = [
     "AlongOwnAxis", "AmbiguousSketch", "CannotAssemble", "DeadPoint", "FarFromSketch", "GearsApart", "HigherClass",
@@ -22,8 +22,6 @@ class HigherClass(AboutLinks):
 
 
 class CannotAssemble(AboutLinks):
-    """Links that do not reach each other."""
-
     gap_mm: float
     en = (
         "{where}: at this position a gap of {gap_mm:.4g} mm stays open between links {links}. "
@@ -33,12 +31,6 @@ class CannotAssemble(AboutLinks):
 
 
 class FarFromSketch(CannotAssemble):
-    """The same, where a measure of one of them is far from the sketch.
-
-    points              the two points
-    sketched_mm, given_mm  their distance there and by the link's measures
-    """
-
     points: str
     sketched_mm: float
     given_mm: float
@@ -47,8 +39,6 @@ class FarFromSketch(CannotAssemble):
 
 
 class DeadPoint(AboutLinks):
-    """Two loci that meet under too small an angle."""
-
     angle_deg: float
     en = (
         "{where}: dead point: the lines for links {links} meet under {angle_deg:.3f} deg; a drawing needs "
@@ -58,15 +48,9 @@ class DeadPoint(AboutLinks):
 
 
 class AlongOwnAxis(DeadPoint):
-    """A dead point in every position: a line of a link of one point runs the way the link itself slides.
-
-    point   the link's point
-    guided  the key of the link's own slide
-    """
-
     link: str
     point: str
-    guided: str
+    guided: str  # the key of the link's own slide
     en = (
         "{where}: link {link} has one point, so a line on it that is not said is its own axis, and that runs the way it slides "
         "({guided}): nothing on that line can move it. Say in the table of that line how it lies, such as through = \"{point}\" and "
@@ -79,8 +63,6 @@ class AlongOwnAxis(DeadPoint):
 
 
 class GearsApart(LocatedError):
-    """Two gears whose centres are not as far apart as their radii want."""
-
     centres: tuple[str, str]
     distance_mm: float
     wanted_mm: float
@@ -112,13 +94,7 @@ def called_pair(kind: str, name: str, lang: Lang) -> str:
 
 
 class NotRepeated(LocatedError):
-    """A constraint that comes close to repeating those of other pairs, and contradicts them by the rest.
-
-    pair, held   kind and name of each
-    off, unit    by how much it does not repeat them, in mm or deg
-    """
-
-    pair: tuple[str, str]
+    pair: tuple[str, str]  # kind and name
     held: tuple[tuple[str, str], ...]
     off: float
     unit: str
@@ -135,8 +111,6 @@ class NotRepeated(LocatedError):
 
 
 class OffTrack(LocatedError):
-    """A wheel whose centre other pairs hold where its rim does not touch its track."""
-
     centre: str
     track: str
     distance_mm: float
@@ -155,8 +129,6 @@ class OffTrack(LocatedError):
 
 
 class OtherSide(LocatedError):
-    """A mechanism that closes with a wheel or a profile on the other side of its line only."""
-
     side: str
     en = (
         "{where}: the links do not close as the file has it, and they do on the other side of this line. "
@@ -166,8 +138,6 @@ class OtherSide(LocatedError):
 
 
 class NotPlaced(AboutLinks):
-    """A drawn position that neither driver values nor poses fix."""
-
     en = (
         "{where}: nothing says where links {links} stand at the drawn position. Give the driver an `angle` "
         "(or `at`), or add a [[pose]] for one of them."
@@ -176,8 +146,6 @@ class NotPlaced(AboutLinks):
 
 
 class PosesDiffer(LocatedError):
-    """A pose that says another thing of the drawn position than drivers, poses and pairs without it do."""
-
     line: str
     said: str
     holds: str
@@ -204,8 +172,6 @@ class PosesDiffer(LocatedError):
 
 
 class NotReached(LocatedError):
-    """A position that lies beyond a dead point, or beyond what can be assembled, on the way from the drawn one."""
-
     driver: str
     start: str
     end: str
@@ -218,8 +184,6 @@ class NotReached(LocatedError):
 
 
 class RoadsDiffer(LocatedError):
-    """The drawing and the analytic solution give different numbers: neither is to be trusted."""
-
     worst: float
     en = (
         "{where}: the drawing and the analytic solution differ by {worst:.1e} of the largest value, so neither is "
@@ -230,8 +194,6 @@ class RoadsDiffer(LocatedError):
 
 
 class TooFar(LocatedError):
-    """A driver that is to move farther than anyone can look along."""
-
     driver: str
     start: str
     end: str
@@ -241,8 +203,6 @@ class TooFar(LocatedError):
 
 
 class AmbiguousSketch(LocatedError):
-    """A sketch as near to one assembly as to the other."""
-
     points: tuple[str, ...]
     point: str
     first: str
@@ -255,12 +215,7 @@ class AmbiguousSketch(LocatedError):
 
 
 class SingularPosition(LocatedError):
-    """The drivers do not move the mechanism in one definite way here: a dead point or a change point.
-
-    condition   reciprocal condition number of A in A y' = B, with lengths in units of the mechanism's size
-    """
-
-    condition: float
+    condition: float  # reciprocal, of A in A y' = B, with lengths in units of the mechanism's size
     en = (
         "{where}: the mechanism stands at a dead point or a change point (reciprocal condition {condition:.1e}), "
         "where the drivers give it no definite velocity. Move the driver a little."
@@ -269,11 +224,6 @@ class SingularPosition(LocatedError):
 
 
 class NoAssembly(LocatedError):
-    """No position meets all lengths, angles and driver values at once.
-
-    gap_mm   the smallest gap that stays open [mm]
-    """
-
     gap_mm: float
     en = (
         "{where}: the mechanism cannot be assembled with these lengths and driver values; "
@@ -282,9 +232,6 @@ class NoAssembly(LocatedError):
     zh = "{where}：按给定的长度和原动件位置无法装配，最小缺口为 {gap_mm:.3g} mm。请改变某一长度或原动件的位置。"
 
 
-class NotJoined(LocatedError):
-    """No chain of pairs joins this link to the frame."""
-
-    link: str
+class NotJoined(AboutLink):
     en = "{where}: no chain of pairs joins link {link} to the frame. Let it share a point with another link, or add a slide."
     zh = "{where}：构件 {link} 没有通过任何运动副与机架相连。请让它与另一构件共用一点，或加一个移动副。"

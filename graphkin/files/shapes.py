@@ -122,7 +122,7 @@ class ShapeMeasures:
 
 
 def solve_shape(shape: ShapeMeasures) -> dict[str, complex]:
-    """The points in the link's own axes [m]. Errors: see `graphkin.errors.shapes`."""
+    """The points in the link's own axes [m]. Errors: see `graphkin.errors.mechanism`."""
     if len(shape.points) == 1:
         return {shape.points[0]: 0j}
     if len(shape.points) > MOST_POINTS:

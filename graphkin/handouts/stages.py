@@ -2,26 +2,100 @@
 
 from __future__ import annotations
 
+import cmath
 import hashlib
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import assert_never
 
 import graphkin
-from graphkin.construction import Plane
+from graphkin.base.geometry import place
+from graphkin.construction import LayOff, Plane
 from graphkin.errors import Lang
-from graphkin.handouts import blank, document, proofs
-from graphkin.handouts.document import Block, Foot, Handout, Stage
-from graphkin.handouts.problem import HandoutProblem, Section, drawn_problem
+from graphkin.handouts import document
+from graphkin.handouts.document import Block, Foot, GridRoom, Handout, HandoutTable, Stage, TermRows
+from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
 from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import EDGE, Centre, Rotation
 from graphkin.say import entry
 from graphkin.say.catalogue import say
+from graphkin.say.entry import VectorEquation
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import formula, joined, plain
+from graphkin.sheet.lettering import Label, formula, joined, plain, point_label
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import written
+from graphkin.sheet.window import corners
+
+_MORE = 1.2
+_EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
+_STEP = 10.0  # rooms are so many millimetres, or a multiple of it
+MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
+
+
+def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
+    """The same room for every problem, with the pole somewhere, by lot, from where its polygon has room: neither tells
+    anything of the polygon. Where a scale of the file's own makes that larger, the box of the polygon and a fifth more.
+    """
+    construction, points = problem.construction(plane), problem.drawing.plot.points(plane)
+    names = (construction.pole, *construction.nodes)
+    low, high = corners([place(points[name]) / problem.scales[plane] for name in names if name in points])
+    wide, tall = _whole((high - low).real, ROOM.real), _whole((high - low).imag, ROOM.imag)
+    right, up = (byte / 255 for byte in hashlib.sha256((problem.drawing.mechanism.text + plane).encode()).digest()[:2])
+    pole = complex(_placed(low.real, high.real, wide, right), tall - _placed(low.imag, high.imag, tall, up))
+    direction = 0.0
+    for step in construction.steps:  # the first arrow that is laid off is given with the driver
+        if isinstance(step, LayOff) and abs(arrow := place(points[step.term.head] - points[step.term.tail])) > 0:
+            direction = cmath.phase(arrow) % math.pi
+            break
+    mark = plain(f"{round(math.degrees(direction), 1):g}°")
+    return GridRoom(wide, tall, pole, point_label(construction.pole), direction, mark)
+
+
+def _placed(low: float, high: float, room: float, lot: float) -> float:
+    """A place of the pole in a room, so that what reaches from low to high about it keeps off the edge."""
+    first, last = _EDGE - low, room - _EDGE - high
+    least, most = math.ceil(first / _GRID), math.floor(last / _GRID)
+    return _GRID * (least + round(lot * (most - least)))
+
+
+def _whole(length: float, usual: float) -> float:
+    return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
+
+
+def empty_rows(problem: HandoutProblem, equation: VectorEquation | None = None, terms: int = 3) -> TermRows:
+    """Lines to write an equation on: as many terms as it has, or as any may have."""
+    lang = problem.lang
+    heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
+    columns: list[tuple[Label, Label, Label] | None] = []
+    sides = [len(side) for side in equation.sides] if equation is not None else [1, terms - 1]
+    if equation is not None and equation.front:
+        sides = [1, *sides]
+    for k, count in enumerate(sides):
+        columns += [(plain("="), (), ())] if k else []
+        for n in range(count):
+            columns += [(plain("+"), (), ()), None] if n else [None]
+    return TermRows((heads[0], heads[1]), tuple(columns))
+
+
+def measured(problem: HandoutProblem, count: int = 3) -> HandoutTable:
+    """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
+    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("vector", "measured", "value"))
+    return HandoutTable(heads * 2, (((),) * 6,) * count)
+
+
+def answer_boxes(problem: HandoutProblem) -> HandoutTable:
+    """A box an answer, with its unit, and one for the sense where it has one."""
+    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("quantity", "answer", "unit", "sense"))
+    rows: list[tuple[Label, ...]] = []
+    for quantity in problem.goal.wanted:
+        if quantity is not None:
+            unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
+            turns = isinstance(quantity, Rotation) and quantity.word != "theta"
+            rows.append((formula(problem.goal.symbol(quantity)), (), plain(unit), () if turns else plain("—")))
+    return HandoutTable(heads, tuple(rows))
 
 
 def handout(
@@ -86,12 +160,12 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             for plane in problem.polygons:  # an empty equation, gridded paper with the pole, a table to measure into
                 yield document.NewPage()
                 yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
-                for _ in problem.construction(plane).equations[: blank.MOST_EQUATIONS]:
-                    yield blank.empty_rows(problem, terms=blank.TERMS[plane])
+                for _ in problem.construction(plane).equations[: MOST_EQUATIONS]:
+                    yield empty_rows(problem, terms=TERMS[plane])
                 before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
                 yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
-                yield blank.room(problem, plane)
-                yield blank.measured(problem)
+                yield room(problem, plane)
+                yield measured(problem)
         case "half":
             yield from _problem(problem)
             yield from _half(problem, upto)
@@ -112,7 +186,7 @@ def _problem(problem: HandoutProblem) -> Iterator[Block]:
     yield document.Paragraph(joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
     if problem.goal.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
-        yield blank.boxes(problem)
+        yield answer_boxes(problem)
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
@@ -127,8 +201,8 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
             yield _figure(problem, section.plane, "construction", last)
     if waiting is not None:
         yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
-        yield blank.empty_rows(problem, waiting)
-        yield blank.measured(problem, 2)
+        yield empty_rows(problem, waiting)
+        yield measured(problem, 2)
 
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
@@ -141,8 +215,8 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction")
     yield from _section(problem.answers, problem.lang)
-    yield from proofs.beside(problem)
-    yield from proofs.mistakes(problem)
+    yield from beside_analysis(problem)
+    yield from common_mistakes(problem)
 
 
 def _section(section: Section, lang: Lang) -> Iterator[Block]:

@@ -10,14 +10,13 @@ import numpy as np
 from graphkin.base.geometry import Real, Value, dot
 from graphkin.base.value import frozen
 from graphkin.construction import Given, Image, Normal, Plane, Site
-from graphkin.errors import GraphkinError
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.key import Sort
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen
 from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import Answer, on_axis
-from graphkin.model.quantities.reading import read
+from graphkin.model.quantities.reading import quietly
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 
@@ -53,10 +52,7 @@ def on_the_way(method: Method) -> tuple[Quantity, ...]:
 
 def readable(mechanism: Mechanism, text: str) -> Quantity | None:
     """The quantity a text names, where its answer is a number."""
-    try:
-        quantity = read(mechanism, text)
-    except GraphkinError:
-        return None
+    quantity = quietly(mechanism, text)
     return None if quantity is not None and quantity.is_place else quantity
 
 
@@ -82,12 +78,15 @@ class ArrowPlaces:
     nodes   by link and point, its name in each plane
     resting the nodes that sit on the poles, as fixed points do
     parts   ends of the arrows seen from another point, by plane, part and both points of the plane
+    sliding ends of those seen from a coincident point, by plane, part and both links, of links that turn together: at
+            their other coincident points these are the same
     """
 
     nodes: Mapping[tuple[str, str, Plane], str]
     poles: Mapping[Plane, str]
     resting: frozenset[tuple[Plane, str]]
     parts: Mapping[tuple[Plane, str, str, str], Ends]
+    sliding: Mapping[tuple[Plane, str, str, str], Ends]
 
     def node(self, site: Seen | Site, plane: Plane) -> str | None:
         return self.poles[plane] if site.link == FRAME else self.nodes.get((site.link, site.point, plane))
@@ -103,9 +102,14 @@ class ArrowPlaces:
         plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
         head = self.node(quantity.site, plane)
         tail = self.poles[plane] if quantity.seen_from is None else self.node(quantity.seen_from, plane)
+        part, seen_from = quantity.part, quantity.seen_from
         if head is None or tail is None:
+            if seen_from is None or seen_from.point != quantity.site.point:
+                return None
+            for links, sign in (((quantity.site.link, seen_from.link), 1), ((seen_from.link, quantity.site.link), -1)):
+                if (plane, part, *links) in self.sliding:
+                    return self.sliding[plane, part, *links], sign
             return None
-        part = quantity.part
         if part == "":
             return (plane, tail, head), 1
         if (plane, part, head, tail) in self.parts:
@@ -127,10 +131,15 @@ def arrows_of(method: Method) -> ArrowPlaces:
     parts: dict[tuple[Plane, str, str, str], Ends] = {}
     resting = frozenset((construction.plane, name) for construction in polygons for step in construction.steps
                         if isinstance(step, Given) for name in step.also)  # fmt: skip
-    arrows = ArrowPlaces(nodes, {construction.plane: construction.pole for construction in polygons}, resting, parts)
+    sliding: dict[tuple[Plane, str, str, str], Ends] = {}
+    poles, turns = {construction.plane: construction.pole for construction in polygons}, method.facts().turns
+    arrows = ArrowPlaces(nodes, poles, resting, parts, sliding)
     for construction in polygons:
         plane = construction.plane
         for term in construction.vectors().values():
+            links = [site.link for site in term.sites if site.point == term.sites[0].point and site.link in turns]
+            if len(links) == len(term.sites) == 2 and turns[links[0]].base == turns[links[1]].base:
+                sliding.setdefault((plane, term.part, links[0], links[1]), (plane, term.tail, term.head))
             part = term.part or ("n" if isinstance(term.size, Normal) else "")  # a lone normal arrow of a crank too
             if part and len(term.sites) == 2:
                 head, tail = (_node_of(arrows, site, plane, method.mechanism) for site in term.sites)

@@ -122,7 +122,6 @@ _RODS = {"c": "e", "r": "f", "g": "g"}
 def spelled(name: str) -> str:
     """A name with the links of an equivalent as people read them: e, e2, ..; those that hold a wheel f, f2, .."""
 
-
     def rod(match: re.Match[str]) -> str:
         letter, kind, number, roll = match.groups()
         if kind is None:

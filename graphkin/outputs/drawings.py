@@ -96,10 +96,7 @@ def write(path: Path, content: bytes | str, force: bool) -> None:
 
 
 class EditedByHand(GraphkinError):
-    """A drawing of graphkin's that no longer is as it was drawn."""
-
     path: str
-
     en = (
         "{path} was changed by hand since graphkin drew it (`graphkin check` tells where). Choose another name, "
         "or replace it with --force."

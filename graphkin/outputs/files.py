@@ -21,10 +21,7 @@ _GLANCE = 4096  # how much of a file's beginning and end is looked at for a mark
 
 
 class FileInTheWay(GraphkinError):
-    """A file that graphkin did not write stands where one is to be written."""
-
     path: str
-
     en = (
         "{path} exists and is not a file of this kind written by graphkin. Choose another name, or replace it "
         "with --force."
@@ -100,11 +97,8 @@ def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
 
 
 class NeedsExtra(GraphkinError):
-    """A file whose writer is a package that is not installed."""
-
     package: str
     extra: str
-
     en = (
         "This kind of file is written by {package}, which is not installed. "
         "Install it: pip install 'graphkin[{extra}]'."

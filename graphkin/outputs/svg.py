@@ -42,11 +42,8 @@ _TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that 
 
 
 class Unwritable(GraphkinError):
-    """Text that no XML file can hold."""
-
     where: str
     code: str
-
     en = "{where}: the character {code} cannot stand in a drawing. Remove it from the mechanism file."
     zh = "{where}：字符 {code} 不能写入图形文件，请从机构文件中删去。"
 

@@ -36,8 +36,6 @@ Seen = Callable[[Sweep], None]  # a function that sees each part that is done
 
 
 class NoParquet(GraphkinError):
-    """Parquet is asked for, and its library is not there."""
-
     path: str
     en = "{path}: writing Parquet needs pyarrow: pip install 'graphkin[parquet]'. Or write .csv or .json."
     zh = "{path}：写 Parquet 需要 pyarrow：pip install 'graphkin[parquet]'。也可改写 .csv 或 .json。"

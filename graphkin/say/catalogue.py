@@ -8,7 +8,7 @@ imported when first needed; small subjects share a file.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib import import_module
 from typing import get_args
@@ -60,6 +60,11 @@ def is_phrase(name: str) -> bool:
 def say(name: str, lang: Lang, /, **words: object) -> str:
     """A phrase with these words put in."""
     return phrase(name, lang).format(**words)
+
+
+def in_list(parts: Iterable[str], lang: Lang) -> str:
+    """`A, B, C`; `A、B、C`."""
+    return say("common.list", lang).join(parts)
 
 
 def in_both(name: str, /, **words: object) -> dict[Lang, str]:

@@ -79,14 +79,6 @@ class TermRow:
     length_mm: float
     ends: tuple[str, str]
 
-    @property
-    def size_known(self) -> bool:
-        return self.size != "?"
-
-    @property
-    def direction_known(self) -> bool:
-        return self.direction != "?"
-
 
 @frozen
 class VectorEquation:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from math import degrees
 
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.say.catalogue import LANGUAGES, in_both, say
+from graphkin.say.catalogue import LANGUAGES, in_both, in_list, say
 from graphkin.say.figures import Formula, figures, squared, written
 from graphkin.say.numbers import angle, exact, millimetres, number
 from graphkin.studies.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
@@ -39,7 +39,7 @@ def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str
     """Lines of a linkage found in a mechanism: which links it is made of first."""
     pin = found.linkage.names[1] if "bar" in found.linkage.called else ""  # one that runs in a slot is no link
     links = (say("linkages.pin", lang, point=link) if link == pin else link for link in found.links)
-    yield say("linkages.links", lang, links=_list(links, lang))
+    yield say("linkages.links", lang, links=in_list(links, lang))
     yield from lines(report, lang)
     if found.driven != "driver":
         key = "behind" if found.before is not None else found.driven
@@ -65,13 +65,13 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
         turns = [turn for turn in report.turns if turn.full == full]
         pairs = [f"{turn.first}–{frame if turn.second == FRAME else turn.second}" for turn in turns]
         key = "linkages.full" if full else "linkages.rocks"
-        yield say(key, lang, pairs=_list(pairs, lang) or say("linkages.nothing", lang))
+        yield say(key, lang, pairs=in_list(pairs, lang) or say("linkages.nothing", lang))
     yield from _limits(report, lang)
     yield from _ratio(report, lang)
     yield from _gamma(report, lang)
     for driver, values in report.dead.items():
         if values:
-            shown = _list(map(millimetres if driver == report.slide else angle, values), lang)
+            shown = in_list(map(millimetres if driver == report.slide else angle, values), lang)
             along = report.output != driver == report.slide and driver == "s"
             yield say("linkages.dead along" if along else "linkages.dead", lang, driver=driver, values=shown)
         else:
@@ -86,10 +86,6 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
 def amount(report: Report, value: float) -> str:
     """A driver's value: an angle, or a slider's place."""
     return millimetres(value) if report.driver_slides else angle(value)
-
-
-def _list(parts: Iterable[str], lang: Lang) -> str:
-    return say("common.list", lang).join(parts)
 
 
 def _sums(report: Report, lang: Lang) -> str:
@@ -119,7 +115,7 @@ def _equal(report: Report, lang: Lang) -> Iterator[str]:
         group = next((group for group in alike if abs(sizes[group[0]] - value) <= EVEN * total), None)
         alike.append([name]) if group is None else group.append(name)
     if equal := [" = ".join(group) for group in alike if len(group) > 1]:
-        yield say("linkages.equal", lang, pairs=_list(equal, lang))
+        yield say("linkages.equal", lang, pairs=in_list(equal, lang))
 
 
 def _how(report: Report, end: LinkagePosition, lang: Lang) -> str:
@@ -186,7 +182,7 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
                 shown = f"{written(numbers, value, _COSINE_DIGITS)} = {number(value, digits=_COSINE_DIGITS)}"
                 words["cosine"] = say("linkages.cosine", lang, cosine=f"cos γ = {name} = {shown}")
             yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver))
-        values = _list((amount(report, end.driver) for end in report.least), lang)
+        values = in_list((amount(report, end.driver) for end in report.least), lang)
         words = {"gamma": angle(least), "alpha": angle(alpha)}
         yield say("linkages.least", lang, **words, driver=report.driver, values=values)
 
@@ -226,7 +222,7 @@ def family_lines(lang: Lang) -> Iterator[str]:
     """One line a kind: its name, and where the library has it."""
     for member in FAMILY:
         name = kind_name(report(member.linkage), lang)
-        yield name + (say("common.colon", lang) + _list(member.library, lang) if member.library else "")
+        yield name + (say("common.colon", lang) + in_list(member.library, lang) if member.library else "")
 
 
 def titled(linkage: Linkage, headline: str = "") -> Mechanism:

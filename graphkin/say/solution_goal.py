@@ -98,7 +98,7 @@ class SolutionGoal:
             case Place():
                 return f"{quantity.word}_{names.point(quantity.of)}"
             case Moving():
-                part = f"^{quantity.which}" if quantity.which else ""
+                part = f"^{quantity.part}" if quantity.part else ""
                 return names.vector(f"{quantity.letter}{part}_{quantity.of}")
             case Component(whole=whole):
                 return f"{self.symbol(whole)},{quantity.axis}"

@@ -10,7 +10,7 @@ from graphkin.model.naming import named
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Revolute, RollingContact, Slide
 from graphkin.planning import Method
 from graphkin.planning.stages import Bridge
-from graphkin.say.catalogue import say, say_close
+from graphkin.say.catalogue import in_list, say, say_close
 
 if TYPE_CHECKING:
     from graphkin.studies.assur import Structure
@@ -33,7 +33,7 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
     mechanism, parts = method.mechanism, structure(method)
 
     def head(name: str, entries: Iterable[str] = ()) -> str:
-        return f"{say(name, lang)}{say('common.colon', lang)}{_list(entries, lang)}".rstrip()
+        return f"{say(name, lang)}{say('common.colon', lang)}{in_list(entries, lang)}".rstrip()
 
     yield mechanism.headline(lang)
     yield head("structure.links", [say("structure.frame", lang, name=mechanism.frame), *mechanism.moving])
@@ -42,14 +42,14 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
         key, point = KINDS[type(pair)](pair)
         guide, *block = pair.joins
         groups = {"links": pair.joins, "guide": (guide,), "block": block}
-        names = {word: _list(map(mechanism.called, links), lang) for word, links in groups.items()}
+        names = {word: in_list(map(mechanism.called, links), lang) for word, links in groups.items()}
         yield "  " + say(f"structure.pair {key}", lang, point=point, **names)
     yield from _freedoms(method, parts, lang)
     yield head("structure.drivers", [driver.name for driver in mechanism.drivers])
     yield head("structure.groups")
     for k, group in enumerate(parts.groups, 1):  # `4, 3, 5, 1+2`, `2 and the block that replaces cam pair 1–2`
         held = {link: "+".join(pair) for pair in group.merged for link in pair}
-        links = _list(dict.fromkeys(held.get(link, link) for link in group.links), lang)
+        links = in_list(dict.fromkeys(held.get(link, link) for link in group.links), lang)
         for each in group.added:
             replaced = called_pair(*named(mechanism, each.pair), lang)
             links += say_close(f"structure.added {each.kind}", lang, pair=replaced)
@@ -63,10 +63,6 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
     yield head("structure.methods", methods or [say("structure.none", lang)])
 
 
-def _list(entries: Iterable[str], lang: Lang) -> str:
-    return say("common.list", lang).join(entries)
-
-
 def _freedoms(method: Method, parts: Structure, lang: Lang) -> Iterator[str]:
     rolled = f" − {parts.rolled}" if parts.rolls else ""
     formula = str(parts.formula).replace("-", "−")
@@ -74,11 +70,11 @@ def _freedoms(method: Method, parts: Structure, lang: Lang) -> Iterator[str]:
     yield say("structure.formula", lang, **words)
     if parts.rolls:
         colon = say("common.colon", lang)
-        counts = _list((f"{'–'.join(links)}{colon}{count}" for links, count in parts.rolls), lang)
+        counts = in_list((f"{'–'.join(links)}{colon}{count}" for links, count in parts.rolls), lang)
         yield "  " + say("structure.rolled", lang, count=parts.rolled, taken=counts)
     yield say("structure.rank", lang, f=parts.mobility.freedoms)
     if parts.mobility.idle:
-        yield "  " + say("structure.idle", lang, links=_list(parts.mobility.idle, lang))
+        yield "  " + say("structure.idle", lang, links=in_list(parts.mobility.idle, lang))
     if parts.repeated:
         left_out = say("structure.left out", lang, count=parts.uncounted) if parts.uncounted else ""
         yield "  " + say("structure.redundant", lang, count=parts.repeated) + left_out

@@ -13,7 +13,7 @@ How to add a sheet:
  2. its room: alone under a heading (`single_figure.place_for`, `.sheet`), or in cells over captions
     (`single_figure.Picture` with its `Extent.of(places, draw)`; `paper.Room.cells`, `.panel(cell, scale)`);
  3. the page, unless it is alone: `Page(paper, panels, mechanism, drivers, lang, Strip(room, tables)).sheet()`, where
-    `layout.papers_for` knows the paper and `layout.divided` parts it into field and strip (`titleblock.strip_height`);
+    `paper.papers_for` knows the paper and `layout.divided` parts it into field and strip (`titleblock.strip_height`);
  4. one sheet a step: number the marks (`step`), then `page.step_sheets(whole, numbers)`;
  5. the command that writes it hands it to `graphkin.outputs`; its command line in `tests/golden.py` keeps it.
 """

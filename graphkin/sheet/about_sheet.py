@@ -16,12 +16,12 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
 from graphkin.say.centre_about import bobillier_words, link_words
-from graphkin.sheet.centre_places import coordinates
+from graphkin.sheet.centre_figure import coordinates
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
-from graphkin.sheet.page import Sheet, step_sheets
+from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName, finest
 from graphkin.sheet.path_figure import circle, clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
@@ -242,14 +242,6 @@ def bobillier_sheet(link: About, solution: Bobillier, *, paper: str | None = Non
     drawing = _BobillierDrawing(solution, on, solution.point not in method.mechanism.points)
     figure = Figure.of(drawing.lines()) + on.mechanism(plot) + Figure.of(drawing.points())
     return on.sheet(plot, BOBILLIER[lang].format(point=solution.point, link=link.called), figure, lang)
-
-
-def bobillier_step_sheets(
-    link: About, solution: Bobillier, *, paper: str | None = None, lang: Lang = "en"
-) -> Iterator[Sheet]:
-    """One sheet a step, its newest marks emphasised."""
-    whole = bobillier_sheet(link, solution, paper=paper, lang=lang)
-    yield from step_sheets(whole, range(1, len([*solution.construction.steps]) + 1))
 
 
 @frozen

@@ -1,6 +1,6 @@
 """The sheet of instant centres: the mechanism with its centres, the circle diagram, the table.
 
-`centre_sheet` draws all, `centre_step_sheets` one step after the other.
+A step is a centre, in the order in which they are found.
 """
 
 from __future__ import annotations
@@ -11,15 +11,14 @@ from functools import cached_property, partial
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.sheet.centre_figure import bare_mechanism, centre_figure
-from graphkin.sheet.centre_places import OnPaper, spots
+from graphkin.sheet.centre_figure import OnPaper, bare_mechanism, centre_figure, spots
 from graphkin.sheet.centre_table import CentreTable, centre_table, circle_diagram, circle_size
-from graphkin.sheet.grid import SheetGrid
-from graphkin.sheet.layout import HEAD, papers_for
+from graphkin.sheet.layout import HEAD
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.mechanism_figure import mechanism_places
-from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
-from graphkin.sheet.paper import Paper, Room
+from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading
+from graphkin.sheet.paper import Paper, Room, papers_for
+from graphkin.sheet.single_figure import SheetGrid
 from graphkin.sheet.window import Extent, Window, corners
 from graphkin.studies.centres import Centres
 
@@ -60,14 +59,6 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
             break
     best = min(tried, key=lambda one: (one.lost, max(0, one.crowded - _CROWDED)))
     return best.page.sheet() if best.lost > _FEW else best.sheet
-
-
-def centre_step_sheets(
-    found: Centres, *, paper: str | None = None, lang: Lang = "en", fit: bool = False
-) -> Iterator[Sheet]:
-    """One sheet a centre, in the order in which they are found; what a step adds is emphasised."""
-    whole = centre_sheet(found, paper=paper, lang=lang, fit=fit)
-    yield from step_sheets(whole, range(1, len(found.centring.stages) + 1))
 
 
 def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:

@@ -12,7 +12,7 @@ from graphkin.base import geometry
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
-from graphkin.sheet.centre_places import Spot, centre_label, coordinates, spots
+from graphkin.sheet.centre_figure import Spot, centre_label, coordinates, spots
 from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LABEL, LEAST, PenName, Room

@@ -18,19 +18,17 @@ from graphkin.say.catalogue import say
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
-from graphkin.sheet.annotations import MechanismNotes
 from graphkin.sheet.arrows import heads_apart, side_by_side
-from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
+from graphkin.sheet.construction_lines import MechanismNotes, PolygonConstruction, pencil_lines
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.free_room import FreeRoom
-from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
 from graphkin.sheet.path_figure import NONE, Paths
-from graphkin.sheet.polygons import PolygonFigure, polygon_figure
+from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.text_blocks import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.titleblock import Strip, Table, strip_height
@@ -185,19 +183,16 @@ class SheetContents:
         """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
         key = (*(paper.name for paper in papers), *weights.items())
         if key not in self._layouts:
-            self._layouts[key] = self._laid_out(papers, weights)
+            extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
+            papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
+            free = {plane: replace(extent, over=None) for plane, extent in extents.items()}
+            bare = lay_out(free, self.height, papers)
+            self._layouts[key] = headed(bare, extents, self.height, papers, _COARSER)
         return self._layouts[key]
 
     @cached_property
     def _layouts(self) -> dict[tuple[object, ...], Layout]:
         return {}
-
-    def _laid_out(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
-        extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
-        if self.tight:
-            papers = [replace(paper, margin=0.0) for paper in papers]
-        bare = lay_out({plane: replace(extent, over=None) for plane, extent in extents.items()}, self.height, papers)
-        return headed(bare, extents, self.height, papers, _COARSER)
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
         """With its equations over it, where they have room there."""

@@ -15,15 +15,13 @@ from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.running.other_positions import moved_to
 from graphkin.say.finding import caption, lines
-from graphkin.sheet.grid import SheetGrid, panels_in
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import papers_for
 from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, Mark, Stroke
 from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import BODY, Paper, Room
-from graphkin.sheet.single_figure import Caption, Picture
+from graphkin.sheet.paper import BODY, Paper, Room, papers_for
+from graphkin.sheet.single_figure import Caption, Picture, SheetGrid, panels_in
 from graphkin.sheet.window import Extent, Figure, Window, corners
 from graphkin.studies.finding import Findings
 from graphkin.studies.finding.answers import SlowPoint

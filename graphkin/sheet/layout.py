@@ -19,19 +19,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
 from graphkin.sheet.page import HEAD_WIDTH
-from graphkin.sheet.paper import (  # fmt: skip
-    KEYS,
-    LARGE,
-    PAPERS,
-    UNITS,
-    USUAL,
-    Paper,
-    Room,
-    Rooms,
-    TooLargeForPaper,
-    UnknownPaper,
-    finer,
-)
+from graphkin.sheet.paper import KEYS, LARGE, UNITS, Paper, Room, Rooms, TooLargeForPaper, finer, papers_for
 from graphkin.sheet.window import Extent, Over, Window, height_over
 
 HEAD = 7.5  # height of a figure's heading [mm]
@@ -74,13 +62,6 @@ def _head_height(wide: Array, over: Over | None) -> Array:
     """The height of the heading and of what stands over the figure, in rooms of a width [mm]."""
     head = np.where(wide < HEAD_WIDTH, HEAD + _SECOND, HEAD)
     return head if over is None else head + height_over(over, wide - 2 * HEAD_LEFT)
-
-
-def papers_for(name: str | None) -> list[Paper]:
-    """The paper asked for, or the usual ones."""
-    if name is not None and name not in PAPERS:
-        raise UnknownPaper(name, ", ".join(PAPERS))
-    return [PAPERS[name]] if name is not None else list(USUAL)
 
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:

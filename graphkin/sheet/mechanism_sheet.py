@@ -23,11 +23,11 @@ from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.sheet.composition import Planes, SheetContents, Style
 from graphkin.sheet.label_requests import CRAMMED
-from graphkin.sheet.layout import Layout, cut_to, papers_for
+from graphkin.sheet.layout import Layout, cut_to
 from graphkin.sheet.lettering import formula, plain
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.page import Lettered, Page, Sheet
-from graphkin.sheet.paper import BODY, LARGE, Paper, TooLargeForPaper
+from graphkin.sheet.paper import BODY, LARGE, Paper, TooLargeForPaper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
 from graphkin.sheet.text_blocks import LINE, broken

@@ -92,9 +92,9 @@ class Sheet:
         return replace(self, layers=tuple(layers))
 
 
-def step_sheets(whole: Sheet, steps: Iterable[int]) -> Iterator[Sheet]:
-    """One sheet a step, drawn and lettered only once."""
-    return (whole.upto(step) for step in steps)
+def step_sheets(whole: Sheet, steps: Iterable[int] = ()) -> Iterator[Sheet]:
+    """One sheet a step, what it adds emphasised, lettered only once; steps left out: all that draw something."""
+    return (whole.upto(step) for step in steps or sorted({m.step for m in whole.marks if m.step is not None}))
 
 
 class Last(Protocol):

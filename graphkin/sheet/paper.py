@@ -171,6 +171,13 @@ class UnknownPaper(GraphkinError):
     zh = "没有 {name!r} 这种图纸。可选：{known}。"
 
 
+def papers_for(name: str | None) -> list[Paper]:
+    """The paper asked for, or the usual ones."""
+    if name is not None and name not in PAPERS:
+        raise UnknownPaper(name, ", ".join(PAPERS))
+    return [PAPERS[name]] if name is not None else list(USUAL)
+
+
 def finest(size: complex, room: complex) -> float:
     """The finest scale of the series at which a figure of this width and height fits its room.
 

@@ -2,24 +2,104 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+import cmath
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 from itertools import chain
 
+from graphkin.base import geometry
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
 from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.planning import Method
 from graphkin.planning.at_rest import relabelled
-from graphkin.sheet import gear_images
-from graphkin.sheet.gear_images import GearImage
+from graphkin.planning.method import rate_found
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, plain, point_label, vector_label
-from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
+from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.skeleton import hull, in_line
+from graphkin.sheet.skeleton import hull, in_line, off_stretch
+from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
+
+_LEAST = 0.4  # a circle smaller than this is a point [mm]
+
+
+@frozen
+class GearImage:
+    """One gear in the velocity plane: centre and radius [m/s], the polygon's point there, when it can be drawn."""
+
+    label: Label
+    at: complex
+    radius: float
+    centre: str
+    step: int | None
+
+    @property
+    def corners(self) -> tuple[complex, complex]:
+        return self.at + self.radius * (1 + 1j), self.at - self.radius * (1 + 1j)
+
+
+def gear_images(method: Method, plot: Plot) -> list[GearImage]:
+    """Every gear once; wheels that only roll have none. `g` is another letter where the mechanism has a point G."""
+    letter = next((c for c in "gwzu" if c.upper() not in method.mechanism.points), "g")
+    start = next((act.page for act in method.acts if act.plane == "velocity"), None)
+    images: list[GearImage] = []
+    for wheel in wheels_of(method.mechanism):
+        centre = _centre(method, wheel) if wheel.gear else None
+        if centre is None or centre not in plot.velocity:
+            continue
+        radius = abs(geometry.number(plot.omega[wheel.link])) * wheel.radius
+        label = point_label(f"{letter}@{method.mechanism.called(wheel.link)}")
+        at, step = geometry.place(plot.velocity[centre]), rate_found(method, "velocity", wheel.link) or start
+        images.append(GearImage(label, at, radius, centre, step))
+    return images
+
+
+def _centre(method: Method, wheel: Wheel) -> str | None:
+    """The polygon's point of a gear's centre; those of fixed points are the pole's."""
+    owners = method.mechanism.owners.get(wheel.centre, ())
+    if FRAME in owners or wheel.link == FRAME:
+        return method.velocity.pole
+    nodes = method.velocity.nodes.items()
+    at_centre = [(name, node.site) for name, node in nodes if node.site and node.site.point == wheel.centre]
+    at_centre.sort(key=lambda entry: entry[1] is None or entry[1].link != wheel.link)
+    return next((name for name, site in at_centre if site is not None and site.link in owners), None)
+
+
+def gear_circles(
+    images: Sequence[GearImage], window: Window, arrows: Sequence[VectorMark], places: Sequence[Place]
+) -> Figure:
+    """Thin circles with their letters, each where little else lies."""
+    figure = Figure()
+    drawn = [(window(image.at), image.radius / window.scale) for image in images]
+    for image, (at, radius) in zip(images, drawn, strict=True):
+        if radius < _LEAST:
+            continue
+        figure.marks.append(Disc(at, radius, "thin", step=image.step))
+        others = [circle for circle in drawn if circle != (at, radius)]
+        rim = [at + cmath.rect(radius, math.radians(15 + 30 * k)) for k in range(12)]
+        gaps = [
+            min([9.0, *(abs(spot - place) for place in places), *(abs(abs(spot - o) - r) for o, r in others),
+                 *(off_stretch(spot, arrow.start, arrow.end) for arrow in arrows)])
+            for spot in rim
+        ]  # fmt: skip
+        spot = rim[gaps.index(max(gaps))]
+        figure.wanted.append(LabelRequest(image.label, spot, gap=0.4, away=(spot - at) / radius, step=image.step))
+    return figure
+
+
+def gear_points(images: Sequence[GearImage], window: Window) -> dict[str, list[Label]]:
+    """Letters of the gears whose image is a point, by the polygon's point they lie on."""
+    letters: dict[str, list[Label]] = {}
+    for image in images:
+        if image.radius / window.scale < _LEAST and image.label not in letters.get(image.centre, []):
+            letters.setdefault(image.centre, []).append(image.label)
+    return letters
+
 
 _SAME = 0.15  # closer than this two points are one on paper [mm]
 _LETTERS = 8  # of the points in one place so many are lettered at most
@@ -177,7 +257,7 @@ def named_site(site: Site) -> str:
 def polygon_figure(polygon: PolygonFigure) -> Figure:
     """Images as thin lines, then arrows, then points."""
     vectors, plane = list(polygon.vectors()), polygon.construction.plane
-    rims = gear_images.circles(polygon.gears, polygon.window, vectors, list(polygon.named.values()))
+    rims = gear_circles(polygon.gears, polygon.window, vectors, list(polygon.named.values()))
     marks = [*_image_lines(polygon, vectors), *rims.marks, *vectors]
     for name, at in polygon.named.items():
         marks.append(PointMark(plane, name, polygon.of(name), at, step=polygon.step(name), site=polygon.site(name)))
@@ -207,7 +287,7 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
             places.append((at, same := []))
         same.append(name)
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
-    fixed = gear_images.points(polygon.gears, polygon.window)
+    fixed = gear_points(polygon.gears, polygon.window)
     requests: list[LabelRequest] = []
     for at, names in places:
         letters = dict.fromkeys(polygon.letters(name) for name in names)

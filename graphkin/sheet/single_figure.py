@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import SupportsFloat
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.sheet.layout import HEAD, Layout, alone
+from graphkin.sheet.layout import HEAD, Layout, alone, divided
 from graphkin.sheet.lettering import formula, width
 from graphkin.sheet.marks import Mark, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
-from graphkin.sheet.paper import BODY, Room
+from graphkin.sheet.paper import BODY, Paper, Room
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, Table, strip_height, two_lines
 from graphkin.sheet.window import Extent, Figure, Window
@@ -126,3 +128,37 @@ def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
     bare = bare_figure(method, Skeleton(method.mechanism, plot, alone.window, {}))
     figure = Figure([plainly(mark) for mark in bare.marks], bare.wanted)
     return alone.sheet(plot, HEADINGS[lang]["position"], figure, lang)
+
+
+# --- one grid for sheets of several figures ---------------------------------------------------------------------------
+
+
+@frozen
+class SheetGrid:
+    """A paper divided: the field for figures and, on a sheet with a title block, the strip under it."""
+
+    paper: Paper
+    field: Room
+    strip: Strip | None = None
+
+    @classmethod
+    def over(
+        cls, paper: Paper, tables: Sequence[Table] = (), told: Sequence[str] = (), least: float = 0.0
+    ) -> SheetGrid:
+        """Over a strip as high as its tables and sentences need; least: at least so high [mm]."""
+        field, foot = divided(paper, max(least, strip_height(paper, tables, told=told)))
+        return cls(paper, field, Strip(foot, tables, told=told))
+
+    def page(
+        self, panels: Sequence[Panel], machine: Mechanism, lang: Lang, *, base: Sequence[Mark] = (), title: str = "",
+        drivers: Sequence[SupportsFloat] | None = None,
+    ) -> Page:  # fmt: skip
+        """The page with these panels; drivers: their values, the file's where left out."""
+        values = [driver.value or 0.0 for driver in machine.drivers] if drivers is None else drivers
+        return Page(self.paper, panels, machine, values, lang, self.strip, base, title)
+
+
+def panels_in(pictures: Sequence[Picture], cells: Sequence[Room], scale: float | None = None) -> Iterator[Panel]:
+    """Each picture in its cell, at one scale [m/mm], or each at its own."""
+    for picture, cell in zip(pictures, cells, strict=True):
+        yield picture.panel(cell, picture.scale(cell) if scale is None else scale)

@@ -11,13 +11,12 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import assert_never
 
-from graphkin.errors import GraphkinError
 from graphkin.files.values import split_points, tidy
 from graphkin.model import quantities as kinds
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen
 from graphkin.model.quantities import Centre, Quantity
-from graphkin.model.quantities.reading import read
+from graphkin.model.quantities.reading import quietly
 from graphkin.submissions.numbers import plain, unaccented, unit_named
 
 LONGEST = 120  # no question is longer
@@ -50,7 +49,7 @@ class Questions:
         self._words: dict[str, list[str]] = {}
         self.read = lru_cache(10_000)(self._read)
         for text in asked:
-            if (quantity := _quietly(mechanism, text)) is not None:
+            if (quantity := quietly(mechanism, text)) is not None:
                 self.asked.setdefault(_meaning(mechanism, quantity), text)
                 self._words.setdefault(quantity.word, []).append(text)
 
@@ -69,7 +68,7 @@ class Questions:
         """By any of its spellings; `omega BC` by two points of link 2; a word alone, `a^k`, where the key asks for one
         such quantity and no other."""
         for candidate in spelled(text):
-            if (quantity := _quietly(self.mechanism, candidate)) is not None:
+            if (quantity := quietly(self.mechanism, candidate)) is not None:
                 return quantity
             word, _, of = candidate.partition(" ")
             points = split_points(of)
@@ -77,10 +76,10 @@ class Questions:
                 links = self.mechanism.links.items()
                 fits = [name for name, link in links if set(points) <= set(link.points) and name != FRAME]
                 if len(fits) == 1:
-                    return _quietly(self.mechanism, f"{word} {fits[0]}")
+                    return quietly(self.mechanism, f"{word} {fits[0]}")
         word = re.sub(r"[ ^{}_$\\]", "", plain(text).translate(_GREEK)).lower()
         asked = [texts for name, texts in self._words.items() if name.replace("_", "") == word]
-        return _quietly(self.mechanism, asked[0][0]) if len(asked) == 1 and len(asked[0]) == 1 else None
+        return quietly(self.mechanism, asked[0][0]) if len(asked) == 1 and len(asked[0]) == 1 else None
 
 
 def begins_like_one(text: str) -> bool:
@@ -92,13 +91,6 @@ def begins_like_one(text: str) -> bool:
         if head is not None and re.match(after, bare[head.end() :]) is not None:
             return True
     return False
-
-
-def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
-    try:
-        return read(mechanism, text)
-    except GraphkinError:
-        return None
 
 
 def spelled(text: str) -> Iterator[str]:

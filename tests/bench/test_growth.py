@@ -16,7 +16,7 @@ from graphkin.outputs.svg import svg
 from graphkin.running import replay_all
 from graphkin.say import explain
 from graphkin.sheet import sheet
-from graphkin.studies.linkages.writing import filed
+from graphkin.studies.linkages.inversion import filed
 
 LINKS = (4, 8, 16, 32, 64)
 DRAWN = (4, 16, 64)

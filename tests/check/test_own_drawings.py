@@ -20,18 +20,19 @@ from renamed import renamed
 from graphkin import Drawing
 from graphkin.analytic import motion
 from graphkin.check import measured
-from graphkin.check.centre_measure import pole_of, ways_to_move
 from graphkin.check.drawing import mechanism_of, read
+from graphkin.check.ruler import pole_of, ways_to_move
 from graphkin.errors import GraphkinError, NothingToMeasure
 from graphkin.files import library, loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
+from graphkin.sheet.centrode_sheet import pole_sheet
+from graphkin.sheet.design_sheet import design_sheet
 from graphkin.sheet.linkage_sheet import family_sheet
 from graphkin.sheet.marks import PointMark
-from graphkin.sheet.pole_sheet import pole_sheet
+from graphkin.sheet.page import step_sheets
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.two_velocities import from_text
 
@@ -76,7 +77,7 @@ def test_every_drawing_of_the_library(number: int, tmp_path: Path):
 
 @pytest.mark.parametrize("name", DESIGNS)
 def test_every_design(name: str, tmp_path: Path):
-    for sheet in (design_sheet(DESIGNS[name]), *design_step_sheets(DESIGNS[name], lang="zh")):
+    for sheet in (design_sheet(DESIGNS[name]), *step_sheets(design_sheet(DESIGNS[name], lang="zh"))):
         hold(tmp_path, svg(sheet))
 
 

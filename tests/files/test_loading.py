@@ -638,7 +638,7 @@ def one_problem(text: str, kind: str) -> GraphkinError:
     return next(problem for problem in problems if type(problem).__name__ == kind)
 
 
-MODULES = ("files", "keys", "names", "shapes", "pairs", "drivers")
+MODULES = ("files", "keys", "mechanism")
 ERRORS = [
     thing
     for name in errors.__all__

@@ -18,7 +18,7 @@ from printed_markers import markers
 import graphkin
 from graphkin.cli import main
 from graphkin.files import library
-from graphkin.handouts import handout, proofs, typst
+from graphkin.handouts import handout, problem, typst
 from graphkin.handouts.document import GridRoom, HandoutPicture, Paragraph, TermRows
 from graphkin.handouts.grid import MARKERS, MOST, digits
 from graphkin.handouts.markup import html
@@ -321,5 +321,5 @@ def test_common_mistakes_list_only_what_they_move():
     entries = (KeyEntry("v E", "m/s", "size", 0.176, 0.003, 0.009, 1.0), KeyEntry("theta 3", "rad", "angle", 6.2, 0.01, 0.03))
     values = np.array([[-0.176, 6.2 - 2 * np.pi], [-0.25, 3.0]])
     names = ((("coriolis-omitted", "", "", ""),), (("coriolis-reversed", "", "", ""),))
-    moved = proofs._moved(SimpleNamespace(entries=entries, singles=Hypotheses(names, values, values)))
+    moved = problem._moved(SimpleNamespace(entries=entries, singles=Hypotheses(names, values, values)))
     assert moved.tolist() == [[False, False], [True, True]]

@@ -11,8 +11,9 @@ from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, UnknownPaper
-from graphkin.sheet.about_sheet import about_sheet, bobillier_sheet, bobillier_step_sheets
+from graphkin.sheet.about_sheet import about_sheet, bobillier_sheet
 from graphkin.sheet.marks import Disc, Stroke, Text
+from graphkin.sheet.page import step_sheets
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.about import About, Circle, about
 from graphkin.studies.centres.about_bobillier import bobillier
@@ -106,8 +107,7 @@ def test_bobillier_on_paper(name: str, link: str, point: str | complex):
     centre = sheet.origins["position"] + entry.carried(place).centre.conjugate() / sheet.scales["position"]
     (mark,) = (mark for mark in sheet.marks if isinstance(mark, Disc) and mark.step == len([*drawn.construction.steps]))
     assert abs(mark.centre - centre) < 1e-6
-    steps = list(bobillier_step_sheets(entry, drawn))
-    assert len(steps) == len([*drawn.construction.steps])
+    steps = list(step_sheets(bobillier_sheet(entry, drawn), range(1, len([*drawn.construction.steps]) + 1)))
     counts = [len(one.marks) for one in steps]
     assert counts == sorted(counts)
     assert counts[-1] == len(bobillier_sheet(entry, drawn).marks)

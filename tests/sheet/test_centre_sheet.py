@@ -15,16 +15,17 @@ import random_mechanisms
 from graphkin import files as loading
 from graphkin import motion
 from graphkin.check import RulerReport, measure
-from graphkin.check.centre_measure import pole_of, ways_to_move
+from graphkin.check.ruler import pole_of, ways_to_move
 from graphkin.files import library
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet
-from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
+from graphkin.sheet.centre_sheet import centre_sheet
 from graphkin.sheet.marks import PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import obstacles
+from graphkin.sheet.page import step_sheets
 from graphkin.studies.centres import Centres, centres
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -223,7 +224,7 @@ def test_every_paper(paper: str, tmp_path: Path):
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_steps_come_one_by_one(name: str, lang):
     names = [stage.last.name for stage in found(name).centring.stages]
-    sheets = list(centre_step_sheets(found(name), lang=lang))
+    sheets = list(step_sheets(centre_sheet(found(name), lang=lang)))
     assert len(sheets) == len(names)
     for number, (drawn, name_) in enumerate(zip(sheets, names, strict=True), start=1):
         assert shown(drawn) == sorted(names[:number])

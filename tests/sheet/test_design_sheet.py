@@ -12,10 +12,11 @@ from graphkin import files as loading
 from graphkin.errors import NoDesign
 from graphkin.outputs.svg import svg
 from graphkin.say.design import as_toml
-from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
+from graphkin.sheet.design_sheet import design_sheet
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import obstacles
+from graphkin.sheet.page import step_sheets
 from graphkin.studies.design import rocker
 
 
@@ -65,7 +66,7 @@ def test_letters_lie_on_nothing_and_on_the_paper(name, lang):
 def test_steps_add_up_to_the_sheet(name):
     design = DESIGNS[name]
     whole = design_sheet(design)
-    sheets = list(design_step_sheets(design))
+    sheets = list(step_sheets(whole))
     assert len(sheets) >= len(design.best.construction.stages) - 2
     assert [len(s.marks) for s in sheets] == sorted({len(s.marks) for s in sheets})
     assert len(sheets[-1].marks) == len(whole.marks)

@@ -10,7 +10,7 @@ import pytest
 from calculator import hold
 
 from graphkin.errors import UnknownUnit
-from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
+from graphkin.errors.studies import BadVelocities, NotOneBody, OnePlace
 from graphkin.say.centre_about import pole_words
 from graphkin.studies.centres.two_velocities import from_text, pole_of
 

@@ -26,7 +26,7 @@ from graphkin import sweep
 from graphkin.analytic import motion
 from graphkin.construction.drafting import INFINITE
 from graphkin.errors import GraphkinError, UnknownLink
-from graphkin.errors.centring import NoCentrode, UnknownCentre
+from graphkin.errors.studies import NoCentrode, UnknownCentre
 from graphkin.files import library, loads
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.outputs.animation import animation

@@ -215,7 +215,7 @@ def test_a_limit_in_g_is_passed_where_the_size_is_above_it() -> None:
     method = api.plan(api.load("p3-21"))
     moved = sweeps.course(method)
     found = finding.limit(moved, "a F 0.1 g")
-    t = moved.fine(721)
+    t = np.linspace(moved.t.min(), moved.t.max(), 721)
     size = sweeps.quantities_at(moved, ["a F"], t, "analysis")["a F"].values
     inside = np.zeros(t.size, dtype=bool)
     for part in found.intervals:

@@ -9,7 +9,7 @@ How to add a pair kind; `tests/model/test_pairs.py` names the table in which it 
 
     here      a file with a frozen class on `Pair`, and its class in `PAIRS`
     files     its keys in `schema` (and `graphkin.schema.json`, by `json_schema_text`), its reader in `pairs.READERS`
-              or, where it shares a table of the file, in that table's reader; what may be wrong, in `errors.pairs`
+              or, where it shares a table of the file, in that table's reader; what may be wrong, in `errors.mechanism`
     analytic  its rule in `rules.RULES`; `replaced` where its lower-pair equivalent is all there is to it
     planning  nothing, where it has a lower-pair equivalent or rolls as wheels do: those are data
     say       its line in `structure.KINDS`; its sentence in `equivalents.EQUIVALENTS`, where it has an equivalent; its

@@ -160,14 +160,14 @@ class Moving(QuantityBase):
     """`v E`, `a CB`, `a_k B3B2`: a vector; of a point, or of one seen from another, or a part of that.
 
     seen_from  the other point
-    which      the part: n, t, k or r
-    guide      the direction of the frame's guide that leads the point: along it the size has a sign
+    part       n, t, k or r
+    along      the direction of the frame's guide that leads the point: along it the size has a sign
     """
 
     site: Seen
     seen_from: Seen | None = None
-    which: str = ""
-    guide: complex | None = None
+    part: str = ""
+    along: complex | None = None
 
     @property
     def unit(self) -> str:
@@ -178,16 +178,8 @@ class Moving(QuantityBase):
         return self.word[0]
 
     @property
-    def part(self) -> str:
-        return self.which
-
-    @property
     def sites(self) -> tuple[Seen, ...]:
         return (self.site,) if self.seen_from is None else (self.site, self.seen_from)
-
-    @property
-    def along(self) -> complex | None:
-        return self.guide
 
     def answer(self, motions: Motions) -> Answer:
         vector = self.vector(motions)
@@ -197,7 +189,7 @@ class Moving(QuantityBase):
         plane: Plane = "velocity" if self.letter == "v" else "acceleration"
         if self.seen_from is None:
             return absolute(motions, plane, self.site)
-        return relative(motions, plane, self.which, self.site, self.seen_from)
+        return relative(motions, plane, self.part, self.site, self.seen_from)
 
 
 @frozen

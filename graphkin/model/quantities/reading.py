@@ -59,7 +59,7 @@ def formed(text: str) -> bool:
 
 def parts(mechanism: Mechanism, text: str) -> tuple[Quantity, ...]:
     """Every quantity that a text speaks of, though the whole may be none: both of `v C / omega 3`."""
-    halves = (_quietly(mechanism, part) for part in text.split("/"))
+    halves = (quietly(mechanism, part) for part in text.split("/"))
     return tuple(half for half in halves if half is not None)
 
 
@@ -74,7 +74,7 @@ def meant(mechanism: Mechanism, question: str) -> str | None:
     for word in (name for name in _LONGEST_FIRST if text[: len(name)].lower() == name):
         of = text[len(word) :].lstrip(" _")
         better = f"{word} {of}"
-        if of and " " not in of and better != question.strip() and _quietly(mechanism, better) is not None:
+        if of and " " not in of and better != question.strip() and quietly(mechanism, better) is not None:
             return better
     return None
 
@@ -117,7 +117,8 @@ def respelled(text: str, write: Callable[[str], str]) -> str:
     return re.sub(_TYPED, lambda typed: write(typed[0]), text)
 
 
-def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
+def quietly(mechanism: Mechanism, text: str) -> Quantity | None:
+    """The quantity of `read`, None also for a text that names nothing."""
     try:
         return read(mechanism, text)
     except GraphkinError:
@@ -182,7 +183,7 @@ def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> kinds.Mov
         blocks = (() if slide.block is None else mechanism.links[slide.block].points for slide in guides)
         held = (slide.line.direction for slide, block in zip(guides, blocks, strict=True)
                 if alone.point == slide.point or alone.point in block)  # fmt: skip
-        return kinds.Moving(word, of, alone, guide=next(held, None))
+        return kinds.Moving(word, of, alone, along=next(held, None))
     if two is None:
         raise errors.UnknownPoint(where, of, _meant_points(mechanism, of, word))
     return kinds.Moving(word, of, *two, part) if has_part(mechanism, part, *two) else None

@@ -32,19 +32,13 @@ _ALONE = RLock()
 
 
 class NotADiagram(GraphkinError):
-    """A diagram is to be written into a file of another kind."""
-
     path: str
-
     en = "{path}: a diagram is written as .svg, .png or .pdf. Let the file's name end in one of these."
     zh = "{path}：线图只能写成 .svg、.png 或 .pdf 文件，请用其中之一作扩展名。"
 
 
 class NothingToDraw(GraphkinError):
-    """Only instant centres are asked for, which have no diagram."""
-
     names: str
-
     en = (
         "{names}: the place of an instant centre has no motion diagram. Write .csv, or draw its path: "
         "`graphkin centres --path`."

@@ -38,7 +38,6 @@ class TriedOut(GraphkinError):
     """A mechanism of several drivers whose positions are found by trial: no list tells where its links lie nearly."""
 
     name: str
-
     en = (
         "{name}: its links are fitted by trial and have several drivers, which a GeoGebra construction cannot "
         "follow. Write .svg, .pdf or .dxf instead."

@@ -16,14 +16,14 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.base.geometry import cross, dot, number
+from graphkin.base.geometry import cross, number
 from graphkin.base.plain import Plain
 from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import INFINITE
 from graphkin.errors import UnknownLink, UnknownPoint, Where
-from graphkin.errors.centring import FrameStands
+from graphkin.errors.studies import FrameStands
 from graphkin.model.mechanism import FRAME
 from graphkin.proof.readings import readings
 from graphkin.studies.centres.instant_centres import Centres
@@ -207,23 +207,6 @@ class About:
         elif abs(curvature := number(cross(velocity, acceleration)) / speed**3) * self.size > INFINITE:
             centre = place + 1j * velocity / speed / curvature
         return CarriedPoint(place, velocity, acceleration, centre)
-
-    def savary(self, place: complex) -> complex:
-        """The centre of curvature of the path of a point by the inflection circle alone (Euler-Savary) [m].
-
-        PA^2 = AK AJ, all on the ray from the pole P through the point A; J is where it meets the inflection circle.
-        Infinite where A lies on the circle, NaN where the pole is at infinity.
-        """
-        if self.diameter is None:
-            return NOWHERE
-        ray, away = place - self.pole, abs(place - self.pole)
-        if away == 0:
-            return place
-        ray /= away
-        on = number(dot(ray, self.diameter))
-        if abs(on - away) <= INFINITE * (away + abs(self.diameter)):
-            return INFINITY
-        return place + ray * away**2 / (on - away)
 
 
 def about(centres: Centres, link: str, points: Collection[str] = ()) -> About:

@@ -19,7 +19,7 @@ from graphkin.base.geometry import cross, number
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import INFINITE, Board, replay
 from graphkin.construction.drafting.steps import CarriedAngle, Drafting, DraftMeet, Far, Pricked, Stage, Through
-from graphkin.errors.centring import NoBobillier
+from graphkin.errors.studies import NoBobillier
 from graphkin.model.mechanism import FRAME
 from graphkin.studies.centres.about import About
 from graphkin.studies.centres.search import CLEAR

@@ -18,7 +18,7 @@ from graphkin.base.geometry import Array, Value
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Where
-from graphkin.errors.centring import NoCentrode, UnknownCentre
+from graphkin.errors.studies import NoCentrode, UnknownCentre
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import centre_of
 from graphkin.running.path import DriverPath, along

@@ -20,8 +20,16 @@ from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 from graphkin.running.path import DriverPath, along, stride
-from graphkin.studies.centres.search import WELL_APART, Centring, centre_name, lines_to, search
-from graphkin.studies.centres.underlay import board_over, from_velocities, pole_name
+from graphkin.studies.centres.search import (
+    WELL_APART,
+    Centring,
+    board_over,
+    centre_name,
+    from_velocities,
+    lines_to,
+    pole_name,
+    search,
+)
 
 LEAN = 0.02  # two lines that are less than this far from being one do not tell where they meet
 BESIDE = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])

@@ -4,10 +4,14 @@ Source: Sun Huan, 机械原理, section 3-2.2: K = N(N-1)/2 centres (3-5), those
 Kennedy-Aronhold's theorem. Each round of the search is a round of the circle diagram (消元法): a missing chord is found
 when two triangles over it are complete but for it. Where two lines coincide another pair is taken; where no pair is
 left (several freedoms, lines that coincide) one centre is taken from the velocities, and the lines go on from there.
+
+Under the board lies the mechanism at its position, or at many at once. Its points are pricked through: hinges,
+contacts, poles of links whose velocities are known; its lines traced: guides, common normals of profiles that touch.
 """
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
@@ -17,21 +21,110 @@ from itertools import combinations
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
-from graphkin.construction import Plot, replay
-from graphkin.construction.drafting import Board, Drafting, DraftMeet, draw, ruled
-from graphkin.construction.drafting.board import Homogeneous, product
+from graphkin.construction import AcrossGuide, Along, Plot, Ray, Touch, replay
+from graphkin.construction.drafting import Board, Drafting, DraftMeet, Underlay, draw, ruled
+from graphkin.construction.drafting.board import Homogeneous, balanced, product
 from graphkin.construction.drafting.steps import Far, LineStep, Pricked, Stage, Through, Traced, drawn_through
+from graphkin.construction.pencil import touch
+from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Pair, Rod, Slot
 from graphkin.planning import Method
+from graphkin.planning.equivalent import Contact
 from graphkin.proof.readings import readings
-from graphkin.studies.centres import underlay
-from graphkin.studies.centres.underlay import CommonNormal
+
+
+def contact_name(contact: Contact) -> str:
+    """The board's name of the point in which wheels touch; no point of a mechanism has a name of two words."""
+    return f"contact {contact.name}"
+
+
+def pole_name(first: str, second: str) -> str:
+    """The board's name of the pole of two links that is taken from velocities."""
+    return f"pole {first} {second}"
+
+
+@frozen
+class CommonNormal:
+    """The common normal of two links that touch and slide in a pair, by its name on the board."""
+
+    name: str
+    pair: Pair
+    links: frozenset[str]
+    line: Ray
+
+
+def board_over(method: Method, plot: Plot) -> Board:
+    """An empty board over a plot; its coordinates are counted from a fixed point, in the mechanism's longest reach."""
+    shapes, frame = plot.facts.shapes, plot.facts.frame
+    fixed = next(iter(shapes[frame].values()), 0j)
+    reaches = [abs(place - fixed) for place in shapes[frame].values()]
+    reaches += [abs(place) for link, shape in shapes.items() if link != frame for place in shape.values()]
+    board = Board(fixed, max(reaches) or 1.0)
+    points = {name: board.seen(place) for name, place in plot.position.items()}
+    for contact in method.structure.contacts:
+        first, second = contact.centres
+        if contact.slide:
+            touching = Touch("", second, slide=contact.slide, offset=-contact.radii[1])
+        else:
+            touching = Touch("", first, second, contact.radii[0] / sum(contact.radii))
+        points[contact_name(contact)] = board.seen(touch(touching, plot))
+    lines = {name: board.sloping(board.origin, plot.guide_direction(name)) for name in plot.facts.lines}
+    for one in normals(method.mechanism):
+        lines[one.name] = board.sloping(plot.position[one.line.through], plot.direction(one.line.direction))
+    board.underlay = Underlay(points, lines)
+    return board
+
+
+def normals(mechanism: Mechanism) -> Iterator[CommonNormal]:
+    """The common normals of profiles that touch and slide: of cams, and of pins in slots."""
+    lines: list[tuple[Pair, tuple[str, str], Ray]] = []
+    for pair in mechanism.pairs:
+        match pair.slipping:
+            case None:
+                pass
+            case Rod(_, (first, second)):
+                owners = itertools.product(mechanism.owners[first], mechanism.owners[second])
+                lines += [(pair, two, Ray(first, Along(first, second))) for two in owners if two[0] != two[1]]
+            case Slot(guide, point):
+                across = Ray(point, AcrossGuide(pair.name))
+                lines += [(pair, (guide.link, link), across) for link in mechanism.owners[point]]
+    for k, (pair, links, line) in enumerate(lines):
+        yield CommonNormal(f"normal {k}", pair, frozenset(links), line)
+
+
+def from_velocities(board: Board, motions: Motions, first: str, second: str) -> Homogeneous:
+    """The place where two links have one velocity, homogeneous; NaN where they do not move against each other.
+
+    Each position is judged by its own pace: one that is broken does not spoil the others.
+    Source: theoretical mechanics, x_P = x_O - v_y / omega, y_P = y_O + v_x / omega of the relative motion.
+    """
+    (one, turn), (other, other_turn) = (_motion(board, motions, link) for link in (first, second))
+    moving, turning = one - other, turn - other_turn
+    rates = [np.abs(value) for value in motions.omega.values()]
+    pace = np.max(np.broadcast_arrays(*rates), axis=0) + np.abs(moving)
+    turning = np.where(np.abs(turning) <= STILL * pace, 0.0, turning)
+    across = 1j * np.where((np.abs(moving) <= STILL * pace) & (turning == 0), 0.0, moving)
+    return balanced(np.array(np.broadcast_arrays(np.real(across), np.imag(across), turning)))
+
+
+def _motion(board: Board, motions: Motions, link: str) -> tuple[Value, Value]:
+    """Velocity of the link's place at the origin of coordinates, in units of size, and its rotation."""
+    if link == FRAME:
+        return 0j, 0.0
+    point = next(name for name in motions.mechanism.links[link].points if name in motions.position)
+    omega = motions.omega[link]
+    velocity = motions.velocity_at(point, link) + 1j * omega * (board.origin - motions.position[point])
+    return velocity / board.size, omega
+
 
 CLEAR = 1e-3  # two lines that are less than this far from being one give no centre
 WELL_APART = 0.05  # lines that are less than this far from being one are left for a later round
 
-Pair = frozenset[str]
+Links = frozenset[str]
 
 
 @frozen
@@ -79,10 +172,10 @@ def in_order(mechanism: Mechanism, links: Iterable[str]) -> list[str]:
     return sorted(links, key=lambda link: _by_number(mechanism.called(link)))
 
 
-def lines_to(mechanism: Mechanism, centres: Mapping[Pair, str], pair: Iterable[str]) -> Iterator[LineStep]:
+def lines_to(mechanism: Mechanism, centres: Mapping[Links, str], pair: Iterable[str]) -> Iterator[LineStep]:
     """Every line on which the centre of two links lies, through the centres that are known by their links."""
     first, second = in_order(mechanism, pair)
-    yield from (Traced(one.name, one.name) for one in underlay.normals(mechanism) if one.links == {first, second})
+    yield from (Traced(one.name, one.name) for one in normals(mechanism) if one.links == {first, second})
     for third in in_order(mechanism, mechanism.links):
         one, other = centres.get(frozenset((first, third))), centres.get(frozenset((third, second)))
         if one is not None and other is not None:
@@ -98,9 +191,9 @@ def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
     if not any(driver.rate for driver in method.drivers):
         facts = replace(plot.facts, rates=tuple(1.0 for _ in method.drivers))
         plot = replay(method.velocity, replace(plot, facts=facts, velocity={}, omega={}, s_rate={}))
-    state = _CentreSearch(method, plot, underlay.board_over(method, plot))
+    state = _CentreSearch(method, plot, board_over(method, plot))
     state.run()
-    lines = {normal.name: normal for normal in underlay.normals(method.mechanism)}
+    lines = {normal.name: normal for normal in normals(method.mechanism)}
     centring = Centring(Drafting({}, tuple(state.stages)), state.links, lines, tuple(state.missing))
     return centring, plot, state.board
 
@@ -119,10 +212,10 @@ class _CentreSearch:
     board: Board
     stages: list[Stage] = field(default_factory=list)
     links: dict[str, tuple[str, str]] = field(default_factory=dict)
-    centres: dict[Pair, str] = field(default_factory=dict)
+    centres: dict[Links, str] = field(default_factory=dict)
     count: Counter[str] = field(default_factory=Counter)
-    tried: dict[tuple[Pair, float], int] = field(default_factory=dict)
-    lines: dict[Pair, dict[str, Homogeneous]] = field(default_factory=dict)
+    tried: dict[tuple[Links, float], int] = field(default_factory=dict)
+    lines: dict[Links, dict[str, Homogeneous]] = field(default_factory=dict)
 
     @property
     def mechanism(self) -> Mechanism:
@@ -146,7 +239,7 @@ class _CentreSearch:
             if not any(self._round(clear) for clear in (WELL_APART, CLEAR)) and not self._pole(left):
                 return
 
-    def take(self, pair: Pair, stage: Stage) -> None:
+    def take(self, pair: Links, stage: Stage) -> None:
         """Draw a stage; the centre that it gives is known from now on."""
         draw(stage, self.board)
         self.stages.append(stage)
@@ -156,7 +249,7 @@ class _CentreSearch:
         first, second = in_order(self.mechanism, pair)
         self.links[stage.last.name] = first, second
 
-    def _by_definition(self) -> Iterator[tuple[Pair, Stage]]:
+    def _by_definition(self) -> Iterator[tuple[Links, Stage]]:
         """Hinges, sliding pairs, and contacts without sliding."""
         machine = self.mechanism
         for hinge in machine.hinges:
@@ -170,7 +263,7 @@ class _CentreSearch:
         for contact in self.method.structure.contacts:
             first, second = contact.wheels
             name = centre_name(machine, first, second)
-            yield frozenset((first, second)), Stage("contact", (Pricked(name, underlay.contact_name(contact)),))
+            yield frozenset((first, second)), Stage("contact", (Pricked(name, contact_name(contact)),))
 
     def _joined(self, pair: Iterable[str]) -> int:
         """The number of known centres of either of two links."""
@@ -191,7 +284,7 @@ class _CentreSearch:
                 any_new = True
         return any_new
 
-    def _on_two_lines(self, pair: Pair, clear: float) -> Stage | None:
+    def _on_two_lines(self, pair: Links, clear: float) -> Stage | None:
         """The two lines that are farthest from being one; the first two, where several are clear."""
         ruled_lines = self.lines.setdefault(pair, {})
         lines = []
@@ -217,9 +310,9 @@ class _CentreSearch:
         waiting.sort(key=lambda pair: (FRAME not in pair, -self._joined(pair)))
         motions = readings(self.method, self.plot)
         for pair in waiting:
-            place = underlay.from_velocities(self.board, motions, *pair)
+            place = from_velocities(self.board, motions, *pair)
             if np.isfinite(place).all():
-                pole = underlay.pole_name(*pair)
+                pole = pole_name(*pair)
                 self.board.underlay.points[pole] = place
                 self.take(frozenset(pair), Stage("velocities", (Pricked(centre_name(self.mechanism, *pair), pole),)))
                 return True

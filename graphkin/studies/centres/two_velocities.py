@@ -13,7 +13,7 @@ from typing import Literal
 from graphkin.base.geometry import cross, dot, number
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
-from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
+from graphkin.errors.studies import BadVelocities, NotOneBody, OnePlace
 from graphkin.files.values import read_quantity
 
 Case = Literal["meet", "infinity", "similar", "point", "rest"]

@@ -7,8 +7,7 @@
 Each returns a `Design`: all solutions, those that only seem to be some, and the family where a condition is free.
 """
 
-from graphkin.studies.design.model import CentreArc, Design, Family, Reason, Solution
-from graphkin.studies.design.passing import linkage_of, proof
+from graphkin.studies.design.model import CentreArc, Design, Family, Reason, Solution, linkage_of, proof
 from graphkin.studies.design.positions import angle_pairs, coupler_positions, hinges
 from graphkin.studies.design.quick_return import guide_bar, rocker, slider
 

@@ -25,8 +25,7 @@ from graphkin.base.tolerances import ROUNDED
 from graphkin.construction.drafting import Bisector, Board, ChosenPoint, CircleThrough, Drafting, DraftLayOff, replay
 from graphkin.construction.drafting.steps import DraftMeasure, DraftMeet, DraftTurn, MeasureAngle, Reckon, Stage, Step
 from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WantedRange, WrongNumber
-from graphkin.studies.design.model import Design, Reason, Solution, gamma_four, positive
-from graphkin.studies.design.passing import passing, shown
+from graphkin.studies.design.model import Design, Reason, Solution, gamma_four, passing, positive, shown
 
 Hinges = Sequence[tuple[complex, complex]]  # B and C [m], position by position
 

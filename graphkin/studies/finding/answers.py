@@ -104,7 +104,7 @@ class Findings:
     swept       number of the driver by whose value positions are named; looked: its least and greatest value [rad, m]
     turn        that is a full turn, which brings all back
     stopped     the stretch begins, ends at a dead point
-    units       of `values` of a position, by quantity; guided: which of them count along a guide of the frame
+    units       of `values` of a position, by quantity
     everywhere  the condition holds at every position (an extreme: the quantity never changes)
     zero        the quantity is zero throughout, but for rounding
     swing       greatest less least value, for `range` and `stroke`; None where it has none
@@ -120,7 +120,6 @@ class Findings:
     stopped: tuple[bool, bool]
     quantities: tuple[str, ...]
     units: tuple[str, ...]
-    guided: tuple[bool, ...]
     positions: tuple[Position, ...] = ()
     intervals: tuple[Interval, ...] = ()
     nearest: Position | None = None

@@ -18,7 +18,7 @@ from graphkin.studies.finding.conditions import Comparison
 from graphkin.studies.finding.search import Curve, Function, crossings, differences, followed, tops, touches, vanishing
 from graphkin.studies.finding.stretch import ROUNDING, CourseStretch
 from graphkin.studies.sweeps import Series
-from graphkin.studies.sweeps.ranges import TURN
+from graphkin.studies.sweeps.course import TURN
 
 EQUAL = 1e-9  # extremes that differ by less than this part of the quantity's change are equal
 BOUNDLESS = 1e5  # a value so many times the usual one, ever larger the closer to a place it is read, has no limit

@@ -11,7 +11,7 @@ from graphkin.files.values import read_quantity, tidy
 from graphkin.model.mechanism import Dimension, Mechanism
 from graphkin.model.quantities import GRAVITY
 from graphkin.model.quantities.reading import SHAPE
-from graphkin.studies.sweeps.ranges import plain
+from graphkin.studies.sweeps.course import plain
 
 WHERE = Where("find")
 

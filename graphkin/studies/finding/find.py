@@ -95,10 +95,8 @@ def _blank(
     method: Method, condition: Condition, swept: int, names: tuple[str, ...], drawn: tuple[Series, ...]
 ) -> Findings:
     """Findings without an answer."""
-    units, guided = tuple(entry.unit for entry in drawn), tuple(entry.along is not None for entry in drawn)
-    return Findings(
-        condition, method.mechanism, method.drivers, swept, None, False, (False, False), names, units, guided
-    )  # fmt: skip
+    units = tuple(entry.unit for entry in drawn)
+    return Findings(condition, method.mechanism, method.drivers, swept, None, False, (False, False), names, units)
 
 
 def _blank_on(condition: Condition, drawn: tuple[Series, ...], over: CourseStretch) -> Findings:
@@ -129,7 +127,7 @@ def _with_factors(over: CourseStretch, positions: tuple[Position, ...]) -> tuple
     """
     mechanism = over.course.method.mechanism
     quantity = quantity_of(mechanism, over.names[0])
-    if not isinstance(quantity, Moving) or quantity.which != "k" or quantity.seen_from is None or not positions:
+    if not isinstance(quantity, Moving) or quantity.part != "k" or quantity.seen_from is None or not positions:
         return positions
     link = quantity.seen_from.link
     names = [f"omega {mechanism.called(link)}"] if link != FRAME else []

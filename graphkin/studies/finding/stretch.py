@@ -30,7 +30,7 @@ from graphkin.studies.finding.answers import Kind, Position
 from graphkin.studies.finding.conditions import WHERE
 from graphkin.studies.finding.search import Function, differences
 from graphkin.studies.sweeps import Course, Road, Series
-from graphkin.studies.sweeps.ranges import TURN
+from graphkin.studies.sweeps.course import TURN
 from graphkin.studies.sweeps.roads import moving
 from graphkin.studies.sweeps.sweep import Turns, series
 

@@ -29,7 +29,7 @@ from graphkin.studies.finding.answers import Findings, as_json
 from graphkin.studies.finding.find import find, line_of
 from graphkin.studies.finding.stretch import checked
 from graphkin.studies.sweeps import Road
-from graphkin.studies.sweeps.ranges import plain
+from graphkin.studies.sweeps.course import plain
 
 WHERE = Where("--vary")
 MOST = 10_000  # values of a dimension, at most

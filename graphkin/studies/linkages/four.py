@@ -133,11 +133,11 @@ class FourBar:
         """The four hinges, then the two pairs of opposite links."""
         names, sizes = tuple(self.called.values()), self.lengths
         hinges = [triangles.angles(*(sizes[(k + step) % 4] for step in range(4))) == (0.0, math.pi) for k in range(4)]
-        turns = [Turn(names[k], names[(k + 1) % 4], hinges[k], True) for k in range(4)]
+        turns = [Turn(names[k], names[(k + 1) % 4], hinges[k]) for k in range(4)]
         parallel = self.kind()[1] in ("parallelogram", "rhombus")
         for k in (0, 1):
             one, other = hinges[k], hinges[k + 1]
-            turns.append(Turn(names[k], names[k + 2], one != other or (one and not parallel), False))
+            turns.append(Turn(names[k], names[k + 2], one != other or (one and not parallel)))
         return tuple(turns)
 
     # --- ranges and positions -----------------------------------------------------------------

@@ -122,9 +122,7 @@ class GuideBar:
         crank, bar, frame, _ = self.called.values()
         short = triangles.passes(self.crank, self.frame, self.offset)
         other = triangles.passes(self.frame, self.crank, self.offset)
-        return (
-            Turn(crank, frame, short or other, True), Turn(bar, frame, other, True), Turn(crank, bar, short, True),
-        )  # fmt: skip
+        return Turn(crank, frame, short or other), Turn(bar, frame, other), Turn(crank, bar, short)
 
     # --- ranges and positions -----------------------------------------------------------------
 

@@ -56,12 +56,11 @@ class LinkagePosition:
 
 @frozen
 class Turn:
-    """Two links; full: they can make a full turn against each other; hinge: they are neighbours."""
+    """Two links; full: they can make a full turn against each other."""
 
     first: str
     second: str
     full: bool
-    hinge: bool
 
 
 @frozen

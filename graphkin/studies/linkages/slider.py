@@ -114,8 +114,8 @@ class SliderCrank:
         first = triangles.passes(self.crank, self.coupler, self.offset)
         second = triangles.passes(self.coupler, self.crank, self.offset)
         return (
-            Turn(crank, FRAME, first, True), Turn(crank, rod, first or second, True), Turn(rod, block, second, True),
-            Turn(crank, block, first, False), Turn(rod, FRAME, second, False),
+            Turn(crank, FRAME, first), Turn(crank, rod, first or second), Turn(rod, block, second),
+            Turn(crank, block, first), Turn(rod, FRAME, second),
         )  # fmt: skip
 
     # --- ranges and positions -----------------------------------------------------------------

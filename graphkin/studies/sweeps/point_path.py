@@ -12,8 +12,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import StandsStill, UnknownPoint, Where
 from graphkin.model.quantities import EDGE
 from graphkin.planning import Method
-from graphkin.studies.sweeps.course import Course, course_from
-from graphkin.studies.sweeps.ranges import TURN
+from graphkin.studies.sweeps.course import TURN, Course, course_from
 from graphkin.studies.sweeps.roads import prove
 from graphkin.studies.sweeps.sweep import quantities_at
 

@@ -24,8 +24,7 @@ from graphkin.running.other_positions import MANY
 from graphkin.running.path import stride
 from graphkin.running.recorder import Entry
 from graphkin.running.replay_program import VERY_MANY
-from graphkin.studies.sweeps.course import Course, course
-from graphkin.studies.sweeps.ranges import TURN, Ranges
+from graphkin.studies.sweeps.course import TURN, Course, Ranges, course
 from graphkin.studies.sweeps.roads import Road, centre_path, moving, prove
 
 Quantities = Mapping[str, Quantity]  # quantities, by their names as they were written
