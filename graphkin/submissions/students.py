@@ -48,7 +48,7 @@ _WORDS = re.compile(
     r"|运动简?图|加?速度图?|多边形|矢量图?|实验|报告|提交|姓名|学号"
 )
 """Words in names of files, that are none of a student's."""
-_PIECES, _RUN = 40, 8  # of a text; in a row that are an id or a name
+_MOST, _PIECES, _RUN = 1000, 40, 8  # letters of a text, pieces of it; in a row that are an id or a name
 _DECIMALS = 4  # a shorter number in the midst of a name may be anything
 _OF_A_SCHOOL = 8  # so long a number is no platform's, but an id
 _LARGE = 5000  # in larger classes nobody is looked for who is nearly called so
@@ -162,7 +162,7 @@ class Roster:
     def _named(self, text: str) -> tuple[frozenset[str], ...]:
         """What a text says of whose it is: of each id and each name in it the students who have it. A name is all
         that stands there between ids, numbers and words that are in many files' names: 李明华 is not 李明."""
-        whole = folded(text)
+        whole = folded(text[:_MOST])
         if text in self.students or whole in self._ids:
             return (frozenset({text} if text in self.students else self._ids[whole]),)
         pieces = [*islice(_PIECE.finditer(_WORDS.sub(lambda word: " " * len(word[0]), whole)), _PIECES)]
@@ -258,8 +258,8 @@ def _orders(words: Sequence[str]) -> list[str]:
 
 # --- folders of platforms, names of files -----------------------------------------------------------------------------
 
-MOODLE = re.compile(r"(?P<name>[^/]*?)_(?P<id>[0-9]{1,18})_assignsubmission_[a-z]+(?:_|/|$)")
-CANVAS = re.compile(r"(?P<name>[^/]+?)(?:_LATE)?_(?P<id>[0-9]{1,18})_(?P<sub>[0-9]{1,18})_(?P<file>[^/]*)$")
+MOODLE = re.compile(r"(?P<name>[^/]{0,200}?)_(?P<id>[0-9]{1,18})_assignsubmission_[a-z]+(?:_|/|$)")
+CANVAS = re.compile(r"(?P<name>[^/]{1,200}?)(?:_LATE)?_(?P<id>[0-9]{1,18})_(?P<sub>[0-9]{1,18})_(?P<file>[^/]*)$")
 
 
 @frozen
@@ -294,7 +294,7 @@ def owner(path: str, root: str = "", alone: bool = False, roster: Roster | None 
     if roster is not None and len(some := roster.named(stem)) and len(one := some[0].intersection(*some)) == 1:
         return Owner(tidy_id(stem), min(one), by_file=True)
     if alone or "/" not in inner:
-        return Owner(tidy_id(stem), str(whole.with_name(stem or whole.stem)))
+        return Owner(tidy_id(stem), str(whole.parent / (stem or whole.stem)))
     return Owner(tidy_id(whole.parent.name), str(whole.parent), whole.parent.name)
 
 
@@ -316,7 +316,7 @@ def submitters(text: str) -> dict[str, Owner]:
     """Of Gradescope's export: by folder (or file) of each submission those who handed it in."""
     whose: dict[str, Owner] = {}
     begins = [*_SUBMISSION.finditer(text)]
-    for match, end in zip(begins, [*(each.start() for each in begins[1:]), len(text)], strict=True):
+    for match, end in zip(begins, [*(each.start() for each in begins[1:]), len(text)]):
         cells = [cell.strip(" '\"\r") for cell in _SUBMITTER.findall(text, match.end(), end)]
         if names := [*filter(None, cells)]:
             whose[match[1]] = Owner(tidy_id(names[min(1, len(names) - 1)]), match[1], "; ".join(names), names[0])
