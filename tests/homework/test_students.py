@@ -11,7 +11,8 @@ import pytest
 from click.testing import CliRunner
 
 from graphkin.cli import main
-from graphkin.homework.grading import class_list
+from graphkin.homework.grading import SetMarker, class_list, grade, judge_from
+from graphkin.outputs.marks_json import record
 from graphkin.submissions import Roster, Student
 
 RIGHT = b'"omega 3" = -3.92\n"alpha 3" = 62\n"a_k B3B2" = 2.5\n'
@@ -53,6 +54,13 @@ def sheet(rows: list[list[object]]) -> bytes:
     return data.getvalue()
 
 
+@pytest.fixture(scope="module")
+def judge(tmp_path_factory: pytest.TempPathFactory) -> SetMarker:
+    path = tmp_path_factory.mktemp("class") / "list.csv"
+    path.write_text(LIST, "utf-8")
+    return judge_from("ex3-1", listed=path)
+
+
 @pytest.mark.parametrize(("name", "student"), [
     ("20231048-朱霞洋.toml", "20231048"), ("20231048_朱霞洋.toml", "20231048"), ("20231048 朱霞洋.toml", "20231048"),
     ("朱霞洋-20231048.toml", "20231048"), ("20231048朱霞洋.toml", "20231048"), ("朱 霞洋.toml", "20231048"),
@@ -62,9 +70,9 @@ def sheet(rows: list[list[object]]) -> bytes:
     ("王明.toml", "is the name of"), ("20231049-朱霞洋.toml", "says"), ("朱露洋.toml", "class has no student"),
     ("20231048 20231049.toml", "says"), ("homework 3.toml", "class has no student"),
 ])  # fmt: skip
-def test_a_file_s_name(name: str, student: str):
+def test_a_file_s_name(name: str, student: str, judge: SetMarker):
     Path(name).write_bytes(RIGHT)
-    assert whose(graded(LIST, name)) == [student]
+    assert whose([record(one) for one in grade(judge, [name])]) == [student]
 
 
 def test_the_nearest_are_told():
