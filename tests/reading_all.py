@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from graphkin.submissions import FirstOnes, Limits, Submission, called, handed_in, read_one
+from graphkin.submissions import FirstOnes, Limits, Roster, Submission, called, handed_in, read_one
 from graphkin.submissions.reading import USUAL, Key
 
 
-def read(paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL) -> Iterator[Submission]:
+def read(paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL, roster: Roster | None = None) -> Iterator[Submission]:
     """A second one of a student says so."""
     paths = [*paths]
-    seen = FirstOnes(paths)
-    for handed in handed_in(paths, limits):
-        one = read_one(handed, asked, limits)
+    seen = FirstOnes(paths, roster)
+    for handed in handed_in(paths, limits, roster):
+        one = read_one(handed, asked, limits, roster)
         second = seen.reason(one.student, one.file, one.place) if one.reason is None else None
         again = Submission(called(one.student, second), one.file, reason=second, place=handed.place) if second else one
         yield again

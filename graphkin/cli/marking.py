@@ -52,6 +52,8 @@ relative_option = click.option("--relative", type=click.FloatRange(0, 1), metava
 @click.option("--turned", is_flag=True, help="In a drawing a polygon may stand turned on the page.")
 @click.option("--letters", default="", metavar="P,B2,B3",
               help="The points of drawings without letters, in the file's order.")
+@click.option("--roster", type=click.Path(path_type=Path), metavar="FILE",
+              help="A class list, CSV or XLSX: ids, names, e-mails, numbers of a platform; Moodle's worksheet.")
 @click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read and mark.")
 @shared.force_option
 @shared.speaking
@@ -69,8 +71,11 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
     for each is called NAME.csv, NAME.zip, or a folder NAME. Reports and feedback then tell, too, which mistakes show in
     several problems of a student.
 
+    Whose work it is says the folder of a platform, then the file's name, then a line in it; where these contradict each
+    other, or the class list, nobody is marked. With --roster names count as well as ids.
+
     With -o nothing is marked twice: the same command again marks what is new or changed, and goes on where it was
-    broken off.
+    broken off; late work is added to what is there. Several files of marks are merged, with what teachers wrote.
 
     \b
     Example:
@@ -142,6 +147,7 @@ class _Grading:
     relative: float | None
     turned: bool
     letters: str
+    roster: Path | None
     jobs: int
     force: bool
     lang: Lang
@@ -161,7 +167,7 @@ class _Grading:
         pencils = pencils_of(self.pencil, self.sigmas, self.relative)
         names = tuple(name.strip() for name in self.letters.split(",") if name.strip())
         settings = grading.MarkingOptions(Limits(turned=self.turned, names=names), self.jobs, words=self.lang)
-        judges = [grading.judge_from(problem.key, pencils) for problem in problems]
+        judges = [grading.judge_from(problem.key, pencils, self.roster) for problem in problems]
         for problem, judge in zip(problems, judges, strict=True):
             if self.output is None:
                 self._print(problem.name, grading.grade(judge, problem.paths, settings.limits, workers=self.jobs))
@@ -169,7 +175,7 @@ class _Grading:
                 path = self.output / problem.name / MARKS if self.kinds else self.output
                 self._write_records(path, judge, problem, settings)
         if self.output is not None and self.kinds:
-            self._write_folders([self.output / problem.name / MARKS for problem in problems], judges)
+            self._write_folders([self.output / problem.name / MARKS for problem in problems], judges, problems)
 
     def _print(self, problem: str, records: Iterable[Graded]) -> None:
         """Each as it comes."""
@@ -188,7 +194,7 @@ class _Grading:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         from graphkin.homework import grading, platforms
         from graphkin.outputs import marks_json
-        from graphkin.say.marks import interrupted
+        from graphkin.say.marks import interrupted, kept_lines
 
         if self.kinds:
             platforms.prepared(path.parent)
@@ -201,6 +207,8 @@ class _Grading:
             click.echo(interrupted(path, self.lang), err=True)
             raise
         click.echo(str(path), err=self.as_json)
+        for line in kept_lines(journal.kept, journal.replaced, self.lang):
+            click.echo(line, err=True)
 
     def _printed(self, problem: str, records: Iterable[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
         """Each record, once its line is printed where lines are wanted."""
@@ -211,19 +219,23 @@ class _Grading:
                 click.echo(_line(problem, marks_json.line_of(record)))
             yield record
 
-    def _write_folders(self, files: Sequence[Path], judges: Sequence[SetMarker]) -> None:
-        """Everything else, made of the records; several problems of a student are seen together."""
+    def _write_folders(
+        self, files: Sequence[Path], judges: Sequence[SetMarker], problems: Sequence[Problem]
+    ) -> None:
+        """Everything else, made of the records; several problems of a student are seen together. What teachers wrote
+        beside files of marks that are marked anew goes with these."""
         from graphkin.homework import platforms
 
         several = [platforms.read_traces(file) for file in files] if len(files) > 1 else []
-        for file, judge in zip(files, judges, strict=True):
+        for file, judge, problem in zip(files, judges, problems, strict=True):
             results, pictures = platforms.read_results(file), platforms.PolygonPictures(judge)
-            for kind in dict.fromkeys(self.kinds):
+            merged = [path.parent for path in map(Path, problem.paths) if path.name == MARKS and path != file]
+            for kind in dict.fromkeys((*self.kinds, *(["csv"] if merged else []))):
                 if kind == "json":
                     continue
                 done = platforms.write_results(
                     file.parent, results, kind, self.lang, self.reveal, assignment=self.assignment,
-                    pictures=pictures, force=self.force, several=several,
+                    pictures=pictures, force=self.force, several=several, merged=merged,
                 )  # fmt: skip
                 click.echo("\n".join(map(str, done.paths)), err=self.as_json)
                 for line in done.left_out:

@@ -8,10 +8,11 @@ from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, Located
 
 __all__ = [
     "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenSubmission", "HandedTwice", "LetterTwice",
-    "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoPaperScale", "NoRange", "NoRightNumber",
-    "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant", "NotAQuestion", "NotAResult", "NotASet",
+    "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoNumbers", "NoPaperScale", "NoRange",
+    "NoRightNumber", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant", "NotAQuestion",
+    "NotAResult", "NotASet",
     "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform", "NotMarkable", "NothingToMark", "OffTheDrawing",
-    "OwnFault", "OwnSheet", "SaidBefore", "SenseDisputed", "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong",
+    "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SenseDisputed", "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong",
     "TurnedPage", "TwoNames", "UnknownStudent", "WantsExtra",
 ]  # fmt: skip
 
@@ -92,8 +93,8 @@ class AnotherStudent(GraphkinError):
 
 
 class NotMarkable(AboutText):
-    en = "{where}: a file of kind {given!r} cannot be read. Hand in .toml, .json, .csv, .xlsx, .svg, .ggb or .dxf."
-    zh = "{where}：不能读取 {given!r} 类文件。请提交 .toml、.json、.csv、.xlsx、.svg、.ggb 或 .dxf 文件。"
+    en = "{where}: a file of kind {given!r} cannot be read. Hand in .toml, .json, .csv, .xlsx, .docx, .pdf, .svg, .ggb or .dxf."
+    zh = "{where}：不能读取 {given!r} 类文件。请提交 .toml、.json、.csv、.xlsx、.docx、.pdf、.svg、.ggb 或 .dxf 文件。"
 
 
 class BrokenSubmission(LocatedError):
@@ -154,9 +155,16 @@ class WantsExtra(LocatedError):
 
 
 class UnknownStudent(LocatedError):
+    """Nobody of the class; `nearest` are those who are called nearly so."""
+
     student: str
-    en = "{where}: the key has no student {student!r}. Check the id in the file, or mark with this student's own key."
-    zh = "{where}：答案库中没有学生 {student!r}。请检查文件中的学号，或使用该学生自己的答案库。"
+    nearest: tuple[str, ...] = ()
+    en = "{where}: the class has no student {student!r}{near}. Check the id in the file or in its name, or add the student to the class list."
+    zh = "{where}：班级中没有学生 {student!r}{near}。请检查文件或文件名中的学号，或在名单中补上该学生。"
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        near = {"en": "; the nearest: ", "zh": "，最接近的是："}[lang] + "; ".join(self.nearest) if self.nearest else ""
+        return {**super()._words(lang), "near": near}
 
 
 class HandedTwice(LocatedError):
@@ -170,10 +178,17 @@ class TwoNames(LocatedError):
     named: str
     student: str
     en = (
-        "{where}: a line in it says that it is of {student!r}, but it is named after {named!r}, and {student!r} is "
-        "another's name. It is not marked. Take the line out, or rename the file."
+        "{where}: by its folder or its name this is of {named!r}, but something beside or in it says {student!r}, who is "
+        "another. It is not marked. Rename the file, or take the line out."
     )
-    zh = "{where}：文件中写明学生为 {student!r}，但文件名为 {named!r}，而 {student!r} 另有其人，故不批改。请删去该行，或更改文件名。"
+    zh = "{where}：按文件夹或文件名，这份属于 {named!r}，而文件名或文件中的一行写的是 {student!r}，二者不是同一人，故不批改。请改正文件名，或删去该行。"
+
+
+class SameName(LocatedError):
+    named: str
+    students: tuple[str, ...]
+    en = "{where}: {named!r} is the name of {students}: it does not tell whose this is. It is not marked. Add the id to the file's name."
+    zh = "{where}：姓名 {named!r} 为 {students} 所共有，无法确定是谁的，故不批改。请在文件名中加上学号。"
 
 
 class NoStudents(LocatedError):
@@ -190,6 +205,14 @@ class StudentTwice(LocatedError):
 class NoAnswers(LocatedError):
     en = "{where}: no answer is found here. Write each as question = value, for example \"omega 3\" = 3.92."
     zh = "{where}：未找到任何答案。请写成 问题 = 数值 的形式，例如 \"omega 3\" = 3.92。"
+
+
+class NoNumbers(LocatedError):
+    """A document in which nothing is read: a picture of the work, or a text."""
+
+    kind: str
+    en = "{where}: no answer is read in this {kind} file: it holds a picture, or words. Look at it, and mark it by hand."
+    zh = "{where}：此 {kind} 文件中没有可读取的答案（只有图片或文字）。请查看并人工评阅。"
 
 
 class SeveralStudents(LocatedError):

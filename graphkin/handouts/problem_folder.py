@@ -30,7 +30,7 @@ from graphkin.homework.platforms.markup import ZIP_MARKS, pack
 from graphkin.homework.platforms.question import ProblemSet, question_of
 from graphkin.homework.platforms.set_formats import SETS
 from graphkin.homework.platforms.tables import workbook_files
-from graphkin.homework.problems import Student, Template, Variant, drawn_variants
+from graphkin.homework.problems import Template, Variant, drawn_variants
 from graphkin.marking.discriminability import SetDiscriminability, set_discriminability
 from graphkin.marking.marker import Marker
 from graphkin.marking.power import alarms
@@ -43,6 +43,7 @@ from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.entry import text_lines
 from graphkin.say.problems import MADE
 from graphkin.say.tolerances import discriminability_lines
+from graphkin.submissions import Student
 from graphkin.submissions.submission import fingerprint, safe_name
 
 STUDENTS = "students"
@@ -225,7 +226,7 @@ def _write_common(order: SetOrder, variants: Sequence[Variant], whole: Mapping[s
     )
     _write(teacher / TOLD, "\n".join((*discriminability_lines(power, order.lang), "", MADE, "")), order.force)
     keys = {student: f"{name}{KEY}" for student, name in order.names.items()}
-    _write(teacher / "key.json", set_text(keys), order.force)
+    _write(teacher / "key.json", set_text(keys, order.students), order.force)
     _write(teacher / LIST, _listed(order, variants, power), order.force)
 
 

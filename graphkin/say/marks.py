@@ -70,6 +70,13 @@ def interrupted(path: Path, lang: Lang) -> str:
     return say("marks.interrupted", lang, path=path)
 
 
+def kept_lines(kept: int, replaced: Sequence[tuple[str, str, str]], lang: Lang) -> Iterator[str]:
+    """What became of the records that were there: how many stay, and which work is another now."""
+    if kept:
+        yield say("marks.kept", lang, count=kept)
+    yield from (say("marks.replaced", lang, student=student, old=old, new=new) for student, old, new in replaced)
+
+
 def marks_table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
     """Columns side by side, the first and the last to the left."""
     return (line.rstrip() for line in aligned(rows, "<" + ">" * (len(rows[0]) - 2) + "<"))

@@ -10,30 +10,28 @@ import io
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import chain, islice
+from itertools import chain, islice, pairwise
 from pathlib import PurePosixPath
 from typing import IO
 
 from graphkin.base.value import frozen
-from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, TooMuch, WantsExtra, Where
+from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, SeveralStudents, TooMuch, WantsExtra, Where
 from graphkin.files.toml import parsed
 from graphkin.submissions.answers import Entry
 from graphkin.submissions.archives import checked_zip, lines_of
 from graphkin.submissions.numbers import plain, short
 from graphkin.submissions.questions import begins_like_one
-from graphkin.submissions.submission import Limits
+from graphkin.submissions.students import field_of, id_column, stated_in
+from graphkin.submissions.submission import Limits, tidy_id
 
 Cells = Iterator[tuple[int, Sequence[object]]]  # rows as they stand, with the number of their line
 
-IDS = (
-    "student", "student id", "studentid", "student number", "学号", "id", "id number", "学生学号", "考号",
-    "sis user id", "sis login id", "identifier", "participant", "username", "user name", "用户名", "user",
-    "login", "email", "email address", "学生", "name", "full name", "姓名", "学生姓名",
-)  # fmt: skip
-"""Names of a column of ids, the most telling first."""
 PLAIN_TABLES, SHEETS = (".csv", ".tsv"), (".xlsx", ".xlsm")
-_QUESTION = {"question", "quantity", "name", "item", "问题", "题目", "量", "物理量", "项目"}
+_QUESTION = {
+    "question", "quantity", "name", "item", "vector", "问题", "题目", "量", "物理量", "项目", "矢量", "符号", "名称",
+}  # fmt: skip
 _VALUE = {"value", "answer", "result", "given", "数值", "值", "答案", "结果"}
+_DASHES = "-–—−/ "  # of a cell in which there is nothing to say
 _MORE = {"unit", "units", "单位", "sense", "direction", "转向", "方向"}
 _LONGEST_CELL = 1 << 16
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
@@ -47,41 +45,63 @@ _SCALES = ("scales", "scale", "比例尺")
 
 @frozen
 class StudentDocument:
-    """A student's id as stated ("" where none is) and the answers; the line of a table or a list of several."""
+    """Answers, and what is stated of whose they are: the id first, then a name; the line of a table or a list."""
 
-    student: str
+    called: tuple[str, ...]
     entries: tuple[Entry, ...]
     line: int = 1
+
+    @property
+    def student(self) -> str:
+        """The most telling of what is stated; empty where nothing is."""
+        return self.called[0] if self.called else ""
 
 
 def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[StudentDocument]:
     """A row a student where the header says so; else one, with all answers of the table. Raises NoAnswers, TooMuch."""
-    filled: Cells = ((line, row) for line, row in cells if any(_shown(cell) for cell in row))
-    first = next(filled, None)
+    filled: Cells = ((line, row) for line, row in cells if any(shown_cell(cell) for cell in row))
+    titles = list[tuple[int, Sequence[object]]]()
+    while (first := next(filled, None)) is not None and sum(bool(shown_cell(cell)) for cell in first[1]) == 1:
+        titles.append(first)
+        limits.check(where, "answers", len(titles))
     if first is None:
-        raise NoAnswers(where)
+        if not titles:
+            raise NoAnswers(where)
+        yield _one(titles, where, limits)
+        return
     limits.check(where, "columns", len(first[1]))
-    header = [_shown(cell)[:200] for cell in first[1]]
-    folded = [plain(name).lower().replace("_", " ") for name in header]
-    at = next((folded.index(name) for name in IDS if name in folded), None)
+    header = [shown_cell(cell)[:200] for cell in first[1]]
     second = next(filled, None)
     filled = chain([] if second is None else [second], filled)
-    # `student, s1` over `omega 3, 3.92` begins one student's table, and no class
-    below = _shown(second[1][0]) if second is not None and second[1] and len(header) == 2 else ""
-    if at is None or _is_question_table(header) or (begins_like_one(below) and not begins_like_one(header[1])):
-        yield _one(chain([first], filled), where, limits)
+    # `student, s1` over `omega 3, 3.92`, or over another such line, begins one student's table, and no class
+    below = [shown_cell(cell) for cell in second[1]] if second is not None else []
+    is_one = (any(map(_is_head, below[:1])) or _is_question_table(below)) and not any(map(_is_head, header[1:2]))
+    if id_column(header) is None or _is_question_table(header) or is_one:
+        yield _one(chain(titles, [first], filled), where, limits)
         return
     for count, (line, row) in enumerate(filled):
         limits.check(where, "rows", count + 1)
-        pairs = enumerate(zip(header, row))
-        given = (pair for k, pair in pairs if pair[0] and k != at and not student_of(pair[0]))
+        given = ((name, cell) for name, cell in zip(header, row) if name and not field_of(name))
         entries = tuple((name, cell, Where(where.file, line, short(name))) for name, cell in given)
-        yield StudentDocument(_shown(row[at]) if at < len(row) else "", entries, line)
+        called = stated_in((name, shown_cell(cell)) for name, cell in zip(header, row))
+        yield StudentDocument((*called,), entries, line)
 
 
-def student_of(name: str) -> bool:
-    """True where a name in a table of answers stands for the student's id."""
-    return plain(name[:60]).lower().replace("_", " ").strip(" :") in IDS
+def of_one(cells: Cells, where: Where, limits: Limits) -> StudentDocument:
+    """The one student's answers in a table. Raises NoAnswers, SeveralStudents, TooMuch."""
+    rows = rows_of(cells, where, limits)
+    row = next(rows, None)
+    if row is None:
+        raise NoAnswers(where)
+    other = next((other.student for other in rows if other.student not in ("", row.student)), None)
+    if other is not None:
+        raise SeveralStudents(where, tidy_id(row.student), tidy_id(other))
+    return row
+
+
+def _is_head(text: str) -> bool:
+    """True of what answers, or a student's id, may stand beside or below."""
+    return begins_like_one(text) or field_of(text) is not None
 
 
 def _is_question_table(header: Sequence[str]) -> bool:
@@ -90,33 +110,46 @@ def _is_question_table(header: Sequence[str]) -> bool:
 
 
 def _one(cells: Iterable[tuple[int, Sequence[object]]], where: Where, limits: Limits) -> StudentDocument:
-    """A student's own table: question and value beside each other, unit and sense after them."""
-    student, entries, names = "", list[Entry](), None
+    """A student's own table: question and value beside each other, unit and sense after them; under a head with
+    several columns of questions so many beside each other."""
+    stated, entries = list[tuple[str, str]](), list[Entry]()
+    names: list[str] | None = None
+    starts = [0]
     for line, row in islice(cells, limits.answers + 2):
-        shown = [_shown(cell) for cell in row[:20]]
-        if names is None and _is_question_table(shown):
+        shown = [shown_cell(cell) for cell in row[:20]]
+        if _is_question_table(shown):
             names = [plain(name).lower() for name in shown]
+            starts = [k for k, name in enumerate(names) if name in _QUESTION]
             continue
-        if len(shown) > 1 and student_of(shown[0]):
-            student = shown[1]
-        elif len(shown) > 1 and shown[0]:
-            entries.append((shown[0], _value(row, shown, names), Where(where.file, line, short(shown[0]))))
-    return StudentDocument(student, tuple(entries))
+        inside = [(_key_name(key), cell[key.end() :].strip()) for cell in shown if (key := _KEY.match(cell[:400]))]
+        own = [(name, text) for name, text in (*pairwise(shown), *inside) if text and field_of(name)]
+        stated += [(name, text) for name, text in own if not field_of(text)]
+        if own:
+            continue
+        if len([cell for cell in shown if cell]) == 1:  # ω3 = 3.92
+            entries += [(name, text, Where(where.file, line, short(name))) for name, text in inside]
+            continue
+        for start, end in zip(starts, [*starts[1:], len(shown)], strict=True):
+            if len(shown) > start + 1 and shown[start]:
+                value = _value(row[start:end], shown[start:end], names and names[start:end])
+                entries.append((shown[start], value, Where(where.file, line, short(shown[start]))))
+    return StudentDocument((*stated_in(stated),), tuple(entries))
 
 
 def _value(row: Sequence[object], shown: Sequence[str], names: Sequence[str] | None) -> object:
     """The cell itself, or number, unit and sense in cells of their own."""
     if names is None:
-        more = [text for text in shown[2:4] if text]
+        more = [text for text in shown[2:4] if text.strip(_DASHES)]
         return row[1] if not more else " ".join([shown[1], *more])
-    at = next(k for k, name in enumerate(names) if name in _VALUE)
+    at = next((k for k, name in enumerate(names) if name in _VALUE), len(row))
     if at >= len(row):
         return None
-    more = [shown[k] for k, name in enumerate(names[: len(shown)]) if name in _MORE and shown[k]]
+    filled = enumerate(zip(names, shown))
+    more = [text for k, (name, text) in filled if k != at and name in _MORE and text.strip(_DASHES)]
     return row[at] if not more or not shown[at] else " ".join([shown[at], *more])
 
 
-def _shown(cell: object) -> str:
+def shown_cell(cell: object) -> str:
     if isinstance(cell, float) and cell.is_integer() and abs(cell) < 1e15:
         return str(int(cell))
     return "" if cell is None else str(cell).strip()
@@ -223,13 +256,13 @@ def listed(text: str, where: Where, limits: Limits) -> list[StudentDocument] | N
         try:
             students.append(_document(entry, Where(where.file, number), {}))
         except GraphkinError:
-            students.append(StudentDocument("", (), number))
+            students.append(StudentDocument((), (), number))
     return students
 
 
 def read_lines(text: str, where: Where, limits: Limits) -> StudentDocument:
-    """`omega 3 = 3.92` line by line, as in a message. Raises NoAnswers, TooMuch."""
-    student, entries, table = "", list[Entry](), ""
+    """`omega 3 = 3.92` line by line, as in a message; there may be none. Raises TooMuch."""
+    stated, entries, table = list[tuple[str, str]](), list[Entry](), ""
     for number, line in enumerate(text.splitlines(), 1):
         if (header := _HEADER.fullmatch(line[:60])) is not None:
             table = "scales." if header[1] in _SCALES else ""
@@ -239,14 +272,12 @@ def read_lines(text: str, where: Where, limits: Limits) -> StudentDocument:
                 entries.append((line.strip(), line.strip(), Where(where.file, number, short(line.strip()))))
             continue
         name, value = _key_name(key), line[key.end() :].strip(" \t\"'“”„")
-        if student_of(name):
-            student = value[:200]
+        if field_of(name):
+            stated.append((name, value))
         else:
             entries.append((table + name, value, Where(where.file, number, short(name))))
         limits.check(where, "answers", len(entries))
-    if not entries:
-        raise NoAnswers(where)
-    return StudentDocument(student, tuple(entries))
+    return StudentDocument((*stated_in(stated),), tuple(entries))
 
 
 def _document(document: object, where: Where, lines: Mapping[str, int]) -> StudentDocument:
@@ -259,7 +290,7 @@ def _document(document: object, where: Where, lines: Mapping[str, int]) -> Stude
             named += (("", f"scales.{plane}", size) for plane, size in value.items())
         elif key in _TABLES and isinstance(value, dict):
             named += ((f"{key}.", name, answer) for name, answer in value.items())
-        elif not student_of(key):
+        elif not field_of(key):
             named.append(("", key, value))
     if not named:
         raise NoAnswers(where)
@@ -267,6 +298,5 @@ def _document(document: object, where: Where, lines: Mapping[str, int]) -> Stude
         (name, value, Where(where.file, lines.get(name, where.line), f"{table}{short(name)}"))
         for table, name, value in named
     )
-    stated = next((value for key, value in document.items() if student_of(key)), "")
-    student = str(stated) if isinstance(stated, str | int) and not isinstance(stated, bool) else ""
-    return StudentDocument(student[:200], tuple(entries), where.line or 1)
+    stated = ((key, str(value)) for key, value in document.items() if type(value) in (str, int))
+    return StudentDocument((*stated_in(stated),), tuple(entries), where.line or 1)

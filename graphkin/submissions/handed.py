@@ -1,16 +1,14 @@
 """All there is to read, one hand-in after another: files, folders, students of an archive, rows of a class table.
 
-Nothing of a student's is parsed here but the cells of a class table; that is `read_one`'s. Of each student the first
-submission counts, and none that another's name stands in.
+Nothing of a student's is parsed here but the cells of a class table; that is `read_one`'s.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
-from functools import cached_property
 from pathlib import Path, PurePosixPath
 
 from graphkin import errors
@@ -20,9 +18,8 @@ from graphkin.model.quantities import position_of
 from graphkin.submissions import archives
 from graphkin.submissions.documents import PLAIN_TABLES, SHEETS, StudentDocument, cells_of, csv_cells, listed, rows_of
 from graphkin.submissions.pool import limited
-from graphkin.submissions.submission import Limits, Owner, fingerprint, owner, tidy_id
-
-LIMITS = Limits()
+from graphkin.submissions.students import GRADESCOPE, Owner, Roster, owner, submitters
+from graphkin.submissions.submission import Limits, fingerprint, tidy_id
 
 
 @frozen
@@ -48,49 +45,54 @@ class Handed:
         return fingerprint(repr((self.owner.student, self.file, self.row)), *files)
 
 
-def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
+def handed_in(paths: Iterable[str | Path], limits: Limits, roster: Roster | None = None) -> Iterator[Handed]:
     """Everything in these files, archives and folders, in order; what cannot be opened comes with its reason."""
     for path in map(Path, paths):
         where = Where(str(path))
         try:
-            yield from _of_path(path, where, limits)
+            yield from _of_path(path, where, limits, roster)
         except GraphkinError as reason:
-            yield Handed(owner(path.name), str(path), reason=reason)
+            yield Handed(_own(path), str(path), reason=reason)
         except OSError as problem:
-            unreadable = errors.Unreadable(where, problem.strerror or str(problem))
-            yield Handed(owner(path.name), str(path), reason=unreadable)
+            yield Handed(_own(path), str(path), reason=errors.Unreadable(where, problem.strerror or str(problem)))
 
 
-def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
+def _own(path: Path, roster: Roster | None = None) -> Owner:
+    """By the name of a file, in a folder of Moodle's by that."""
+    folder = path.parent.name
+    return owner(f"{folder}/{path.name}" if "_assignsubmission_" in folder else path.name, roster=roster)
+
+
+def _of_path(path: Path, where: Where, limits: Limits, roster: Roster | None) -> Iterator[Handed]:
     if path.is_dir():
         names = sorted(_walked(path))  # as an archive that was unpacked; links out of it are not followed
         if not names:
             raise errors.NoAnswers(where)
         if _is_class_table(names):
-            yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits)
+            yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits, roster)
         else:
             limits.check(where, "members", len(names))
-            yield from _of_students(names, f"{path}/", lambda k, inner: _content(path / names[k], inner, limits))
+            yield from _of_students(names, f"{path}/", lambda k, at: _content(path / names[k], at, limits), roster)
     elif not path.exists():
         raise errors.NoFile(where, path.name, ())
     elif not path.is_file():
         raise errors.Unreadable(where, "not a file")
     elif path.suffix.lower() == ".zip":
-        yield from _of_archive(path, where, limits)
+        yield from _of_archive(path, where, limits, roster)
     elif path.suffix.lower() in PLAIN_TABLES:
         with path.open("rb") as stream:
-            yield from _of_table(rows_of(csv_cells(stream, where), where, limits), owner(path.name), where, limits)
+            yield from _of_table(rows_of(csv_cells(stream, where), where, limits), _own(path, roster), where, limits)
     elif path.suffix.lower() in SHEETS:
         cells = cells_of(path.name, _content(path, where, limits), where, limits)
-        yield from _of_table(rows_of(cells, where, limits), owner(path.name), where, limits)
+        yield from _of_table(rows_of(cells, where, limits), _own(path, roster), where, limits)
     else:
         content, students = _content(path, where, limits), None
         if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
             students = listed(archives.decoded(content, where), where, limits)
         for student in students or ():
-            yield _of_row(student, owner(path.name), str(path))
+            yield _of_row(student, _own(path, roster), str(path))
         if not students:
-            yield Handed(owner(path.name), str(path), files=((path.name, content),))
+            yield Handed(_own(path, roster), str(path), files=((path.name, content),))
 
 
 def _content(path: Path, where: Where, limits: Limits) -> bytes:
@@ -118,11 +120,11 @@ def _of_table(rows: Iterator[StudentDocument], by_file: Owner, where: Where, lim
 
 
 def _of_row(row: StudentDocument, by_file: Owner, file: str) -> Handed:
-    student = Owner(tidy_id(row.student), (), str(row.line)) if row.student.strip() else by_file
+    student = Owner(tidy_id(row.student), str(row.line)) if row.student.strip() else by_file
     return Handed(student, file, str(row.line), row=row)
 
 
-def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
+def _of_archive(path: Path, where: Where, limits: Limits, roster: Roster | None) -> Iterator[Handed]:
     with archives.opened(path, where) as archive:
         infos = list(archives.members(archive, where, limits))
         names = [archives.member_name(info) for info in infos]
@@ -137,13 +139,22 @@ def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
         def read(k: int, member: Where) -> bytes:
             return archives.read_member(archive, infos[k], member, limits)
 
-        yield from _of_students(names, f"{path}!", read)
+        yield from _of_students(names, f"{path}!", read, roster)
 
 
-def _of_students(names: list[str], before: str, read: Callable[[int, Where], bytes]) -> Iterator[Handed]:
+def _of_students(
+    names: list[str], before: str, read: Callable[[int, Where], bytes], roster: Roster | None
+) -> Iterator[Handed]:
     """The files of each student, read by their numbers; a reason only where none of them can be read."""
-    for who, numbers in _grouped(names):
+    by_folder: Mapping[str, Owner] = {}
+    lists = [k for k, name in enumerate(names) if name.rpartition("/")[2] == GRADESCOPE]
+    for k in lists:
+        where = Where(before + names[k])
+        by_folder = {**by_folder, **submitters(archives.decoded(read(k, where), where))}
+    for who, numbers in _grouped(names, roster, by_folder):
         files, reason = list[tuple[str, bytes]](), None
+        if numbers[0] in lists:
+            continue
         for k in numbers:
             where = Where(before + names[k])
             try:
@@ -173,8 +184,11 @@ def _is_class_table(names: list[str]) -> bool:
     return is_table and owner(names[0], _root(names)).student == tidy_id(name.stem)
 
 
-def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
-    """The files of each hand-in, in the order of the first of each."""
+def _grouped(
+    names: list[str], roster: Roster | None, by_folder: Mapping[str, Owner]
+) -> Iterator[tuple[Owner, list[int]]]:
+    """The files of each hand-in, in the order of the first of each. A student's answers and drawing, in files of their
+    own, are one; of two files of a kind the second is another."""
     root, shared, kinds = _root(names), set[int](), set[int]()
     for name in names:  # a folder with several files of one kind is a class's; a student's has answers and a drawing
         file, folder = PurePosixPath(name), name.rpartition("/")[0]
@@ -183,11 +197,18 @@ def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
         kinds.add(kind)
 
     def of(k: int) -> Owner:
-        return owner(names[k], root, alone=hash(names[k].rpartition("/")[0]) in shared)
+        parts = names[k].removeprefix(root).split("/")
+        if (own := by_folder.get(parts[0])) is not None:
+            return own
+        return owner(names[k], root, hash(names[k].rpartition("/")[0]) in shared, roster)
 
-    groups: dict[str, list[int]] = {}
-    for k in range(len(names)):
-        groups.setdefault(of(k).group, []).append(k)
+    groups: dict[tuple[str, int], list[int]] = {}
+    times = Counter[tuple[str, str, int]]()
+    for k, name in enumerate(names):
+        by, file = of(k), PurePosixPath(name)
+        sort = (by.group, file.suffix.lower(), position_of(file.stem)[1])
+        groups.setdefault((by.group, times[sort]), []).append(k)
+        times[sort] += by.by_file
     yield from ((of(numbers[0]), numbers) for numbers in groups.values())
 
 
@@ -202,45 +223,3 @@ def _root(names: list[str]) -> str:
     if several or len(names) == 1:
         return f"{folder}/"
     return f"{folder}/" + _root([name[len(folder) + 1 :] for name in names])
-
-
-class FirstOnes:
-    """The first submission of each student, as far as they have gone by.
-
-    paths   all that is handed in: what a file, or a platform's folder, is named after goes before a line inside
-    """
-
-    def __init__(self, paths: Iterable[str | Path] = ()) -> None:
-        self._paths = paths
-        self._seen: dict[str, Where] = {}
-
-    @cached_property
-    def _named(self) -> frozenset[str]:
-        """The names of students that files, folders and members of archives bear."""
-        students: set[str] = set()
-        for path in map(Path, self._paths):
-            with suppress(GraphkinError, OSError):
-                names = [path.name]
-                if path.is_dir():
-                    names = sorted(_walked(path))
-                elif path.suffix.lower() == ".zip":
-                    with archives.opened(path, where := Where(str(path))) as archive:
-                        names = [*map(archives.member_name, archives.members(archive, where, LIMITS))]
-                students.update(name for who, _ in _grouped(names) for name in (who.student, *who.others))
-        return frozenset(students)
-
-    def reason(self, student: str, file: str, place: str) -> errors.HandedTwice | errors.TwoNames | None:
-        """Why this submission is not marked, being another's or a further one; None where it is the student's first."""
-        if not place.isdecimal():
-            name = place or Path(file).name
-            own = owner(name), owner(name, alone=True)
-            if not any(student in (who.student, *who.others) for who in own) and student in self._named:
-                return errors.TwoNames(Where(file), own[0].student, student)
-        here = Where(file, int(place) if place.isdecimal() else None)
-        first = self._seen.setdefault(student, here)
-        return None if first is here else errors.HandedTwice(here, student, str(first))
-
-
-def called(student: str, reason: GraphkinError) -> str:
-    """The student whose submission is not marked; of one that is another's, nobody."""
-    return reason.named if isinstance(reason, errors.TwoNames) else student

@@ -87,7 +87,7 @@ def begins_like_one(text: str) -> bool:
     bare = plain(text[:LONGEST]).translate(_GREEK)
     for pattern, word in _HEADS:
         head = re.match(pattern, bare, re.I)
-        after = "[ _^{0-9]" if word in ("omega", "alpha", "theta") else "[ _^{]|[ntkr]?[A-Z]"
+        after = "[ _^{0-9]" if word in ("omega", "alpha", "theta") else "[ _^{]|[ntkr]? ?[A-Z]"
         if head is not None and re.match(after, bare[head.end() :]) is not None:
             return True
     return False

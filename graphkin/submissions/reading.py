@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
-from pathlib import PurePosixPath
+from functools import cached_property
+from pathlib import Path, PurePosixPath
 
 from graphkin import errors
 from graphkin.base.value import frozen
-from graphkin.errors import GraphkinError, Where
-from graphkin.submissions import archives, documents
+from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.submissions import archives, documents, office
 from graphkin.submissions.answers import answers_at, named_at, of_file
 from graphkin.submissions.archives import decoded
 from graphkin.submissions.documents import StudentDocument
-from graphkin.submissions.handed import Handed, called
+from graphkin.submissions.handed import Handed, handed_in
 from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import Questions
+from graphkin.submissions.students import Owner, Roster, file_text, owner
 from graphkin.submissions.submission import DRAWINGS, Limits, MeasuredDrawing, ReadableProblem, Submission, tidy_id
 
 Key = ReadableProblem | Callable[[str], ReadableProblem | None]
@@ -29,7 +32,7 @@ _DOCUMENTS = {
 _INNER = 50  # files in an archive that a student hands in
 
 
-def read_one(handed: Handed, asked: Key, limits: Limits = USUAL) -> Submission:
+def read_one(handed: Handed, asked: Key, limits: Limits = USUAL, roster: Roster | None = None) -> Submission:
     """A hand-in, read within its time. It never raises: an error of graphkin's own is a reason, too."""
     where = Where(handed.file)
     student = handed.owner.student
@@ -38,9 +41,13 @@ def read_one(handed: Handed, asked: Key, limits: Limits = USUAL) -> Submission:
             if handed.reason is not None:
                 raise handed.reason
             contents = _contents(handed, limits)
-            stated = next((document.student for document in contents.documents if document.student), "")
-            student = tidy_id(stated) or student
-            student, key = _key(handed, stated, asked, where)
+            lines = _lines(contents)
+            if not handed.owner.number:
+                student = tidy_id(next((line for line in lines if line), "")) or student
+            student = _whose(handed, lines, roster, where)
+            key = asked if isinstance(asked, ReadableProblem) else asked(student)
+            if key is None:
+                raise errors.UnknownStudent(where, student)
             return _read(handed, student, key, contents, limits)
     except GraphkinError as reason:
         return _refused(handed, student, reason)
@@ -52,19 +59,73 @@ def _refused(handed: Handed, student: str, reason: GraphkinError) -> Submission:
     return Submission(called(student, reason), handed.file, reason=reason, place=handed.place)
 
 
-def _key(handed: Handed, stated: str, asked: Key, where: Where) -> tuple[str, ReadableProblem]:
-    """The problem of a student: by what the platform calls them, which no file can claim; else by the id it states,
-    unless the file is named after another student."""
-    owner, own = handed.owner, [tidy_id(stated)] if tidy_id(stated) else []
-    names = [owner.student, *owner.others, *own] if owner.others else own or [owner.student]
-    if isinstance(asked, ReadableProblem):
-        return names[0], asked
-    if names == own != [owner.student] and asked(owner.student) is not None and asked(own[0]) is not None:
-        raise errors.TwoNames(where, owner.student, own[0])
-    for name in names:
-        if (problem := asked(name)) is not None:
-            return name, problem
-    raise errors.UnknownStudent(where, names[0])
+def called(student: str, reason: GraphkinError) -> str:
+    """The student whose submission is not marked; of one that is another's, nobody."""
+    return reason.named if isinstance(reason, errors.TwoNames | errors.SameName) else student
+
+
+def _lines(contents: _Contents) -> list[str]:
+    """What lines inside say of whose it is."""
+    return [line for document in contents.documents for line in document.called]
+
+
+def _whose(handed: Handed, lines: Sequence[str], roster: Roster | None, where: Where) -> str:
+    """The student, by the class list. Without one by what the platform calls them, which no line can claim; else by a
+    line inside, or by the name of the file. Raises UnknownStudent, TwoNames, SameName."""
+    by = handed.owner
+    if roster is not None:
+        if handed.row is not None and lines:  # of a class table: who it is from tells nothing
+            return roster.whose(Owner("", ""), (), lines, where)
+        return roster.whose(by, [file_text(name, by) for name, _ in handed.files] or [by.student], lines, where)
+    return by.student if by.number else tidy_id(next((line for line in lines if line), "")) or by.student
+
+
+class FirstOnes:
+    """The first submission of each student, as far as they have gone by.
+
+    paths   all that is handed in: what a file, or a platform's folder, is named after goes before a line inside
+    """
+
+    def __init__(self, paths: Iterable[str | Path] = (), roster: Roster | None = None) -> None:
+        self._paths, self._roster = paths, roster
+        self._seen: dict[str, Where] = {}
+
+    @cached_property
+    def _named(self) -> Mapping[str, tuple[set[str], set[str]]]:
+        """Of each student the folders and files that bear a name of theirs, and those of a platform's folders whose
+        names tell nothing in which a line says so."""
+        named: dict[str, tuple[set[str], set[str]]] = {}
+        for handed in handed_in(self._paths, USUAL, self._roster):
+            if handed.row is not None:
+                continue
+            with suppress(GraphkinError):
+                own, at = _by_names(handed.owner, [name for name, _ in handed.files], self._roster), 0
+                if not own and handed.owner.number and handed.reason is None:
+                    own, at = {_whose(handed, _lines(_contents(handed, USUAL)), self._roster, NOWHERE)}, 1
+                for student in own:
+                    named.setdefault(student, (set(), set()))[at].add(handed.file)
+        return named
+
+    def reason(self, student: str, file: str, place: str) -> errors.HandedTwice | errors.TwoNames | None:
+        """Why this submission is not marked, being another's or a further one; None where it is the student's first."""
+        if not place.isdecimal():
+            name = place or Path(file).name
+            own = owner(name, roster=self._roster), owner(name, alone=True)
+            if not any(student in _by_names(by, [name], self._roster) for by in own):
+                by_name, by_line = self._named.get(student, (set(), set()))
+                if file not in by_name and (by_name or by_line - {file}):
+                    return errors.TwoNames(Where(file), own[0].folder or own[0].student, student)
+        here = Where(file, int(place) if place.isdecimal() else None)
+        first = self._seen.setdefault(student, here)
+        return None if first is here else errors.HandedTwice(here, student, str(first))
+
+
+def _by_names(by: Owner, names: Sequence[str], roster: Roster | None) -> set[str]:
+    """The students whom a folder or names of files name, or what would stand for one."""
+    if roster is None:
+        return {by.student, by.folder} - {""}
+    texts = (by.folder, *(file_text(name, by) for name in names if not by.number))
+    return {*roster.numbered(by.number)}.union(*(some for text in texts for some in roster.named(text)))
 
 
 @frozen
@@ -123,17 +184,15 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
         raise errors.NoAnswers(where)
     limits.check(where, "bytes", len(content))
     if suffix in _DOCUMENTS:
-        return _DOCUMENTS[suffix](decoded(content, where), where, limits)
+        document = _DOCUMENTS[suffix](decoded(content, where), where, limits)
+        if not document.entries:
+            raise errors.NoAnswers(where)
+        return document
+    if suffix in office.READERS:
+        return office.READERS[suffix](content, where, limits)
     if suffix not in (*documents.PLAIN_TABLES, *documents.SHEETS):
         raise errors.NotMarkable(where, suffix or name[:40])
-    rows = documents.rows_of(documents.cells_of(name, content, where, limits), where, limits)
-    row = next(rows, None)
-    if row is None:
-        raise errors.NoAnswers(where)
-    other = next((other.student for other in rows if other.student not in ("", row.student)), None)
-    if other is not None:
-        raise errors.SeveralStudents(where, tidy_id(row.student), tidy_id(other))
-    return row
+    return documents.of_one(documents.cells_of(name, content, where, limits), where, limits)
 
 
 def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:

@@ -1,20 +1,17 @@
-"""The data of what is handed in: no language, no millimetre but those measured on a drawing, no verdict; its owner."""
+"""The data of what is handed in: no language, no millimetre but those measured on a drawing, no verdict."""
 
 from __future__ import annotations
 
 import cmath
 import hashlib
-import re
 from collections.abc import Mapping
 from dataclasses import field
-from pathlib import PurePosixPath
 from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, GraphkinError, TooMuch, Where, steers
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import position_of
 
 Sense = Literal["ccw", "cw"]
 Counted = Literal["bytes", "members", "elements", "depth", "copies", "answers", "rows", "columns"]
@@ -151,42 +148,10 @@ class Limits:
             raise TooMuch(where, name, most)
 
 
-_MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<id>[0-9]+)_assignsubmission_[a-z]+(?:_|/|$)")
-_CANVAS = re.compile(r"(?P<name>[^_/]+)(?:_LATE)?_(?P<id>[0-9]+)_(?P<sub>[0-9]+)_(?P<file>[^/]+)$")
 _RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(10))}
 LONGEST_ID = 200
 DRAWINGS = (".svg", ".ggb", ".dxf")
 """Kinds of files that may show one position of several, whose number ends their name."""
-
-
-@frozen
-class Owner:
-    """The one who handed in: the name of the results, and other names under which a key may know the student.
-
-    group  what the files of one hand-in have in common
-    """
-
-    student: str
-    others: tuple[str, ...]
-    group: str
-
-
-def owner(path: str, root: str = "", alone: bool = False) -> Owner:
-    """Of a file or of a member of an archive; `root` is the folder that all members share.
-
-    alone  a folder is no student's: each name in it is one
-    """
-    inner = path.removeprefix(root)
-    if (moodle := _MOODLE.search(inner)) is not None:
-        number = moodle["id"]
-        return Owner(tidy_id(number), (f"Participant {number}", tidy_id(moodle["name"])), inner[: moodle.end()])
-    if (canvas := _CANVAS.search(inner)) is not None:
-        return Owner(tidy_id(canvas["id"]), (tidy_id(canvas["name"]),), inner[: canvas.start("sub")])
-    whole = PurePosixPath(inner)
-    if alone or "/" not in inner:
-        stem = position_of(whole.stem)[0].rstrip() if whole.suffix.lower() in DRAWINGS else whole.stem
-        return Owner(tidy_id(stem), (), str(whole.with_name(stem or whole.stem)))
-    return Owner(tidy_id(whole.parent.name), (), str(whole.parent))
 
 
 def tidy_id(text: str) -> str:

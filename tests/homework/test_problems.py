@@ -33,13 +33,13 @@ from graphkin.handouts import problem_folder
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.problem_folder import SetOrder, write_problems
 from graphkin.homework.grading import key_for
-from graphkin.homework.problems import Student, Variant, draws, read_template, roster, variants, well_posed
+from graphkin.homework.problems import Variant, draws, read_template, roster, variants, well_posed
 from graphkin.homework.problems.posed import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.entry import text_lines
-from graphkin.submissions import ReadableProblem
+from graphkin.submissions import ReadableProblem, Student
 
 
 @pytest.fixture

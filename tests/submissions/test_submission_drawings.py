@@ -25,7 +25,7 @@ from graphkin.submissions.dxf import read_dxf
 from graphkin.submissions.handed import Handed
 from graphkin.submissions.letters import find_letters, polygons
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.submission import owner
+from graphkin.submissions.students import owner
 from graphkin.submissions.svg import read_svg
 
 CASES = Path(__file__).parents[1] / "cases" / "submissions"

@@ -37,7 +37,7 @@ from graphkin.submissions.documents import read_lines
 from graphkin.submissions.grammar import parsed_value
 from graphkin.submissions.numbers import scale
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.submission import owner
+from graphkin.submissions.students import Roster, Student, owner
 
 MECHANISM = api.load("ex3-1")
 ASKED = ReadableProblem(MECHANISM, (*MECHANISM.ask, "v B", "v B3B2"))
@@ -243,10 +243,13 @@ def test_canvas_download_and_nested_folders(tmp_path: Path):
 def test_a_key_for_each_student(tmp_path: Path):
     """The platform's word for who handed in goes before the file's."""
     folder = "_assignsubmission_file_/a.toml"
-    members = {f"First Last_123{folder}": ANSWER, f"No One_9{folder}": ANSWER, f"Not Me_124{folder}": TOML.encode(), f"By Id_125{folder}": TOML.encode()}
-    found = list(read([zipped(tmp_path / "m.zip", members)], {"Participant 123": ASKED, "Not Me": ASKED, "s1": ASKED}.get))
-    assert [s.student for s in found] == ["Participant 123", "9", "Not Me", "s1"]
-    assert [type(s.reason) for s in found] == [type(None), UnknownStudent, type(None), type(None)]
+    members = {f"First Last_123{folder}": ANSWER, f"No One_9{folder}": ANSWER, f"Me_124{folder}": TOML.encode(), f"By Id_125{folder}": TOML.encode()}
+    archive = zipped(tmp_path / "m.zip", members)
+    found = list(read([archive], ASKED, roster=Roster(map(Student, ("Participant 123", "Not Me", "s1")))))
+    assert [s.student for s in found] == ["Participant 123", "9", "124", "125"]
+    assert [type(s.reason) for s in found] == [type(None), UnknownStudent, UnknownStudent, UnknownStudent]
+    by_id = list(read([archive], ASKED, roster=Roster(map(Student, ("s0", "s1")))))
+    assert [type(s.reason) for s in by_id] == [UnknownStudent, UnknownStudent, TwoNames, TwoNames]
 
 
 def test_a_second_submission_is_not_marked_beside_the_first(tmp_path: Path):
@@ -271,10 +274,10 @@ def test_a_line_inside_makes_nobody_another(form: str, other: str, tmp_path: Pat
         (tmp_path / "all" / name).write_bytes(content)
     paths = [zipped(tmp_path / "m.zip", members)] if form in ("archive", "folders") else [tmp_path / "all"]
     paths = [tmp_path / "all" / name for name in sorted(members)] if form == "files" else paths
-    known = {"s1": ASKED}.get if form == "platform" else ASKED
-    found = {s.file.endswith(own): s for s in read(paths, known)}
+    roster = Roster([Student("s1", (("identifier", "77"),))]) if form == "platform" else None
+    found = {s.file.endswith(own): s for s in read(paths, ASKED, roster=roster)}
     assert (found[True].student, found[True].reason, found[True].values["omega 3"].value) == ("s1", None, 3.92)
-    assert isinstance(found[False].reason, TwoNames)
+    assert isinstance(found[False].reason, UnknownStudent if form == "platform" else TwoNames)
     assert found[False].student != "s1"
     assert not found[False].values
 
@@ -282,8 +285,8 @@ def test_a_line_inside_makes_nobody_another(form: str, other: str, tmp_path: Pat
 def test_of_two_students_that_there_are_a_file_is_neither():
     """One named after it, and one in a line, both in the class."""
     handed = Handed(owner("s2.toml"), "s2.toml", files=(("s2.toml", TOML.encode()),))
-    assert isinstance(read_one(handed, {"s1": ASKED, "s2": ASKED}.get).reason, TwoNames)
-    assert read_one(handed, {"s1": ASKED}.get).student == "s1"
+    assert isinstance(read_one(handed, ASKED, roster=Roster(map(Student, ("s1", "s2")))).reason, TwoNames)
+    assert read_one(handed, ASKED, roster=Roster([Student("s1")])).student == "s1"
 
 
 def test_a_file_with_a_line_keeps_its_drawing(tmp_path: Path):

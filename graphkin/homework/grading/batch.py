@@ -27,6 +27,8 @@ from graphkin.submissions.submission import fingerprint, tidy_id
 _EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each [s]
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
 """Reasons that may be gone when it is tried again."""
+_FILES = (errors.NotMarkable, errors.BrokenSubmission, errors.NoNumbers, errors.WantsExtra, errors.TooMuch)
+"""Why a file beside others is not read: the teacher is told."""
 _GLANCE = 200
 _SHOWN = 80  # letters of an answer that was not read
 _POINTS = {"right": True, "wrong": False}  # of a drawn vector; of a number its sign says it again
@@ -96,6 +98,19 @@ def records_of(path: Path) -> Iterator[Read]:
             yield earlier_reading(record, where)
 
 
+def merged(paths: Sequence[Path]) -> Iterator[Read]:
+    """The records of several graders: what more than one of them have of a student once, marked where one of them has
+    marked it. Raises what reading one raises."""
+    every = [(one, (one.work.student, one.place or Path(one.file).name)) for path in paths for one in records_of(path)]
+    some = {at for one, at in every if one.reason is None}
+    met = set[object]()
+    for one, at in every:
+        what = at if one.reason is not None else repr(one.work)
+        if what not in met and (one.reason is None or at not in some):
+            met.add(what)
+            yield one
+
+
 @frozen
 class StoredRecord:
     """A submission whose record there is and holds: whose it is, whether it was marked, and its fingerprint."""
@@ -132,7 +147,7 @@ def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> 
 def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -> Read:
     if isinstance(item, Read):
         return _read_before(item, judge)
-    one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits)
+    one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits, judge.roster)
     prints = (item.digest, reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number
@@ -158,8 +173,9 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
         reason = OwnFault(Where(one.file), type(problem).__name__)
     once_more = isinstance(reason, _ONCE_MORE)
     drawn = {} if one.drawn is None else one.drawn.in_si()
-    remarks = tuple(remark for drawing in one.drawings.values() for remark in drawing.remarks)
-    return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn, remarks)
+    remarks = [remark for drawing in one.drawings.values() for remark in drawing.remarks]
+    remarks += [note for note in one.notes if isinstance(note, _FILES)]
+    return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn, (*remarks,))
 
 
 def _read_before(item: Read, judge: SetMarker) -> Read:

@@ -8,7 +8,7 @@ that were read then are marked anew; all else is read.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from concurrent.futures import Executor
 from functools import partial
 from itertools import chain
@@ -27,7 +27,7 @@ from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded
 from graphkin.outputs.files import refuse
 from graphkin.outputs.marks_json import MARKS, Record, records_in, text
-from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in
+from graphkin.submissions import FirstOnes, Handed, Limits, Roster, called, guarded, handed_in
 from graphkin.submissions.submission import fingerprint
 
 _BATCH, _BYTES = 64, 4 << 20
@@ -72,15 +72,22 @@ def grade(
     judge = OneKey(Marker(judge)) if isinstance(judge, Key) else judge
     options = MarkingOptions(limits or Limits(), workers, executor)
     paths = [*paths]
-    for graded in run(judge, items(paths, options), options, paths):
+    for graded in run(judge, items(paths, options, judge.roster), options, paths):
         assert isinstance(graded, Graded)
         yield graded
 
 
-def items(paths: Iterable[str | Path], options: MarkingOptions) -> Iterator[Handed | Read]:
-    """Submissions, one after another, in the order of the files."""
-    for path in paths:
-        yield from batches.records_of(Path(path)) if batches.is_marks(path) else handed_in([path], options.limits)
+def items(
+    paths: Iterable[str | Path], options: MarkingOptions, roster: Roster | None = None
+) -> Iterator[Handed | Read]:
+    """Submissions, one after another, in the order of the files; what several files of marks have in common once."""
+    every = [*map(Path, paths)]
+    marks = [*dict.fromkeys(filter(batches.is_marks, every))]
+    for path in every:
+        if path not in marks:
+            yield from handed_in([path], options.limits, roster)
+        elif path == marks[0]:
+            yield from batches.merged(marks) if len(marks) > 1 else batches.records_of(path)
 
 
 def run(
@@ -88,17 +95,21 @@ def run(
 ) -> Iterator[Graded | StoredRecord]:
     """The result of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
     work = partial(marked, judge=judge, limits=options.limits, reading=options.reading)
+    done: Iterable[Graded | StoredRecord]
     if options.executor is not None:
-        return firsts(ahead(options.executor, work, _batches(some, _BATCH), _AHEAD), paths)
-    if options.workers:
-        seconds = options.limits.seconds
-        return firsts(guarded(work, _batches(some, _BATCH), options.workers, seconds, _failed), paths)
-    return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))), paths)
+        done = ahead(options.executor, work, _batches(some, _BATCH), _AHEAD)
+    elif options.workers:
+        done = guarded(work, _batches(some, _BATCH), options.workers, options.limits.seconds, _failed)
+    else:
+        done = chain.from_iterable(map(work, _batches(some, _BATCH)))
+    return firsts(done, paths, judge.roster)
 
 
-def firsts(records: Iterable[Graded | StoredRecord], paths: Iterable[str | Path]) -> Iterator[Graded | StoredRecord]:
+def firsts(
+    records: Iterable[Graded | StoredRecord], paths: Iterable[str | Path], roster: Roster | None = None
+) -> Iterator[Graded | StoredRecord]:
     """Of each student the first that was marked; a further one says so."""
-    seen = FirstOnes(paths)
+    seen = FirstOnes([path for path in paths if not batches.is_marks(path)], roster)
     for one in records:
         if not one.marked:
             yield one
@@ -138,13 +149,15 @@ class Journal:
     """The records of a marking by fingerprint of what was handed in; new ones are added to a file, a line each.
 
     The file is there as long as the marking is not whole: what was ended at any moment has lost at most the line it
-    was writing.
+    was writing. Of the records `before` so many are `kept`; of a student whose work is `replaced`, by what.
     """
 
     def __init__(self, path: Path, force: bool = False) -> None:
-        """Raises FileInTheWay, NoFolder, CannotWrite."""
+        """Raises FileInTheWay, NoFolder, CannotWrite, NoMarks."""
         self.path, self.beside = path, path.with_name(path.name + SUFFIX)
         self.records: dict[str, Record] = {}
+        self.before: list[Record] = []
+        self.kept, self.replaced = 0, list[tuple[str, str, str]]()
         refuse(path, force, MARKS)
         refuse(self.beside, force, [HEAD.strip().encode()])
 
@@ -152,7 +165,10 @@ class Journal:
         try:
             for path in (self.path, self.beside):
                 # the last record of each submission; a line that was cut or changed is none
-                for _, record in records_in(path, errors="replace") if path.is_file() else ():
+                for number, record in records_in(path, errors="replace") if path.is_file() else ():
+                    if path == self.path:
+                        batches.earlier_reading(record or {}, Where(str(path), number))
+                        self.before += [record] if record else []
                     prints = None if record is None else record.get("fingerprints")
                     if record is not None and isinstance(prints, list) and prints:
                         self.records[str(prints[0])] = record
@@ -186,20 +202,51 @@ def resumed(
     judge: SetMarker, paths: Iterable[str | Path], journal: Journal, options: MarkingOptions,
     written: Callable[[Graded], Record],
 ) -> Iterator[Record]:  # fmt: skip
-    """The record of every submission, in order; what is new is in the journal before it is given out.
+    """The record of every submission, in order; what is new is in the journal before it is given out. Then those of
+    students who are in the file of marks and have handed in nothing now, by the key of now where it asks the same.
 
     written   makes the record of one, as `outputs.marks_json` does in a language, which `options.words` names
     """
     paths = [*paths]
-    rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options))
+    rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options, judge.roster))
+    newest: dict[str, Record] = {}
+    places: set[tuple[str, str]] = set()
     for one in run(judge, rest, options, paths):
-        if isinstance(one, StoredRecord):
-            yield journal.records[one.handed]
-            continue
-        new = written(one)
-        if one.prints:
+        new = journal.records[one.handed] if isinstance(one, StoredRecord) else written(one)
+        if isinstance(one, Graded) and one.prints:
             journal.add(new)
+        if one.student not in newest or one.marked:
+            prints = new.get("fingerprints", [])
+            newest[one.student] = {"status": new["status"], "file": one.file, "place": one.place, "prints": prints}
+        places.add((one.file, one.place))
         yield new
+    yield from _kept(judge, journal, options, written, newest, places)
+
+
+def _kept(
+    judge: SetMarker, journal: Journal, options: MarkingOptions, written: Callable[[Graded], Record],
+    newest: Mapping[str, Record], places: Container[tuple[str, str]],
+) -> Iterator[Record]:  # fmt: skip
+    """The earlier records that nothing takes the place of: a student's marks are given up for other marks alone, or
+    where the same file is read otherwise. Marked anew where the key is another that asks the same."""
+    kept: list[tuple[Record, Read | None]] = []
+    for old in journal.before:
+        now, place, had = newest.get(old["student"]), (old["file"], old["place"]), old["status"] == "marked"
+        again = place in places and not (place[1].isdecimal() and had)
+        if not again and (now is None or (had and now["status"] != "marked")):
+            before = batches.earlier_reading(old, Where(str(journal.path)))
+            *_, asks, key = ("", "", *before.prints)
+            other = had and asks and key != judge.key_print(before.work.student)
+            same = other and asks == batches.asked_print(judge, before.work.student)
+            kept.append((old, before if same else None))
+        elif now is not None and had and now["prints"][:1] != old.get("fingerprints", [])[:1]:
+            lines = (Where(one["file"], int(one["place"]) if one["place"].isdecimal() else None) for one in (old, now))
+            journal.replaced.append((old["student"], *map(str, lines)))
+    journal.kept = len(kept)
+    marks = run(judge, (read for _, read in kept if read is not None), options, ())
+    for old, read in kept:
+        one = None if read is None else next(marks)
+        yield written(one) if isinstance(one, Graded) and one.marked else old
 
 
 def _still_to_do(item: Handed | Read, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:

@@ -11,7 +11,7 @@ import json
 import math
 import os
 import pickle
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, lru_cache
@@ -21,11 +21,14 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.errors import AnotherStudent, BadKey, GraphkinError, NoFile, NoSuchProblem, Where
+from graphkin.homework import opening
 from graphkin.homework.grading.keys import USUAL, Pencils, key_file, key_from, remade, text_of
 from graphkin.marking.key import KeyEntry, columns, columns_of, differences
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Marked
 from graphkin.model.quantities import at_position
+from graphkin.submissions import Limits, Roster, Student, students_in
+from graphkin.submissions.documents import cells_of, shown_cell
 from graphkin.submissions.submission import ReadableProblem, fingerprint
 
 KIND = "graphkin keys"
@@ -36,7 +39,9 @@ _KEPT = 32  # keys that are held ready
 
 
 class SetMarker:
-    """The markers of a class, by student."""
+    """The markers of a class, by student; its students, None where anybody may hand in."""
+
+    roster: Roster | None = None
 
     def marker(self, student: str) -> Marker | None:
         raise NotImplementedError
@@ -65,10 +70,11 @@ def asked_by(marker: Marker) -> ReadableProblem:
 
 
 class OneKey(SetMarker):
-    """One key for all."""
+    """One key for all, or for those of a list."""
 
-    def __init__(self, marker: Marker) -> None:
-        self._marker = marker
+    def __init__(self, marker: Marker, listed: Path | None = None) -> None:
+        self._marker, self._listed = marker, listed
+        self.roster = None if listed is None else Roster(class_list(listed))
 
     def marker(self, student: str) -> Marker:
         return self._marker
@@ -95,19 +101,25 @@ class OneKey(SetMarker):
         return pickle.dumps(self._marker.key)
 
     def __reduce__(self) -> tuple[Callable[..., SetMarker], tuple[object, ...]]:
-        return _one_key, (self._packed,)
+        return _one_key, (self._packed, self._listed)
 
 
 @lru_cache(maxsize=_KEPT)
-def _one_key(packed: bytes) -> SetMarker:
-    return OneKey(Marker(pickle.loads(packed)))
+def _one_key(packed: bytes, listed: Path | None) -> SetMarker:
+    return OneKey(Marker(pickle.loads(packed)), listed)
 
 
 class KeySet(SetMarker):
-    """The keys of a set, by student; `files` are beside the set's own file, `path`, and hold but for `pencils`."""
+    """The keys of a set, by student; `files` are beside the set's own file, `path`, and hold but for `pencils`. What
+    the students are called is in the set's own file and in the class list."""
 
-    def __init__(self, path: Path, files: Mapping[str, str], pencils: Pencils = USUAL) -> None:
-        self.path, self.files, self.pencils = path, dict(files), pencils
+    def __init__(
+        self, path: Path, files: Mapping[str, str], pencils: Pencils = USUAL, listed: Path | None = None,
+        students: Sequence[Student] = (),
+    ) -> None:  # fmt: skip
+        self.path, self.files, self.pencils, self._listed = path, dict(files), pencils, listed
+        own = Roster(students or map(Student, files))
+        self.roster: Roster = own if listed is None else own.joined(class_list(listed))
         self._ready = lru_cache(maxsize=_KEPT)(self._made)
 
     def marker(self, student: str) -> Marker | None:
@@ -128,7 +140,8 @@ class KeySet(SetMarker):
 
     @cached_property
     def _print(self) -> str:
-        return fingerprint(json.dumps(self.files), repr(self.pencils))
+        students = [*self.roster.students.values()]
+        return fingerprint(json.dumps(self.files), repr(self.pencils), repr(students))
 
     def key_print(self, student: str) -> str:
         """Of the key's file; of one who is not of the class, of the list of the class."""
@@ -138,36 +151,53 @@ class KeySet(SetMarker):
             return self._print
 
     def __reduce__(self) -> tuple[Callable[..., SetMarker], tuple[object, ...]]:
-        return _key_set, (str(self.path), self._print, self.pencils)
+        return _key_set, (str(self.path), self._print, self.pencils, self._listed)
 
     @classmethod
-    def read(cls, path: Path, data: Mapping[str, object], pencils: Pencils = USUAL) -> KeySet:
-        """Raises BadKey."""
-        students = data.get("students")
-        if data.get("format") != FORMAT or not isinstance(students, dict):
+    def read(
+        cls, path: Path, data: Mapping[str, object], pencils: Pencils = USUAL, listed: Path | None = None
+    ) -> KeySet:
+        """Raises BadKey, and what reading the class list raises."""
+        students, names = data.get("students"), data.get("names", {})
+        if data.get("format") != FORMAT or not isinstance(students, dict) or not isinstance(names, dict):
             raise BadKey(Where(str(path)), "students")
         for student, name in students.items():
             if not isinstance(name, str) or Path(name).name != name:
                 raise BadKey(Where(str(path)), f"students: {student}")
-        return cls(path, students, pencils)
+        cells = {id: own.items() for id, own in names.items() if isinstance(own, dict)}
+        own = [Student(id, tuple((h, str(text)) for h, text in cells.get(id, ()))) for id in students]
+        return cls(path, students, pencils, listed, own)
 
 
 @lru_cache(maxsize=_KEPT)
-def _key_set(path: str, name: str, pencils: Pencils) -> SetMarker:
+def _key_set(path: str, name: str, pencils: Pencils, listed: Path | None) -> SetMarker:
     """`name`: the fingerprint of its list, so that one that was written anew is read."""
-    return KeySet.read(Path(path), json.loads(text_of(Path(path))), pencils)
+    return KeySet.read(Path(path), json.loads(text_of(Path(path))), pencils, listed)
 
 
-def set_text(files: Mapping[str, str]) -> str:
-    """The set's own file: whose key is which."""
-    data = {"kind": KIND, "format": FORMAT, "students": dict(files)}
-    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+def set_text(files: Mapping[str, str], students: Iterable[Student] = ()) -> str:
+    """The set's own file: whose key is which, and what else the students are called."""
+    data: dict[str, object] = {"kind": KIND, "format": FORMAT, "students": dict(files)}
+    names = {student.id: dict(student.names) for student in students if student.names}
+    return json.dumps({**data, **({"names": names} if names else {})}, ensure_ascii=False, indent=1) + "\n"
 
 
-def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
-    """Of a key.json, a mechanism file, a library mechanism, or a folder with a set of problems.
+def class_list(path: Path) -> tuple[Student, ...]:
+    """The students of a class list, CSV or XLSX, under heads in any order, of Moodle, Canvas, Gradescope or 学习通.
 
-    Raises what loading and planning raise, BadKey, NothingToMark.
+    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, StudentTwice, NoStudents.
+    """
+    where = Where(str(path))
+    with opening(path):
+        cells = cells_of(path.name, path.read_bytes(), where, Limits())
+        return students_in(([shown_cell(cell) for cell in row] for _, row in cells), where)
+
+
+def judge_from(source: str, pencils: Pencils = USUAL, listed: Path | None = None) -> SetMarker:
+    """Of a key.json, a mechanism file, a library mechanism, or a folder with a set of problems; for those of a class
+    list.
+
+    Raises what loading and planning and the list raise, BadKey, NothingToMark.
     """
     path = Path(source)
     path = _set_of(path) or path / _SET if path.is_dir() else path
@@ -177,8 +207,8 @@ def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
         except (ValueError, RecursionError):
             data = None  # the reader of one key says what is wrong
         if isinstance(data, dict) and data.get("kind") == KIND:
-            return KeySet.read(path, data, pencils)
-    return OneKey(Marker(key_from(str(path) if path.suffix else source, pencils)))
+            return KeySet.read(path, data, pencils, listed)
+    return OneKey(Marker(key_from(str(path) if path.suffix else source, pencils)), listed)
 
 
 # --- another student's numbers ----------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from pathlib import Path
 
@@ -79,39 +80,93 @@ _LARGEST = Decimal(10**6)
 
 @frozen
 class Override:
-    """The points of one submission by the teacher."""
+    """The teacher's points of one submission, and words about it; `table` is where they stand."""
 
     student: str
     file: str
-    points: Decimal
+    points: Decimal | None
+    comment: str = ""
+    table: str = ""
 
 
 class Overrides:
-    """Overrides by student and file. A spreadsheet may have spoilt an id (`007`): then by the file alone."""
+    """Overrides by student and file. Where a spreadsheet has spoilt an id, or the file is another by now, by the one of
+    the two that is left; the file of many students, such as a class table, is nobody's.
 
-    def __init__(self, kept: Sequence[Override] = ()) -> None:
-        self.kept = tuple(kept)
+    clashes   of students of whom two tables say different points: what counts, and what does not
+    """
+
+    def __init__(self, kept: Sequence[Override] = (), clashes: Sequence[tuple[Override, Override]] = ()) -> None:
+        self.kept, self.clashes = tuple(kept), tuple(clashes)
         self._exact = {(each.student, each.file): each for each in kept}
         self._by_file = _unique((each.file, each) for each in kept)
-        self._by_student = _unique((each.student, each) for each in kept)
+        self._by_student = _unique((_bare(each.student), each) for each in kept)
+        self._shared: frozenset[str] = frozenset()
         self._met: set[Override] = set()
 
-    def of(self, result: Result) -> Decimal | None:
-        """The points that a teacher has given."""
-        student, file = one_line(result.student), one_line(result.file)
-        override = self._exact.get((student, file)) or self._by_student.get(student) or self._by_file.get(file)
-        if override is None:
-            return None
-        self._met.add(override)
-        return override.points
+    def among(self, results: Iterable[Result]) -> Overrides:
+        """The same, once it is known which names are those of several results."""
+        counts = Counter(name for each in results for name in (one_line(each.file), _bare(one_line(each.student))))
+        self._shared = frozenset(name for name, count in counts.items() if count > 1)
+        return self
+
+    def joined(self, others: Iterable[Override]) -> Overrides:
+        """With those of other tables; of a student who has different points in two the first count."""
+        at = {_bare(each.student) or each.file: k for k, each in reversed([*enumerate(self.kept)])}
+        kept, clashes = [*self.kept], [*self.clashes]
+        for each in others:
+            k = at.setdefault(_bare(each.student) or each.file, len(kept))
+            if k == len(kept):
+                kept.append(each)
+                continue
+            first = kept[k]
+            if None not in (first.points, each.points) and first.points != each.points:
+                clashes.append((first, each))
+            words = [first.comment, *([each.comment] if each.comment not in first.comment else [])]
+            points = each.points if first.points is None else first.points
+            kept[k] = replace(first, points=points, comment="; ".join(filter(None, words)))
+        return Overrides(kept, clashes)
+
+    def of(self, student: str, file: str) -> Override | None:
+        """The teacher's for a submission, which is then none of the rest."""
+        override = self.at(student, file)
+        self._met |= {override} if override is not None else set()
+        return override
+
+    def at(self, student: str, file: str) -> Override | None:
+        """The teacher's for a submission."""
+        student, file = one_line(student), one_line(file)
+        override = self._exact.get((student, file))
+        if override is None and _bare(student) not in self._shared:
+            override = self._by_student.get(_bare(student))
+        if override is None and file not in self._shared:
+            override = self._by_file.get(file)
+        return override
 
     def rest(self) -> tuple[Override, ...]:
         """Those that were asked for by no result so far."""
         return tuple(each for each in self.kept if each not in self._met)
 
 
+def _bare(student: str) -> str:
+    """An id as a spreadsheet may have spoilt it: `007` is 7 to it."""
+    return student.lstrip("0") or student
+
+
+def commented(table: Iterable[list[Cell]], overrides: Overrides, lang: Lang) -> Iterator[list[Cell]]:
+    """The table with a column for the teacher's words, beside the score."""
+    rows = iter(table)
+    head = next(rows)
+    at, of, score = (head.index(say(f"platforms.column {key}", lang)) for key in ("student", "file", "score percent"))
+    yield [*head[: score + 1], say("platforms.column comment", lang), *head[score + 1 :]]
+    for row in rows:
+        override = overrides.at(str(row[at]), str(row[of]))
+        yield [*row[: score + 1], "" if override is None else override.comment, *row[score + 1 :]]
+
+
 def read_overrides(path: Path) -> Overrides:
-    """The column `override` of a class table; none where there is no table. Raises Unreadable, NotAnOverride."""
+    """The columns `override` and `comment` of a class table; none where there is no table. Raises Unreadable,
+    NotAnOverride."""
     try:
         return Overrides(tuple(_rows(path, read_table(path))))
     except (FileNotFoundError, BrokenSubmission):
@@ -122,26 +177,31 @@ def read_overrides(path: Path) -> Overrides:
 
 def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
     columns = {name.strip(): k for k, name in reversed([*enumerate(next(table, []))])}  # the first of several
-    student, file, override = (
+    student, file, override, comment = (
         next((columns[name] for name in in_both(f"platforms.column {key}").values() if name in columns), None)
-        for key in ("student", "file", "override")
+        for key in ("student", "file", "override", "comment")
     )
     if override is None or (student is None and file is None):
         return
     for number, row in enumerate(table, 2):
-        text, id, name = (
+        text, id, name, words = (
             row[column].strip() if column is not None and column < len(row) else ""
-            for column in (override, student, file)
+            for column in (override, student, file, comment)
         )
-        if text:
-            try:
-                points = Decimal(text.replace(",", "."))
-                allowed = 0 <= points <= _LARGEST
-            except InvalidOperation:  # no number, or NaN
-                allowed = False
-            if not allowed:
-                raise NotAnOverride(Where(str(path), number), text)
-            yield Override(one_line(id), one_line(name), points.quantize(HUNDREDTH, ROUND_HALF_UP))
+        points = _points(text)
+        if text and points is None:
+            raise NotAnOverride(Where(str(path), number), text)
+        if text or words:
+            yield Override(one_line(id), one_line(name), points, words, str(path))
+
+
+def _points(text: str) -> Decimal | None:
+    """None of what is no number, or none that can be points."""
+    try:
+        points = Decimal(text.replace(",", "."))
+        return points.quantize(HUNDREDTH, ROUND_HALF_UP) if 0 <= points <= _LARGEST else None
+    except InvalidOperation:  # or NaN
+        return None
 
 
 def _unique(pairs: Iterable[tuple[str, Override]]) -> dict[str, Override]:

@@ -24,8 +24,8 @@ from graphkin.homework.platforms.pages import KINDS, Page
 from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import line
 from graphkin.say.catalogue import say
+from graphkin.submissions.students import CANVAS, MOODLE
 
-_MOODLE = re.compile(r"(?P<who>[^_/]*)_(?P<id>[0-9]{1,18})_(?P<plugin>assignsubmission_[a-z]+).*", re.S)
 _ARCHIVE = re.compile(r"^.*?\.zip!", re.S | re.I)  # before the name of a member of an archive: `class.zip!name`
 HEADERS = (
     "Identifier", "Full name", "Status", "Grade", "Maximum grade", "Last modified (grade)", "Feedback comments",
@@ -52,24 +52,19 @@ class Named:
 
 def moodle(file: str) -> Named | None:
     """The member of a Moodle download, feedback as HTML beside it; None where it is not named so."""
-    pieces = _ARCHIVE.sub("", file, count=1).split("/")
-    for k, piece in enumerate(pieces):
-        if match := _MOODLE.fullmatch(piece):
-            folder, slash, last = "/".join(pieces[k:]).rpartition("/")
-            name = f"{folder}{slash}{last.rpartition('.')[0] or last}.html"
-            return Named(name, match["id"], match["who"]) if inside(name) else None
-    return None
+    inner = _ARCHIVE.sub("", file, count=1)
+    if (match := MOODLE.search(inner)) is None:
+        return None
+    folder, slash, last = inner[match.start() :].rpartition("/")
+    name = f"{folder}{slash}{last.rpartition('.')[0] or last}.html"
+    return Named(name, match["id"], match["name"]) if inside(name) else None
 
 
 def canvas(file: str) -> Named | None:
     """The member of a Canvas download; None where it is not named so."""
     name = _ARCHIVE.sub("", file, count=1).rpartition("/")[2]
-    pieces = name.split("_")
-    numbers = [k for k, piece in enumerate(pieces) if re.fullmatch("[0-9]{1,18}", piece)]
-    if len(numbers) < 2 or not numbers[0] or not inside(name):
-        return None
-    who = "_".join(piece for piece in pieces[: numbers[0]] if piece != "LATE")
-    return Named(name, pieces[numbers[0]], who)
+    match = CANVAS.fullmatch(name)
+    return None if match is None or not inside(name) else Named(name, match["id"], match["name"])
 
 
 # --- Moodle and Canvas: a table of grades, and a zip of feedback under the names of the download ----------------------

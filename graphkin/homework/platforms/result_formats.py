@@ -22,7 +22,7 @@ from graphkin.homework.platforms.learning_platforms import Named, canvas, moodle
 from graphkin.homework.platforms.markup import ZIP_MARKS, clean, pack
 from graphkin.homework.platforms.pages import PAGE, html
 from graphkin.homework.platforms.result import Result, ResultPicture
-from graphkin.homework.platforms.tables import BOM, Cell, line, workbook_files, write_lines
+from graphkin.homework.platforms.tables import BOM, Cell, line, printed, workbook_files, write_lines
 from graphkin.marking.diagnosis import Trace, habits
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import in_both, say
@@ -70,8 +70,8 @@ class Order:
         for result in self.results:
             own = [traces[result.student] for traces in self.several if result.lines and result.student in traces]
             whole = bool(result.lines) and not any(line.written for line in result.lines)
-            most, override = result.most if whole else self.most, self.overrides.of(result)
-            yield replace(result, override=override, most=most, habits=habits(own))
+            most, override = result.most if whole else self.most, self.overrides.of(result.student, result.file)
+            yield replace(result, override=None if override is None else override.points, most=most, habits=habits(own))
 
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""
@@ -95,17 +95,21 @@ class Order:
 def write_results(
     folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
     assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
-    several: Sequence[Mapping[str, Trace]] = (),
+    several: Sequence[Mapping[str, Trace]] = (), merged: Sequence[Path] = (),
 ) -> WrittenResults:  # fmt: skip
     """Results into a folder, which is made where it is not there.
 
     pictures  makes those of a student's page (`PolygonPictures`); none where left out
     several   of all problems of which this is one, as `read_traces` gives them
+    merged    folders of other graders, whose overrides count, too
 
     Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
     CannotWrite, and what going through the results raises.
     """
     overrides = prepared(folder)
+    for other in merged:
+        overrides = overrides.joined(read_overrides(other / CLASS_TABLE).kept)
+    overrides.among(results)
     most = max((result.most for result in results), default=Decimal(0))
     return RESULTS[kind](Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several))
 
@@ -129,7 +133,8 @@ def _table(order: Order) -> Iterator[Sequence[Cell]]:
     """The class table; those with an override who are not here come last, known when all others are through."""
     names = class_table.quantities(order.results)
     several = len(order.several) > 1
-    return chain(class_table.rows(order, names, order.lang, several), class_table.absent(order.overrides, names))
+    table = chain(class_table.rows(order, names, order.lang, several), class_table.absent(order.overrides, names))
+    return class_table.commented(table, order.overrides, order.lang)
 
 
 def _written_table(kind: str, order: Order) -> WrittenResults:
@@ -138,7 +143,15 @@ def _written_table(kind: str, order: Order) -> WrittenResults:
     else:
         path = order.packed("class.xlsx", workbook_files(_table(order), say("class_report.title", order.lang)))
     names = (each.student or each.file for each in order.overrides.rest())
-    return WrittenResults((path,), tuple(say("platforms.override kept", order.lang, student=name) for name in names))
+    clashes = (
+        say(
+            "platforms.overrides differ", order.lang, student=first.student or first.file, table=first.table,
+            points=printed(first.points or Decimal(0)), other=printed(other.points or Decimal(0)), beside=other.table,
+        )
+        for first, other in order.overrides.clashes
+    )  # fmt: skip
+    kept = (say("platforms.override kept", order.lang, student=name) for name in names)
+    return WrittenResults((path,), (*clashes, *kept))
 
 
 def _moodle(order: Order) -> WrittenResults:

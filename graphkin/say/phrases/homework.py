@@ -49,6 +49,7 @@ PHRASES: Phrases = {
     "platforms.column earned": ("points", "得分"),
     "platforms.column most": ("out of", "满分"),
     "platforms.column override": ("override", "override"),
+    "platforms.column comment": ("comment", "评语"),
     "platforms.column total": ("total", "总分"),
     "platforms.column score percent": ("score, %", "得分率（%）"),
     "platforms.column part earned": ("{name} points", "{name} 得分"),
@@ -65,6 +66,8 @@ PHRASES: Phrases = {
                                       "graphkin writes none of kind {kind}: {count} submissions have marks and no "
                                       "file of feedback.",
                                       "Canvas 只接受与提交文件同类的反馈文件，而 graphkin 不写 {kind} 类文件：{count} 份提交只有分数，没有反馈文件。"),
+    "platforms.overrides differ": ("{student}: {points} in {table}, but {other} in {beside}; the first counts. Decide, and write it into the table.",
+                                   "{student}：{table} 中为 {points}，{beside} 中为 {other}；按前者计。请核定后写入表中。"),
     "platforms.override kept": ("{student} has an override and nothing among these submissions; the override is kept.",
                                 "{student} 有 override，但不在本次提交中；已保留该 override。"),
     # === what a student is told of a submission, and of a number on a platform

@@ -1,0 +1,100 @@
+"""Numbers in documents: tables and lines of a Word file, lines of a PDF. A figure or a formula in them is not read."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable, Sequence
+from functools import partial
+from itertools import islice
+from typing import Any
+
+from graphkin.errors import BrokenSubmission, GraphkinError, NoNumbers, WantsExtra, Where
+from graphkin.submissions.answers import Entry
+from graphkin.submissions.archives import checked_zip
+from graphkin.submissions.documents import StudentDocument, of_one, read_lines
+from graphkin.submissions.numbers import plain, plane_named
+from graphkin.submissions.questions import begins_like_one
+from graphkin.submissions.students import FIELDS
+from graphkin.submissions.submission import Limits
+
+_PAGES = 40  # of a PDF that are looked at
+_NUMBER = re.compile(r"[-+−–±]?\s*[0-9]")
+_WIDE = re.compile(rf"\t|\s{{3,}}|[;；]|\s+(?=(?:{'|'.join(map(re.escape, FIELDS))})\s*[:：])", re.I)
+"""Between things that stand beside each other in a line; a head of whose it is begins one."""
+_SHORT = 12  # letters of a name
+_SYMBOL = re.compile(r"[^\W\d_]+")
+
+
+Parts = tuple[Sequence[Sequence[Sequence[str]]], Sequence[str]]  # tables, and the lines between them
+
+
+def _read(
+    kind: str, parts_of: Callable[[bytes, Where, Limits], Parts], content: bytes, where: Where, limits: Limits
+) -> StudentDocument:
+    """The answers in tables and in lines `ω3 = 3.92`, and whose they are; a document has other lines, too.
+
+    Raises WantsExtra, BrokenSubmission, TooMuch, SeveralStudents, NoNumbers."""
+    try:
+        tables, lines = parts_of(content, where, limits)
+    except ImportError:
+        raise WantsExtra(where, kind, "graphkin[word]") from None
+    except (MemoryError, RecursionError, GraphkinError):
+        raise
+    except Exception as problem:  # the packages raise whatever they meet in a file that is none
+        raise BrokenSubmission(where, kind, type(problem).__name__) from None
+    some = [of_one(enumerate(table, 1), where, limits) for table in tables if any(map("".join, table))]
+    parts = (part.strip() for line in lines for part in _WIDE.split(line))
+    text = read_lines("\n".join(filter(None, parts)), where, limits)
+    entries = [*(entry for document in some for entry in document.entries), *filter(_is_answer, text.entries)]
+    if not any(map(_is_answer, entries)):
+        raise NoNumbers(where, kind)
+    return StudentDocument(tuple(name for document in (*some, text) for name in document.called), tuple(entries))
+
+
+def _of_word(content: bytes, where: Where, limits: Limits) -> Parts:
+    from docx import Document
+
+    checked_zip(content, where, limits)
+    body = Document(io.BytesIO(content)).element.body
+    rows = (table.iter(f"{_W}tr") for table in body.iter(f"{_W}tbl"))
+    tables = [[[_text(cell) for cell in row.iterchildren(f"{_W}tc")] for row in table] for table in rows]
+    return tables, [_text(each) for each in body.iter(f"{_W}p") if next(each.iterancestors(f"{_W}tc"), None) is None]
+
+
+def _of_pdf(content: bytes, where: Where, limits: Limits) -> Parts:
+    from pypdf import PdfReader
+
+    pages = islice(PdfReader(io.BytesIO(content)).pages, _PAGES)
+    lines = [line for page in pages for line in page.extract_text().splitlines()]
+    return [[cells for line in lines if (cells := _cells(line))]], lines
+
+
+_W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
+_BREAKS = {f"{_W}tab": "\t", f"{_W}br": "\n"}
+
+
+def _text(element: Any) -> str:
+    """A paragraph's or a cell's, formulas with it, which are text of another name: `a` `B3B2` `k`."""
+    parts = (_BREAKS.get(each.tag) or (each.text if str(each.tag).endswith("}t") else "") for each in element.iter())
+    return "".join(part or "" for part in parts).strip()
+
+
+def _cells(line: str) -> list[str]:
+    """`ω2 3.92 rad/s`, a row of a table as a PDF has it: what is asked, and what is answered; none of other lines."""
+    words = plain(line).split()
+    at = next((k for k, word in enumerate(words) if k and _NUMBER.match(word)), 0)
+    if at == 1 and _SYMBOL.fullmatch(words[0]) and len(words) > 2 and _NUMBER.match(words[2]):
+        at = 2  # ω 3 3.92
+    name = " ".join(words[:at])
+    return [name, " ".join(words[at:])] if at and begins_like_one(name) and "=" not in name else []
+
+
+def _is_answer(entry: Entry) -> bool:
+    """True of what is called as quantities are, and of a short name with a number."""
+    name, value, _ = entry
+    number = len(name) <= _SHORT and _NUMBER.match(str(value).lstrip("(（["))
+    return begins_like_one(name) or plane_named(name) is not None or bool(number)
+
+
+READERS = {".docx": partial(_read, "DOCX", _of_word), ".pdf": partial(_read, "PDF", _of_pdf)}
