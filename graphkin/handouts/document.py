@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import Label, Run
+from graphkin.sheet.lettering import Label
 
 Stage = Literal["problem", "blank", "half", "solution"]
 
@@ -113,43 +112,3 @@ class Handout:
     blocks: tuple[Block, ...]
     foot: Foot
     contents: str = ""
-
-
-@frozen
-class Sign:
-    """A run of letters, and the runs of its subscript and of what is raised."""
-
-    base: Run | None
-    low: tuple[Run, ...] = ()
-    high: tuple[Run, ...] = ()
-
-    @property
-    def runs(self) -> tuple[tuple[Run, ...], ...]:
-        """The letters themselves, the subscript, what is raised."""
-        return () if self.base is None else (self.base,), self.low, self.high
-
-    @property
-    def plain(self) -> str:
-        """To be read aloud, or where nothing can be lowered: `a^k_B3B2`."""
-        base, low, high = ("".join(run.text for run in runs) for runs in self.runs)
-        return base + (f"^{high}" if high else "") + (f"_{low}" if low else "")
-
-
-def signs(label: Label) -> Iterator[Sign]:
-    """Each letter with its scripts, and the text between."""
-    base: Run | None = None
-    low: tuple[Run, ...] = ()
-    high: tuple[Run, ...] = ()
-    for run in label:
-        if run.place == "sub":
-            low += (run,)
-        elif run.place == "sup":
-            high += (run,)
-        elif base is not None and not low and not high and base.italic == run.italic:
-            base = base._replace(text=base.text + run.text)
-        else:
-            if base is not None or low or high:
-                yield Sign(base, low, high)
-            base, low, high = run, (), ()
-    if base is not None or low or high:
-        yield Sign(base, low, high)

@@ -12,11 +12,11 @@ from graphkin.api import Drawing
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
-from graphkin.handouts.document import Block, Foot, Handout, Sign, signs
+from graphkin.handouts.document import Block, Foot, Handout
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.stages import blocks_of
 from graphkin.outputs.svg import inline
-from graphkin.outputs.typesetting import tex_words
+from graphkin.outputs.typesetting import html_words, signs, tex_words
 from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
 from graphkin.sheet import scales_of
@@ -61,7 +61,7 @@ def html(handout: Handout, paper: str = "A4") -> str:
     contents = ""
     if handout.contents:
         heads = (block for block in handout.blocks if isinstance(block, document.HandoutHeading) and block.level == 1)
-        items = "".join(f"<li>{_html_words(head.words)}</li>" for head in heads)
+        items = "".join(f"<li>{html_words(head.words)}</li>" for head in heads)
         contents = f"<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n"
     bar = f'<div><div class="bar"></div>{escape(handout.foot.bar)}</div>'
     body = "\n".join(map(_html, handout.blocks))
@@ -77,53 +77,31 @@ def _html(block: Block) -> str:
     match block:
         case document.HandoutHeading(words, level, said):
             small = f" <small>{escape(said)}</small>" if said else ""
-            return f"<h{level}>{_html_words(words)}{small}</h{level}>"
+            return f"<h{level}>{html_words(words)}{small}</h{level}>"
         case document.Paragraph(words, act):
             number = f'<span class="act">{escape(act)}</span> ' if act else ""
-            return f"<p>{number}{_html_words(words)}</p>"
+            return f"<p>{number}{html_words(words)}</p>"
         case document.FormulaLine(words):
-            return f'<p class="formula">{_html_words(words)}</p>'
+            return f'<p class="formula">{html_words(words)}</p>'
         case document.TermRows():
             rule = '<span class="rule"></span>'
-            lines = ([rule if cell is None else _html_words(cell) for cell in line] for line in block.lines)
+            lines = ([rule if cell is None else html_words(cell) for cell in line] for line in block.lines)
             return '<table class="rows">' + "".join(_row("td", line) for line in lines) + "</table>"
         case document.HandoutPicture(sheet, words):
             return f'<figure role="img" aria-label="{escape(words)}">{inline(sheet)}</figure>'
         case document.GridRoom():
             return f"<figure>{room_svg(block)}</figure>"
         case document.HandoutTable(heads, rows):
-            body = "".join(_row("td", map(_html_words, row)) for row in rows)
-            return f'<table class="filled">{_row("th", map(_html_words, heads))}{body}</table>'
+            body = "".join(_row("td", map(html_words, row)) for row in rows)
+            return f'<table class="filled">{_row("th", map(html_words, heads))}{body}</table>'
         case document.NewPage(front):
             return f'<div class="{"front" if front else "new"}"></div>'
         case _:
             assert_never(block)
 
 
-def _html_words(label: Label) -> str:
-    return "".join(map(_mathml, signs(label)))
-
-
 def _row(tag: str, cells: Iterable[str]) -> str:
     return "<tr>" + "".join(f"<{tag}>{cell}</{tag}>" for cell in cells) + "</tr>"
-
-
-def _mathml(sign: Sign) -> str:
-    """Letters as they are; a letter with scripts as MathML."""
-    base = sign.base
-    if not sign.low and not sign.high:
-        return "" if base is None else f"<i>{escape(base.text)}</i>" if base.italic else escape(base.text)
-    letter = _token(base) if base is not None else "<mrow></mrow>"
-    low, high = ("<mrow>" + "".join(map(_token, runs)) + "</mrow>" for runs in (sign.low, sign.high))
-    if sign.low and sign.high:
-        return f"<math><msubsup>{letter}{low}{high}</msubsup></math>"
-    return f"<math><msub>{letter}{low}</msub></math>" if sign.low else f"<math><msup>{letter}{high}</msup></math>"
-
-
-def _token(run: Run) -> str:
-    """Browsers set several letters in one `mi` upright; the page's style slants them as the drawings have them."""
-    kind = "mi" if run.italic else "mn" if run.text.isdigit() else "mtext"
-    return f"<{kind}>{escape(run.text)}</{kind}>"
 
 
 _TEX_PAGE = r"""\usepackage[margin=25mm]{geometry}

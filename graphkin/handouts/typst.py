@@ -9,12 +9,12 @@ from typing import assert_never
 
 from graphkin.errors import NoChineseLetters, NoFont, NoLetter
 from graphkin.handouts import document
-from graphkin.handouts.document import Block, Handout, signs
+from graphkin.handouts.document import Block, Handout
 from graphkin.handouts.grid import DIGITS, MARKERS, SIZE, digits, edges, markers_svg, room_svg
 from graphkin.outputs.files import needed
 from graphkin.outputs.paged import unscaled
 from graphkin.outputs.svg import svg
-from graphkin.outputs.typesetting import mm
+from graphkin.outputs.typesetting import mm, signs
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.paper import PAPERS, Paper
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from html import escape
 from itertools import groupby
 
 from graphkin.base.value import frozen
@@ -138,3 +139,66 @@ def ggb_text(label: Label) -> str:
     parts = {"base": "{}", "sub": "_{{{}}}", "sup": "^{{{}}}"}
     text = "".join(parts[run.place].format(run.text.replace("′", "'")) for run in label)
     return f"${text}$" if any(run.place == "sup" for run in label) else text
+
+
+@frozen
+class Sign:
+    """A run of letters, and the runs of its subscript and of what is raised."""
+
+    base: Run | None
+    low: tuple[Run, ...] = ()
+    high: tuple[Run, ...] = ()
+
+    @property
+    def runs(self) -> tuple[tuple[Run, ...], ...]:
+        """The letters themselves, the subscript, what is raised."""
+        return () if self.base is None else (self.base,), self.low, self.high
+
+    @property
+    def plain(self) -> str:
+        """To be read aloud, or where nothing can be lowered: `a^k_B3B2`."""
+        base, low, high = ("".join(run.text for run in runs) for runs in self.runs)
+        return base + (f"^{high}" if high else "") + (f"_{low}" if low else "")
+
+
+def signs(label: Label) -> Iterator[Sign]:
+    """Each letter with its scripts, and the text between."""
+    base: Run | None = None
+    low: tuple[Run, ...] = ()
+    high: tuple[Run, ...] = ()
+    for run in label:
+        if run.place == "sub":
+            low += (run,)
+        elif run.place == "sup":
+            high += (run,)
+        elif base is not None and not low and not high and base.italic == run.italic:
+            base = base._replace(text=base.text + run.text)
+        else:
+            if base is not None or low or high:
+                yield Sign(base, low, high)
+            base, low, high = run, (), ()
+    if base is not None or low or high:
+        yield Sign(base, low, high)
+
+
+def html_words(label: Label) -> str:
+    """A label on a page of the web."""
+    return "".join(map(_mathml, signs(label)))
+
+
+def _mathml(sign: Sign) -> str:
+    """Letters as they are; a letter with scripts as MathML."""
+    base = sign.base
+    if not sign.low and not sign.high:
+        return "" if base is None else f"<i>{escape(base.text)}</i>" if base.italic else escape(base.text)
+    letter = _token(base) if base is not None else "<mrow></mrow>"
+    low, high = ("<mrow>" + "".join(map(_token, runs)) + "</mrow>" for runs in (sign.low, sign.high))
+    if sign.low and sign.high:
+        return f"<math><msubsup>{letter}{low}{high}</msubsup></math>"
+    return f"<math><msub>{letter}{low}</msub></math>" if sign.low else f"<math><msup>{letter}{high}</msup></math>"
+
+
+def _token(run: Run) -> str:
+    """Browsers set several letters in one `mi` upright; the page's style slants them as the drawings have them."""
+    kind = "mi" if run.italic else "mn" if run.text.isdigit() else "mtext"
+    return f"<{kind}>{escape(run.text)}</{kind}>"

@@ -159,6 +159,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     once_more = isinstance(reason, _ONCE_MORE)
     drawn = {} if one.drawn is None else one.drawn.in_si()
     remarks = tuple(remark for drawing in one.drawings.values() for remark in drawing.remarks)
+    remarks += tuple(note for note in notes if isinstance(note, errors.AnsweredTwice | errors.SenseDisputed))
     return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn, remarks)
 
 

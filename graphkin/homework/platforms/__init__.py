@@ -19,6 +19,7 @@ To add a format: a file with one function, and its line in `set_formats` or `res
 from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
 from graphkin.homework.platforms.problem_folder import (
+    class_names,
     file_of,
     is_set,
     problem_set,
@@ -26,11 +27,12 @@ from graphkin.homework.platforms.problem_folder import (
     told_of,
     write_problems,
 )
-from graphkin.homework.platforms.result import from_record, read_results, read_traces
-from graphkin.homework.platforms.result_formats import prepared, write_results
+from graphkin.homework.platforms.result import Result, from_record, read_results, read_traces
+from graphkin.homework.platforms.result_formats import prepared, write_gradebook, write_results
 from graphkin.homework.platforms.set_formats import write_set
 
 __all__ = [
-    "PolygonPictures", "Reveal", "file_of", "from_record", "is_set", "prepared", "problem_set", "read_results",
-    "read_traces", "students_of", "told_of", "write_problems", "write_results", "write_set",
+    "PolygonPictures", "Result", "Reveal", "class_names", "file_of", "from_record", "is_set", "prepared",
+    "problem_set", "read_results", "read_traces", "students_of", "told_of", "write_gradebook", "write_problems",
+    "write_results", "write_set",
 ]  # fmt: skip

@@ -18,7 +18,9 @@ from typing import TypeVar
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import Feedback, Reveal, diagnosis, lines, points_that_count, quantity, reason
+from graphkin.homework.platforms.feedback import (
+    Feedback, Reveal, as_on_sheets, diagnosis, lines, points_that_count, quantity, reason,
+)  # fmt: skip
 from graphkin.homework.platforms.markup import clean, in_html, inside
 from graphkin.homework.platforms.pages import KINDS, Page, html
 from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture
@@ -121,7 +123,7 @@ def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     tests: list[Plain] = []
     for each in result.lines:
         good = each.verdict not in ("wrong", "missing", "not read") and each.points >= each.most
-        test = _gradescope_test(each.name, quantity(result, each, lang, reveal), "passed" if good else "failed")
+        test = _gradescope_test(as_on_sheets(result, each.name), quantity(result, each, lang, reveal), "passed" if good else "failed")
         worth = {"score": float(each.points), "max_score": float(each.most)}
         tests.append({**test, **worth} if each.most else test)
     if text := " ".join(diagnosis(result, lang, reveal)):
@@ -167,7 +169,9 @@ def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence
         return {"gradable": False, "format_errors": [clean(reason(result, lang))], **mark}
     texts = [*points_that_count(result, lang)]
     tests = [
-        _prairielearn_test(each.name, float(each.points), float(each.most), quantity(result, each, lang, reveal))
+        _prairielearn_test(
+            as_on_sheets(result, each.name), float(each.points), float(each.most), quantity(result, each, lang, reveal)
+        )
         for each in result.lines
     ]
     if text := " ".join(diagnosis(result, lang, reveal)):

@@ -97,7 +97,8 @@ def office_package(parts: Iterable[tuple[str, str]], main: str) -> Iterator[tupl
     yield "_rels/.rels", office_link("officeDocument", main)
 
 
-def office_link(kind: str, target: str) -> bytes:
-    """A file of one relationship."""
-    return xml(element("Relationships", element("Relationship", Id="rId1", Type=f"{OFFICE}/{kind}", Target=target),
-                       xmlns=_LINKS))  # fmt: skip
+def office_link(kind: str, *targets: str) -> bytes:
+    """A file of relationships."""
+    links = (element("Relationship", Id=f"rId{k}", Type=f"{OFFICE}/{kind}", Target=target)
+             for k, target in enumerate(targets, 1))  # fmt: skip
+    return xml(element("Relationships", *links, xmlns=_LINKS))

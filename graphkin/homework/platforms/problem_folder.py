@@ -12,7 +12,7 @@ from pathlib import Path
 
 from graphkin.api import plan
 from graphkin.errors import CannotWrite, GraphkinError, Lang
-from graphkin.homework.grading import SetMarker, key_for, set_text
+from graphkin.homework.grading import KeySet, SetMarker, key_for, set_text
 from graphkin.homework.grading.keys import USUAL, Pencils
 from graphkin.homework.platforms.question import ProblemSet, question_of
 from graphkin.homework.platforms.set_formats import SETS
@@ -103,6 +103,20 @@ def students_of(folder: Path) -> tuple[str, list[tuple[str, Path]]]:
     if any(Path(name).name != name or not (folder / name).is_file() for _, name in files):
         raise NotASet(str(listed))
     return seed, [(who, folder / name) for who, name in files]
+
+
+_NAMES = ("姓名", "学生姓名", "full name", "name", "学生", "student")  # of a column of names, the most telling first
+
+
+def class_names(judge: SetMarker) -> dict[str, str]:
+    """The students of a class by id, with their names as far as its list has them; none where it has no list."""
+    if not isinstance(judge, KeySet):
+        return {}
+    listed: dict[str, dict[str, str]] = {student: {} for student in judge.files}
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        students = json.loads((judge.path.parent / LIST).read_text("utf-8"))["students"]
+        listed |= {id: {str(head).lower(): str(cell) for head, cell in students[id]["names"].items()} for id in listed}
+    return {id: next((own[head] for head in _NAMES if own.get(head)), "") for id, own in listed.items()}
 
 
 def told_of(folder: Path) -> str:

@@ -50,6 +50,7 @@ PHRASES: Phrases = {
     "verdicts.verdict wrong unit": ("wrong unit", "单位不符"),
     "verdicts.status marked": ("marked", "已评阅"),
     "verdicts.status not marked": ("not marked", "未评阅"),
+    "verdicts.status absent": ("nothing handed in", "未交"),
     "verdicts.tolerance": ("tolerance", "允差"),
     "verdicts.carried means": ("Carried: it follows rightly from your own earlier value, or from an earlier mistake.",
                                "沿用正确：由你自己前面的结果（或前面的错误）正确推得。"),
