@@ -17,7 +17,6 @@ from graphkin.errors import Where
 from graphkin.files import library
 from graphkin.homework import grading, platforms
 from graphkin.homework.platforms.feedback import Feedback
-from graphkin.homework.platforms.feedback import Feedback
 from graphkin.homework.platforms.pages import drawing, html
 from graphkin.homework.platforms.result import Result
 from graphkin.marking import Rewrite, rewrites, rewritten
@@ -29,7 +28,7 @@ from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.say.catalogue import say
 from graphkin.sheet import Sheet, sheet
-from graphkin.sheet.marks import Disc, Stroke, Text, VectorMark
+from graphkin.sheet.marks import Disc, Text, VectorMark
 from graphkin.sheet.mistake_sheet import mistake_sheets
 from graphkin.sheet.obstacles import bounds
 from graphkin.submissions.submission import MeasuredDrawing

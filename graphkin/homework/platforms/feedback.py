@@ -55,13 +55,12 @@ def called(student: str, name: str, lang: Lang) -> str:
 
 def table(page: Feedback) -> Iterator[tuple[str, ...]]:
     """Quantities in columns, under their heads; the first column and the last but one are words, the others numbers."""
-    names = ["marks.column quantity", "feedback.column given", "marks.column verdict", "platforms.column points"]
-    if page.reveal == "answer":
-        names.insert(2, "feedback.column right")
-    yield tuple(say(name, page.lang) for name in names)
+    right = [say("feedback.column right", page.lang)] if page.reveal == "answer" else []
+    first = [say(name, page.lang) for name in ("marks.column quantity", "feedback.column given")]
+    yield (*first, *right, *(say(name, page.lang) for name in ("marks.column verdict", "platforms.column points")))
     for line in page.result.lines:
         values = [one_line(line.written) if line.given is None else shown(line.given, line.unit)]
-        values += [right_value(line)] if page.reveal == "answer" else []
+        values += [right_value(line)] if right else []
         points, most = exponentless(line.points), exponentless(line.most)
         worth = say("feedback.of", page.lang, points=points, most=most) if line.most else ""
         yield (as_on_sheets(page.result, line.name), *values, verdict(line, page.lang), worth)
@@ -108,8 +107,9 @@ def praise(result: Result, lang: Lang) -> str:
     if not right:
         return ""
     whole = not any(line.verdict == "wrong" or line.written for line in result.lines)
+    if right == len(every):
+        return say("feedback.praise all" if whole else "feedback.praise asked", lang)
     much = "most" if 2 * right >= len(every) else "some"
-    much = "all" if right == len(every) and whole else "asked" if right == len(every) else much
     return say(f"feedback.praise {much}", lang, right=right, count=len(every))
 
 

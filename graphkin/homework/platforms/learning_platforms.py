@@ -19,7 +19,14 @@ from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import (
-    Feedback, Reveal, as_on_sheets, diagnosis, lines, points_that_count, quantity, reason,
+    Feedback,
+    Reveal,
+    as_on_sheets,
+    diagnosis,
+    lines,
+    points_that_count,
+    quantity,
+    reason,
 )  # fmt: skip
 from graphkin.homework.platforms.markup import clean, in_html, inside
 from graphkin.homework.platforms.pages import KINDS, Page, html
@@ -123,7 +130,8 @@ def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     tests: list[Plain] = []
     for each in result.lines:
         good = each.verdict not in ("wrong", "missing", "not read") and each.points >= each.most
-        test = _gradescope_test(as_on_sheets(result, each.name), quantity(result, each, lang, reveal), "passed" if good else "failed")
+        name = as_on_sheets(result, each.name)
+        test = _gradescope_test(name, quantity(result, each, lang, reveal), "passed" if good else "failed")
         worth = {"score": float(each.points), "max_score": float(each.most)}
         tests.append({**test, **worth} if each.most else test)
     if text := " ".join(diagnosis(result, lang, reveal)):

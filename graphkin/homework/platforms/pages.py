@@ -164,7 +164,10 @@ def drawing(page: Feedback) -> bytes:
     sheet.write(title(page), plain)
     if page.problem is not None:
         sheet.write(page.problem.label, plain)
-    for text in (*points_that_count(page.result, lang), praise(page.result, lang), next_step(page)):
+        sheet.show(page.problem)
+    step = next_step(page)
+    step = step and say("feedback.line", lang, name=say("feedback.next", lang), verdict=step)
+    for text in (*points_that_count(page.result, lang), praise(page.result, lang), step):
         if text:
             sheet.write(text)
     if page.result.lines:

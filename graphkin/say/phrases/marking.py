@@ -32,7 +32,6 @@ PHRASES: Phrases = {
     "marks.look": ("look: {remark}", "请核对：{remark}"),
     "marks.or": (" / ", " / "),
     "marks.together": (", together with ", "，同时"),
-    "marks.unread": ("not read: {quantities}", "未能读出：{quantities}"),
     "marks.more": ("{count} more", "另有 {count} 种"),
     "marks.note": ("note: {note}", "提示：{note}"),
     "marks.interrupted": ("Broken off. What was marked is kept beside {path}; the same command goes on from there.",
