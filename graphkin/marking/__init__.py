@@ -3,9 +3,9 @@
 A `PolygonHand` draws the polygons (`redraw`): `replay_with` with a student's own values in their place, `consequences`
 with every mistake that can be made, each a `Rewrite` of one place of the construction, all at once on arrays.
 
-`key_making` makes a `Key`, `marker` marks by it: `key` compares values, `follow_through` carries own values on,
-`diagnosis` finds the mistake by the likelihoods of `weights`. `tolerances`, `power` and `discriminability`
-say what paper allows.
+`key_making` makes a `Key`, `marker` marks by it: `key` compares values, `follow_through` draws on from own values and
+`carried` judges what follows, `diagnosis` finds the mistake by the likelihoods of `weights`. `tolerances`, `power` and
+`discriminability` say what paper allows.
 """
 
 from __future__ import annotations

@@ -10,8 +10,9 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Image, LayOff, Measure, Plane, Size
 from graphkin.marking.answers import size_of
+from graphkin.marking.carried import CarriedProblem
 from graphkin.marking.consequences import combined
-from graphkin.marking.follow_through import CarriedProblem, Followed, Own
+from graphkin.marking.follow_through import Followed, Own
 from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.read_off import ASTRAY
 from graphkin.marking.rewrite import Mistaken, Rewrite

@@ -13,7 +13,8 @@ import numpy as np
 from graphkin.base.geometry import Value, place
 from graphkin.base.value import frozen
 from graphkin.marking.answers import drawn_answer
-from graphkin.marking.follow_through import CarriedProblem, replay_with, usable
+from graphkin.marking.carried import CarriedProblem, usable
+from graphkin.marking.follow_through import replay_with
 from graphkin.marking.hand import redraw
 from graphkin.marking.pencil import PencilHand
 from graphkin.marking.read_off import ASTRAY

@@ -16,11 +16,11 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.marking.after_mistake import aftermath
 from graphkin.marking.answers import readable
+from graphkin.marking.carried import Carried, CarriedProblem
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import SLIP, Diagnosis, Diagnostician
 from graphkin.marking.directions import WrittenDirections
 from graphkin.marking.drawing_order import DrawnAt, drawing_order
-from graphkin.marking.follow_through import Carried, CarriedProblem
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
 from graphkin.marking.key_making import by_other_methods, make_key, pairs_of
 from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by

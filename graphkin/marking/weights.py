@@ -112,26 +112,25 @@ class ScaledExplanations:
         """For values (students, n) of which some are wrong, and of these some come from something else."""
         table, one = self.table, self._one
         values, scatters = np.where(one.judged, one.size, np.nan), 1 / np.where(one.judged, one.sharp, np.nan)
-        z = differences(table, given[:, None, :], values) / scatters
+        z, none = differences(table, given[:, None, :], values) / scatters, _none_density(table, given)
         with np.errstate(invalid="ignore"):
             explained = (np.abs(z) <= FITS) & wrong[:, None, :] & (shifts(table, values) > MOVED)
-        normal = -0.5 * z**2 - np.log(scatters * np.sqrt(2 * np.pi))
-        with np.errstate(invalid="ignore"):
-            mixed = np.logaddexp(np.log(1 - _ELSE) + normal, np.log(_ELSE) + _broad(table, given)[:, None, :])
-        weights = np.where(one.judged, mixed, _none_density(table, given)[:, None, :]).sum(axis=2) + self.shares
+            own = np.log(1 - _ELSE) - 0.5 * z**2 - np.log(scatters * np.sqrt(2 * np.pi))
+            mixed = np.logaddexp(own, np.log(_ELSE) + _broad(table, given)[:, None, :])
+        weights = np.where(one.judged, mixed, none[:, None, :]).sum(axis=2) + self.shares
+        who, row = np.nonzero(explained.sum(axis=2) > 1)
+        hit, chance = explained[who, row], np.ones(weights.shape)
         # how often random numbers hit as many of the wrong values so well
-        count, of = explained.sum(axis=2), np.broadcast_to(wrong.sum(axis=1)[:, None], weights.shape)
-        near = np.where(explained, z**2, 0.0).sum(axis=2)
-        crowded = np.where(one.judged, _crowded(table, values) + np.log(scatters), 0.0)
-        cells = np.where(explained, crowded, 0.0).sum(axis=2) + np.log(max(len(self.rows), 1))
+        count, of = hit.sum(axis=1), wrong.sum(axis=1)[who]
+        crowded = np.where(one.judged, _crowded(table, values) + np.log(scatters), 0.0)[row]
+        cells = np.where(hit, crowded, 0.0).sum(axis=1) + np.log(max(len(self.rows), 1))
         factorial = np.cumsum(np.log(np.maximum(np.arange(given.shape[1] + 1), 1)))
         choices = factorial[of] - factorial[count] - factorial[of - count]
         halves = np.array([0.5 * n * np.log(np.pi) - lgamma(n / 2 + 1) for n in range(given.shape[1] + 1)])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            ball = halves[count] + np.where(count, 0.5 * count * np.log(near), 0.0)
-        chance = np.where(count > 1, np.exp(np.minimum(ball + cells + choices, 0.0)), 1.0)
-        none = _none_density(table, given).sum(axis=1) + _NONE
-        return WeighedPartly(weights, chance, explained, none)
+        with np.errstate(divide="ignore"):
+            ball = halves[count] + 0.5 * count * np.log(np.where(hit, z[who, row] ** 2, 0.0).sum(axis=1))
+        chance[who, row] = np.exp(np.minimum(ball + cells + choices, 0.0))
+        return WeighedPartly(weights, chance, explained, none.sum(axis=1) + _NONE)
 
     def right_by(self, given: np.ndarray, methods: Hypotheses) -> np.ndarray:
         """Weights of right work by the likeliest of some methods (students,), their rows being right values."""

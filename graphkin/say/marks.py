@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Literal, Protocol
 
 from graphkin.errors import Lang
 from graphkin.marking.key import Name
-from graphkin.marking.records import Departure, Graded, Marked, Verdict
+from graphkin.marking.records import Departure, Graded, Judged, Marked
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
 from graphkin.say.numbers import number
@@ -114,22 +113,7 @@ def departs(one: Departure, lang: Lang, in_full: bool = True) -> str:
     return say("marks.departs there", lang, quantity=one.text, equation=equation)
 
 
-class VerdictData(Protocol):
-    """The data that a verdict is worded by."""
-
-    @property
-    def verdict(self) -> Verdict: ...
-    @property
-    def sense(self) -> Literal["right", "wrong"] | None: ...
-    @property
-    def unit(self) -> str: ...
-    @property
-    def unit_right(self) -> bool: ...
-    @property
-    def credit(self) -> float: ...
-
-
-def verdict(one: VerdictData, lang: Lang) -> str:
+def verdict(one: Judged, lang: Lang) -> str:
     """A verdict, the same everywhere, with what is wrong where that is the unit or the sense alone."""
     if one.verdict != "wrong":
         return say(f"verdicts.verdict {one.verdict}", lang)

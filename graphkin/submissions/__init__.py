@@ -2,7 +2,6 @@
 
     files, archives, class tables --handed_in--> Handed (owner, names and bytes, or a row), one after another
     Handed + ReadableProblem --read_one--> Submission      pure, within its time; goes to any executor
-    read = both
     batches --guarded--> results of worker processes, in order; one that hangs or dies takes nobody with it
 
     documents --Entry--> answers --questions, numbers (by a grammar)--> HandedValue
@@ -14,10 +13,10 @@ answers is a reader that gives a `StudentDocument`, of drawings one that gives a
 
 from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
 from graphkin.submissions.pool import guarded, limited
-from graphkin.submissions.reading import read, read_one
+from graphkin.submissions.reading import read_one
 from graphkin.submissions.submission import Limits, MeasuredDrawing, ReadableProblem, Submission, safe_name
 
 __all__ = [
     "FirstOnes", "Handed", "Limits", "MeasuredDrawing", "ReadableProblem", "Submission",
-    "called", "guarded", "handed_in", "limited", "read", "read_one", "safe_name",
+    "called", "guarded", "handed_in", "limited", "read_one", "safe_name",
 ]  # fmt: skip

@@ -67,13 +67,13 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
             continue
         question, quantity, unit = read
         value = _value(raw, quantity, unit, scales)
-        value = replace(value, where=where, fault=value.fault and value.fault.at(where))
+        value = replace(value, fault=value.fault and value.fault.at(where))
         first = values.get(question)
         if first is None or first.value is None:  # of two answers one where they say the same, else none
             values[question] = value if first is None or value.value is not None else first
         elif value.value is not None:
             same = math.isclose(first.value, value.value, rel_tol=1e-9) and first.sense in (None, value.sense)
-            twice = errors.AnsweredTwice(value.where, question, first.text[:60], value.text[:60])
+            twice = errors.AnsweredTwice(where, question, first.text[:60], value.text[:60])
             both = f"{first.text}; {value.text}"
             values[question] = value if same else replace(first, text=both, value=None, vector=None, fault=twice)
     return Answers(values, stated, tuple(notes))
@@ -129,9 +129,9 @@ def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]
         return value
     mm = value.value * numbers.PAPER[value.unit]
     if plane not in scales:
-        return HandedValue(text, None, None, value.unit, errors.NoPaperScale(NOWHERE, text[:60], plane), paper_mm=mm)
+        return HandedValue(text, None, None, value.unit, errors.NoPaperScale(NOWHERE, text[:60], plane))
     vector = None if value.vector is None else value.vector / value.value * mm * scales[plane]
-    return replace(value, value=mm * scales[plane], sense=None, fault=None, paper_mm=mm, vector=vector)
+    return replace(value, value=mm * scales[plane], sense=None, fault=None, vector=vector)
 
 
 def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:

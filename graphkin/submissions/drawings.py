@@ -19,7 +19,6 @@ import numpy as np
 
 from graphkin import planning, running
 from graphkin.base.geometry import place
-from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, OwnSheet, TurnedPage, Where
 from graphkin.model.mechanism import FRAME, Mechanism
@@ -40,7 +39,6 @@ _LENGTHS, _AGREE = 3, 2 / 3
 """So many lengths must agree, and more than this part of all: with two letters exchanged half of them may."""
 
 Pair = tuple[str, str]
-Points = Mapping[tuple[Plane, str], complex]
 
 
 def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> PagePicture:
@@ -50,20 +48,6 @@ def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> PageP
     readers: Mapping[str, Callable[[bytes, Where, Limits], PagePicture]]
     readers = {".svg": svg.read_svg, ".ggb": geogebra.read_ggb, ".dxf": dxf.read_dxf}
     return readers[PurePosixPath(name).suffix.lower()](content, where, limits)
-
-
-@frozen
-class _PaperScale:
-    """Scales [SI per mm] and turns [rad] by plane, by which vectors of one file are measured."""
-
-    scales: Mapping[Plane, float]
-    turned: Mapping[Plane, float]
-    where: Where
-
-    def value(self, tail: complex, head: complex, plane: Plane) -> HandedValue:
-        vector = (head - tail) * self.scales[plane] * cmath.rect(1, -self.turned.get(plane, 0.0))
-        size = abs(head - tail)
-        return HandedValue("", abs(vector), where=self.where, vector=vector, paper_mm=size, ends=(tail, head))
 
 
 def measured(
@@ -84,18 +68,18 @@ def measured(
     claimed = {**picture.scales, **written, **stated}
     scales = numbers.stated_by(asked.mechanism) | calibrated | claimed
     turned = {plane: cmath.phase(drawn / value) for plane, (drawn, value) in first.items()} if limits.turned else {}
-    paper = _PaperScale(scales, turned, where)
-    values = _drawn(picture, letters.points, shapes, paper, questions) | directions(picture, questions, where, limits)
+    drawing = MeasuredDrawing(letters.points, scales, turned, where)
+    vectors = _drawn(picture, drawing, shapes, questions)
+    values = {name: HandedValue("", abs(vector), vector=vector) for name, vector in vectors.items()}
+    values |= directions(picture, questions, limits)
     if not values and not texts and not letters.points:
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
     for question, text in texts.items():  # the written value, with the drawn direction
         drawn = values.get(question)
-        values[question] = text if drawn is None else replace(text, vector=drawn.vector, ends=drawn.ends)
+        values[question] = text if drawn is None else replace(text, vector=drawn.vector)
     notes: list[GraphkinError] = [LetterTwice(where, letter) for letter in letters.doubtful]
     planes = sorted({plane for plane, _ in letters.points})
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in planes if plane not in scales]
-    own = tuple(sorted(calibrated.keys() - claimed.keys()))
-    drawing = MeasuredDrawing(letters.points, scales, own, turned, where)
     remarks = tuple(_page_remarks(picture, drawing, shapes, asked.mechanism))
     return values, replace(drawing, remarks=remarks), notes
 
@@ -118,24 +102,24 @@ def _written_on(
 
 
 def _drawn(
-    picture: PagePicture, points: Points, shapes: Sequence[PaperPolygon], paper: _PaperScale, questions: Questions
-) -> dict[str, HandedValue]:
+    picture: PagePicture, drawing: MeasuredDrawing, shapes: Sequence[PaperPolygon], questions: Questions
+) -> dict[str, complex]:
     """Vectors between two letters, and arrows that the file itself names after a quantity: `v_B3B2`."""
-    named: dict[str, HandedValue] = {}
+    named: dict[str, complex] = {}
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
         plane = numbers.PLANES.get(read[1].unit) if read is not None else None
-        if read is not None and plane is not None and plane in paper.scales and not read[2]:
-            named.setdefault(read[0], paper.value(arrow.tail, arrow.head, plane))
-    lettered: dict[str, HandedValue] = {}
+        if read is not None and plane is not None and plane in drawing.scales and not read[2]:
+            named.setdefault(read[0], drawing.vector(arrow.head - arrow.tail, plane))
+    lettered: dict[str, complex] = {}
     for shape, vector in [(polygon, vector) for polygon in shapes for vector in polygon.vectors]:
-        tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
-        if vector.question and tail is not None and head is not None and shape.plane in paper.scales:
-            lettered.setdefault(vector.question, paper.value(tail, head, shape.plane))
+        tail, head = (drawing.points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
+        if vector.question and tail is not None and head is not None and shape.plane in drawing.scales:
+            lettered.setdefault(vector.question, drawing.vector(head - tail, shape.plane))
     return named | lettered
 
 
-def directions(picture: PagePicture, questions: Questions, where: Where, limits: Limits) -> dict[str, HandedValue]:
+def directions(picture: PagePicture, questions: Questions, limits: Limits) -> dict[str, HandedValue]:
     """theta of the links whose direction the problem asks for, as drawn [rad]."""
     mechanism = questions.mechanism
     axes: dict[str, Pair] = {}  # the two points through which a direction that is asked for runs
@@ -154,8 +138,7 @@ def directions(picture: PagePicture, questions: Questions, where: Where, limits:
     values = {}
     for question, (tail, head) in axes.items():
         if good & {(tail, head), (head, tail)}:
-            angle, ends = cmath.phase(places[head] - places[tail]) - turned, (places[tail], places[head])
-            values[question] = HandedValue("", angle, where=where, ends=ends)
+            values[question] = HandedValue("", cmath.phase(places[head] - places[tail]) - turned)
     return values
 
 

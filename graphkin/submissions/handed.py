@@ -13,8 +13,6 @@ from dataclasses import replace
 from functools import cached_property
 from pathlib import Path, PurePosixPath
 
-import numpy as np
-
 from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
@@ -176,7 +174,7 @@ def _is_class_table(names: list[str]) -> bool:
 
 
 def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
-    """The files of each hand-in, in the order of the first of each; of a large class hardly more is held than names."""
+    """The files of each hand-in, in the order of the first of each."""
     root, shared, kinds = _root(names), set[int](), set[int]()
     for name in names:  # a folder with several files of one kind is a class's; a student's has answers and a drawing
         file, folder = PurePosixPath(name), name.rpartition("/")[0]
@@ -187,17 +185,10 @@ def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
     def of(k: int) -> Owner:
         return owner(names[k], root, alone=hash(names[k].rpartition("/")[0]) in shared)
 
-    del kinds
-    number: dict[int, int] = {}
-    groups = np.fromiter((number.setdefault(hash(of(k).group), len(number)) for k in range(len(names))), np.int64)
-    del number
-    order = np.argsort(groups, kind="stable")
-    ends = np.flatnonzero(np.diff(groups[order], append=-1)) + 1
-    start = 0
-    for end in map(int, ends):
-        numbers = order[start:end].tolist()
-        yield of(numbers[0]), numbers
-        start = end
+    groups: dict[str, list[int]] = {}
+    for k in range(len(names)):
+        groups.setdefault(of(k).group, []).append(k)
+    yield from ((of(numbers[0]), numbers) for numbers in groups.values())
 
 
 def _root(names: list[str]) -> str:

@@ -224,6 +224,8 @@ def _settled(layout: _Arranged) -> Iterator[tuple[str, complex | None]]:
         yield letter, None if letter in unclear else layout.chosen[letter]
 
 
+# --- the polygons of a problem, and how their letters are spelled -----------------------------------------------------
+
 @frozen
 class PolygonVector:
     """An arrow of a polygon: the question that its size answers ("" for none), tail and head by their letters."""

@@ -29,13 +29,8 @@ _AGAIN = 0.2  # a reader that swallows the alarm hears it again so soon [s]
 _LATER = 2.0  # so long after the alarm the watchdog ends the process [s]
 _ENDED = 1  # the exit status of a process that its watchdog has ended
 _AHEAD = 3
+_NOWHERE: list[int] = []  # the file into which the watchdog writes; none where this process may not be ended
 _GRACE = 5.0  # beyond its limits a batch is waited for so long [s]
-
-
-class _Watched:
-    """The file into which the watchdog writes; None where this process may not be ended."""
-
-    nowhere: int | None = None
 
 
 class _TimeUp(BaseException):
@@ -55,13 +50,13 @@ def limited(seconds: float, where: Where) -> Iterator[None]:
     before = signal.signal(signal.SIGALRM, _ring)
     try:
         signal.setitimer(signal.ITIMER_REAL, seconds, _AGAIN)
-        if _Watched.nowhere is not None:
-            faulthandler.dump_traceback_later(seconds + _LATER, exit=True, file=_Watched.nowhere)
+        if _NOWHERE:
+            faulthandler.dump_traceback_later(seconds + _LATER, exit=True, file=_NOWHERE[0])
         try:
             yield
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
-            if _Watched.nowhere is not None:
+            if _NOWHERE:
                 faulthandler.cancel_dump_traceback_later()
     except _TimeUp:
         raise TookTooLong(where, seconds) from None
@@ -140,8 +135,8 @@ def _pool(workers: int) -> ProcessPoolExecutor:
 def _begin() -> None:
     """From now on this process is ended where an alarm is not heard."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    if _Watched.nowhere is None:
-        _Watched.nowhere = os.open(os.devnull, os.O_WRONLY)
+    if not _NOWHERE:
+        _NOWHERE.append(os.open(os.devnull, os.O_WRONLY))
 
 
 def _processes(pool: ProcessPoolExecutor) -> list[BaseProcess]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 
 from graphkin import errors
 from graphkin.base.value import frozen
@@ -13,7 +13,7 @@ from graphkin.submissions import archives, documents
 from graphkin.submissions.answers import answers_at, named_at, of_file
 from graphkin.submissions.archives import decoded
 from graphkin.submissions.documents import StudentDocument
-from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
+from graphkin.submissions.handed import Handed, called
 from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import DRAWINGS, Limits, MeasuredDrawing, ReadableProblem, Submission, tidy_id
@@ -27,16 +27,6 @@ _DOCUMENTS = {
     ".md": documents.read_lines,
 }  # fmt: skip
 _INNER = 50  # files in an archive that a student hands in
-
-
-def read(paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL) -> Iterator[Submission]:
-    """Every submission in these files, archives and folders, in order; a second one of a student says so."""
-    paths = [*paths]
-    seen = FirstOnes(paths)
-    for handed in handed_in(paths, limits):
-        one = read_one(handed, asked, limits)
-        second = seen.reason(one.student, one.file, one.place) if one.reason is None else None
-        yield one if second is None else _refused(handed, one.student, second)
 
 
 def read_one(handed: Handed, asked: Key, limits: Limits = USUAL) -> Submission:

@@ -50,11 +50,8 @@ class HandedValue:
     unit      the unit that was written with it, in the house's spelling ("rad/s^2", "mm"); "" where none was
     fault     why it has no value; or, beside a value, that its unit is of another kind: the number is then taken as
               if no unit stood there (a unit is a mistake of its own)
-    where     file, line and key
     vector    size and direction in the mechanism's axes, SI, of one that is measured or given with its angle
-    within   the angle within which a direction in words holds; 0 of one in numbers [rad]
-    paper_mm  its length on paper, where a length was handed in and the scale made a value of it
-    ends      tail and head on the page [mm, y up], of one measured on a drawing
+    within    the angle within which a direction in words holds; 0 of one in numbers [rad]
     """
 
     text: str
@@ -62,11 +59,8 @@ class HandedValue:
     sense: Sense | None = None
     unit: str = ""
     fault: GraphkinError | None = None
-    where: Where = NOWHERE
     vector: complex | None = None
     within: float = 0.0
-    paper_mm: float | None = None
-    ends: tuple[complex, complex] | None = None
 
 
 @frozen
@@ -75,25 +69,26 @@ class MeasuredDrawing:
 
     points      by plane and the construction's letter (`b3'`): where on the page [mm, y up]
     scales      by plane: SI unit per mm, as used; None where none is known
-    calibrated  the planes whose scale was taken from their known first vector
     turned      by plane: by how much the drawn polygon stands turned, where it may [rad]
     remarks     for the teacher: what should be looked at
     """
 
     points: Mapping[tuple[Plane, str], complex]
     scales: Mapping[Plane, float]
-    calibrated: tuple[Plane, ...] = ()
     turned: Mapping[Plane, float] = field(default_factory=dict)
     where: Where = NOWHERE
     remarks: tuple[GraphkinError, ...] = ()
 
+    def vector(self, drawn: complex, plane: Plane) -> complex:
+        """A vector that is drawn, SI, turned back."""
+        return drawn * self.scales[plane] * cmath.rect(1.0, -self.turned.get(plane, 0.0))
+
     def in_si(self) -> dict[Plane, dict[str, complex]]:
-        """Points from the first of their plane on, SI, turned back; of planes whose scale is known."""
+        """Points from the first of their plane on, as vectors; of planes whose scale is known."""
         places: dict[Plane, dict[str, complex]] = {}
         for (plane, letter), place in self.points.items():
             if plane in self.scales:
-                turn = cmath.rect(1.0, -self.turned.get(plane, 0.0))
-                places.setdefault(plane, {})[letter] = place * self.scales[plane] * turn
+                places.setdefault(plane, {})[letter] = self.vector(place, plane)
         return {plane: {letter: at - first for letter, at in points.items()}
                 for plane, points in places.items() for first in [next(iter(points.values()))]}  # fmt: skip
 

@@ -155,7 +155,7 @@ def test_measured_points_are_turned_back_and_scaled():
     """From the first point on; a plane without a scale has none."""
     turn = cmath.rect(1, 0.3)
     page = {("velocity", "p"): 40 + 7j, ("velocity", "b"): 40 + 7j + 50 * turn, ("acceleration", "p'"): 0j}
-    si = MeasuredDrawing(page, {"velocity": 0.01}, (), {"velocity": 0.3}).in_si()
+    si = MeasuredDrawing(page, {"velocity": 0.01}, {"velocity": 0.3}).in_si()
     assert si == {"velocity": {"p": 0, "b": pytest.approx(0.5)}}
 
 

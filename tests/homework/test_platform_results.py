@@ -25,7 +25,7 @@ from graphkin.homework.platforms.class_report import class_report, report_record
 from graphkin.homework.platforms.class_table import read_overrides
 from graphkin.homework.platforms.learning_platforms import LARGEST, canvas, moodle
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.result import ResultPicture
+from graphkin.homework.platforms.result import ResultPicture, points_of
 from graphkin.homework.platforms.result_formats import RESULTS
 from graphkin.homework.platforms.tables import harmless, unharmed
 from graphkin.outputs.files import FileInTheWay
@@ -127,7 +127,7 @@ def test_a_record_is_read():
     (found,) = results(record(1))
     assert (found.student, found.file, found.total, found.most) == ("s1", "s1.toml", TOTAL, MOST)
     assert found.score == Decimal("0.550898")
-    assert [line.points for line in found.lines] == [Decimal("0.33"), Decimal("1.01"), Decimal("0.5"), 0]
+    assert [points_of(line) for line in found.lines] == [Decimal("0.33"), Decimal("1.01"), Decimal("0.5"), 0]
 
 
 @pytest.mark.parametrize(
@@ -697,7 +697,7 @@ def test_class_figure(end, tmp_path: Path):
 def test_class_figure_of_hostile_names_and_of_nobody(tmp_path: Path):
     told = record(1)
     told["quantities"] = {text or "?": told["quantities"]["omega 3"] for text in (*HOSTILE, "$x$", "$\\frac", "x_1^")}
-    told["mistakes"][0]["ids"] = ["$\\x", "=1"]
+    told["mistakes"][0]["names"] = [[name("$\\x")], [name("=1")]]
     write_class_figure(tmp_path / "a.svg", class_report(results(told)), "zh")
     write_class_figure(tmp_path / "b.svg", class_report([]))
     assert fromstring((tmp_path / "a.svg").read_bytes()).tag.endswith("svg")

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from reading_all import read
 from template_text import TEXT
 
 from graphkin import api
@@ -24,7 +25,7 @@ from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.problems import problem
-from graphkin.submissions import ReadableProblem, read
+from graphkin.submissions import ReadableProblem
 
 
 @pytest.fixture

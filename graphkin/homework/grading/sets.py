@@ -179,6 +179,8 @@ def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
     return OneKey(Marker(key_from(str(path) if path.suffix else source, pencils)))
 
 
+# --- another student's numbers ----------------------------------------------------------------------------------------
+
 _FEWEST, _PART = 3, 0.8  # so many numbers, and this part of them, agree with one other problem
 _CHANCE = 0.01  # a hit that random numbers make more often, on some problem of the set, is no hint
 _READ = ("unit", "sort", "right", "scatter", "tolerance")  # of a key's quantities
@@ -234,6 +236,8 @@ class Neighbours:
             self.students[best], int(agrees[best].sum()), len(some), bool((closely | ~agrees[best]).all())
         )
 
+
+# --- the problems that are to be marked -------------------------------------------------------------------------------
 
 _KEY, _SET = ".key.json", "key.json"
 

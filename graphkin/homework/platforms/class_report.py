@@ -17,9 +17,9 @@ from graphkin.homework.platforms.feedback import called, habit, in_letters, susp
 from graphkin.homework.platforms.markup import in_html
 from graphkin.homework.platforms.pages import document, html_table, typeset
 from graphkin.homework.platforms.question import texts_in
-from graphkin.homework.platforms.result import Result, Suspicion
+from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
-from graphkin.marking.diagnosis import Habit
+from graphkin.marking.diagnosis import Explanation, Habit
 from graphkin.marking.records import Verdict
 from graphkin.outputs import diagram
 from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, writable
@@ -71,7 +71,7 @@ class ClassReport:
     unmarked: int
     overridden: int
     steps: tuple[ReportStep, ...]
-    mistakes: tuple[tuple[Suspicion, int], ...]
+    mistakes: tuple[tuple[Explanation, int], ...]
     unexplained: int
     ranges: tuple[int, ...]
     habits: tuple[tuple[Habit, int], ...] = ()
@@ -97,7 +97,7 @@ class _Count:
     verdicts: dict[str, Counter[str]] = field(default_factory=dict)
     first: Counter[str] = field(default_factory=Counter)
     points: dict[str, tuple[Decimal, Decimal]] = field(default_factory=dict)
-    mistakes: dict[tuple[str, ...], tuple[Suspicion, int]] = field(default_factory=dict)
+    mistakes: dict[tuple[str, ...], tuple[Explanation, int]] = field(default_factory=dict)
     scores: Counter[Decimal] = field(default_factory=Counter)
     habits: Counter[Habit] = field(default_factory=Counter)
     unread: list[tuple[str, str, str]] = field(default_factory=list)
@@ -113,13 +113,13 @@ class _Count:
             self.remarks.append((result.student, result.file, texts_in([result.reason], "en")[0]))
             return
         for line in result.lines:
-            self.verdicts.setdefault(line.name, Counter())[line.verdict] += 1
-            earned, most = self.points.get(line.name, (Decimal(0), Decimal(0)))
-            self.points[line.name] = earned + line.points, most + line.most
+            self.verdicts.setdefault(line.text, Counter())[line.verdict] += 1
+            earned, most = self.points.get(line.text, (Decimal(0), Decimal(0)))
+            self.points[line.text] = earned + points_of(line), most + most_of(line)
             self.status["not read"] += bool(line.written)
             if line.written and len(self.unread) < UNREAD:
-                self.unread.append((result.student, line.name, line.written))
-        failed = [line.name for verdict in _FAILED for line in result.lines if line.verdict == verdict]
+                self.unread.append((result.student, line.text, line.written))
+        failed = [line.text for verdict in _FAILED for line in result.lines if line.verdict == verdict]
         self.first.update(failed[:1])
         self.habits.update(replace(one, weight=0.0) for one in result.habits)
         if result.suspicions:
@@ -254,6 +254,8 @@ def report_record(report: ClassReport) -> dict[str, Plain]:
         "remarks": [{"student": who, "file": file, "remark": remark} for who, file, remark in report.remarks],
     }  # fmt: skip
 
+
+# --- the report as a figure -------------------------------------------------------------------------------------------
 
 _MM = 1 / 25.4
 _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0

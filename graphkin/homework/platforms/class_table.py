@@ -16,8 +16,9 @@ from graphkin.errors import BrokenSubmission, Lang, NotAnOverride, Unreadable, W
 from graphkin.homework.platforms.feedback import as_on_sheets, habit, in_letters, suspected
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.question import texts_in
-from graphkin.homework.platforms.result import Result, ResultLine
+from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
+from graphkin.marking.records import Judged
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import how_sure, verdict
 
@@ -30,7 +31,7 @@ def quantities(results: Iterable[Result]) -> tuple[str, ...]:
     """All that is asked anywhere, as it is met first, and what is wrong on the way."""
     met: dict[str, bool] = {}
     for line in (line for result in results for line in result.lines):
-        met[line.name] = met.get(line.name, False) or bool(line.most) or line.verdict in ("wrong", "not read")
+        met[line.text] = met.get(line.text, False) or bool(most_of(line)) or line.verdict in ("wrong", "not read")
     return tuple(name for name, shown in met.items() if shown)
 
 
@@ -54,7 +55,7 @@ def rows(
             result.override, result.total, _percent(result.score),
         ]  # fmt: skip
         by_name: dict[str, tuple[Cell, Cell]] = {
-            line.name: (_cell(line, lang), None if line.written else line.points) for line in result.lines
+            line.text: (_cell(line, lang), None if line.written else points_of(line)) for line in result.lines
         }
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
         diagnosis = as_on_sheets(result, suspected(result.suspicions[0], lang)) if result.suspicions else ""
@@ -72,11 +73,11 @@ def look_at(result: Result, lang: Lang) -> Iterator[str]:
         yield texts_in([result.reason], lang)[0]
     for line in result.lines:
         if line.written:
-            name = as_on_sheets(result, line.name)
+            name = as_on_sheets(result, line.text)
             yield say("platforms.look unread", lang, name=name, written=one_line(line.written))
     yield from result.remarks
     for one in result.suspicions[:1]:
-        if one.probability < _SURE and any(line.of_mistake and line.points for line in result.lines):
+        if one.probability < _SURE and any(line.of_mistake and points_of(line) for line in result.lines):
             mistake, sure = as_on_sheets(result, suspected(one, lang)), how_sure(one.probability, (), lang)
             yield say("platforms.look unsure", lang, mistake=mistake, sure=sure)
 
@@ -120,7 +121,7 @@ def gradebook(problems: Marked, called: Called, lang: Lang) -> Iterator[list[Cel
         yield [student, called.get(student, ""), *cells, total, whole, score, look]
 
 
-def _cell(line: ResultLine, lang: Lang) -> str:
+def _cell(line: Judged, lang: Lang) -> str:
     """A verdict; of an answer that was not read with what was written."""
     text = verdict(line, lang)
     return f'{text} "{one_line(line.written)}"' if line.written else text

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from graphkin.errors import Lang, SameNumbers
-from graphkin.homework.platforms.result import Result, ResultLine
+from graphkin.homework.platforms.result import Result
+from graphkin.marking.records import Judged
 
 _FEWEST, _PART = 3, 0.6  # so many telling numbers are the same, and this part of what both have handed in
 _MANY = 5  # a telling number that more have is a common mistake's, calculated
@@ -17,11 +18,11 @@ _EXACT = 0.005  # nearer than this part to a right value is that value in three 
 def with_copies(results: Sequence[Result], lang: Lang) -> tuple[Result, ...]:
     """The results with remarks on the same numbers; of one student with several submissions none of these."""
     marked = [k for k, result in enumerate(results) if result.status == "marked"]
-    handed = {k: {line.name: line for line in results[k].lines if line.given} for k in marked}
+    handed = {k: {line.text: line for line in results[k].lines if line.given} for k in marked}
     having: dict[tuple[str, str], list[int]] = {}
     for k, lines in handed.items():
         for line in lines.values():
-            having.setdefault((line.name, f"{line.given:.6g}"), []).append(k)
+            having.setdefault((line.text, f"{line.given:.6g}"), []).append(k)
     telling, wrong = (Counter[tuple[int, int]]() for _ in range(2))
     for (name, _), some in having.items():
         by_whom = {k for k in some if _tells(handed[k][name])}
@@ -42,7 +43,7 @@ def with_copies(results: Sequence[Result], lang: Lang) -> tuple[Result, ...]:
     return tuple(replace(each, remarks=(*each.remarks, *remarks.get(k, ()))) for k, each in enumerate(results))
 
 
-def _tells(line: ResultLine) -> bool:
+def _tells(line: Judged) -> bool:
     """True for a number that is not simply the right one, or what follows rightly from earlier ones."""
     if line.given is None or line.verdict in ("dead point", "too small"):
         return False

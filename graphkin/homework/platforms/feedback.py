@@ -10,9 +10,10 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.question import texts_in
-from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture, Suspicion
+from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
-from graphkin.marking.diagnosis import SLIP, Habit
+from graphkin.marking.diagnosis import SLIP, Explanation, Habit
+from graphkin.marking.records import Judged
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
 from graphkin.model.quantities.reading import respelled
@@ -61,12 +62,12 @@ def table(page: Feedback) -> Iterator[tuple[str, ...]]:
     for line in page.result.lines:
         values = [one_line(line.written) if line.given is None else shown(line.given, line.unit)]
         values += [right_value(line)] if right else []
-        points, most = exponentless(line.points), exponentless(line.most)
-        worth = say("feedback.of", page.lang, points=points, most=most) if line.most else ""
-        yield (as_on_sheets(page.result, line.name), *values, verdict(line, page.lang), worth)
+        points, most = exponentless(points_of(line)), exponentless(most_of(line))
+        worth = say("feedback.of", page.lang, points=points, most=most) if line.points else ""
+        yield (as_on_sheets(page.result, line.text), *values, verdict(line, page.lang), worth)
 
 
-def right_value(line: ResultLine) -> str:
+def right_value(line: Judged) -> str:
     """`62.22 ± 3.1 rad/s²`."""
     edge = EDGE.get(line.unit)
     factor, unit = (1.0, f" {line.unit}".rstrip()) if edge is None else (edge.factor, edge.after)
@@ -75,7 +76,7 @@ def right_value(line: ResultLine) -> str:
 
 def as_on_sheets(result: Result, text: str) -> str:
     """A text with the quantities and the arrows of the problem as the sheets write them: ω3, aᵏ_B3B2."""
-    return in_letters(text, (line.name for line in result.lines))
+    return in_letters(text, (line.text for line in result.lines))
 
 
 def in_letters(text: str, names: Iterable[str]) -> str:
@@ -92,7 +93,7 @@ def under_table(page: Feedback) -> Iterator[str]:
     sentences: dict[str, list[str]] = {}  # one for all quantities of which the same is said
     for line in result.lines:
         for text in arithmetic(result, line, lang, page.reveal):
-            sentences.setdefault(text, []).append(as_on_sheets(result, line.name))
+            sentences.setdefault(text, []).append(as_on_sheets(result, line.text))
     for text, names in sentences.items():
         name = say("common.list", lang).join(names)
         yield say("feedback.stop", lang, text=say("feedback.line", lang, name=name, verdict=text))
@@ -102,7 +103,7 @@ def under_table(page: Feedback) -> Iterator[str]:
 
 def praise(result: Result, lang: Lang) -> str:
     """A word to good work; nothing where there is none."""
-    every = [line for line in result.lines if line.most or line.written] or result.lines
+    every = [line for line in result.lines if line.points or line.written] or result.lines
     right = sum(line.verdict not in ("wrong", "missing", "not read") for line in every)
     if not right:
         return ""
@@ -120,7 +121,7 @@ def next_step(page: Feedback) -> str:
         return "".join(_hints(result.suspicions[0], lang)[:1])
     for kind, names in _to_do(result):
         if names:
-            asked = [line.name for line in result.lines if line.most and line.name in names] or names
+            asked = [line.text for line in result.lines if line.points and line.text in names] or names
             listed = as_on_sheets(result, say("common.list", lang).join(asked[:_NAMED]))
             look = "".join(_hints(result.suspicions[0], lang)[:1]) if kind == "mistake" else ""
             return say(f"feedback.next {kind}", lang, look=look, names=listed)
@@ -130,14 +131,14 @@ def next_step(page: Feedback) -> str:
 def _to_do(result: Result) -> Iterator[tuple[str, list[str]]]:
     """What there may be to do, the most useful first, with the quantities."""
     wrong = [line for line in result.lines if line.verdict == "wrong"]
-    yield "unread", [line.name for line in result.lines if line.written]
+    yield "unread", [line.text for line in result.lines if line.written]
     if result.suspicions:
         yield "mistake", [*result.suspicions[0].explains]
-    yield "unit", [line.name for line in wrong if not line.unit_right]
-    yield "sense", [line.name for line in wrong if line.credit and line.sense == "wrong"]
+    yield "unit", [line.text for line in wrong if not line.unit_right]
+    yield "sense", [line.text for line in wrong if line.credit and line.sense == "wrong"]
     yield "departure", [result.departure.text] if result.departure is not None else []
-    yield "wrong", [line.name for line in wrong][:1]
-    yield "missing", [line.name for line in result.lines if line.verdict == "missing" and line.most]
+    yield "wrong", [line.text for line in wrong][:1]
+    yield "missing", [line.text for line in result.lines if line.verdict == "missing" and line.points]
 
 
 _PLACE = re.compile(r"^[^\n]*?\.\w{1,5}(?:![^\n]*?)?(?::\d+)?(?:, (?P<key>[^:：\n]{1,80}))?[:：] ?(?=\S)")
@@ -177,9 +178,9 @@ def reason(result: Result, lang: Lang) -> str:
     return say("feedback.not marked why", lang, reason=without_place(why, lang))
 
 
-def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> str:
+def quantity(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> str:
     """One quantity: verdict, the number that was handed in, the right one where that is told, points."""
-    texts = [say("feedback.line", lang, name=as_on_sheets(result, line.name), verdict=verdict(line, lang))]
+    texts = [say("feedback.line", lang, name=as_on_sheets(result, line.text), verdict=verdict(line, lang))]
     if line.given is not None:
         texts.append(say("feedback.given", lang, value=shown(line.given, line.unit)))
     elif line.written:
@@ -187,19 +188,20 @@ def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> st
     texts += arithmetic(result, line, lang, reveal)
     if reveal == "answer":
         texts.append(say("feedback.answer", lang, value=right_value(line)))
-    if line.most:
-        texts.append(say("feedback.points of", lang, points=exponentless(line.points), most=exponentless(line.most)))
+    if line.points:
+        earned, most = exponentless(points_of(line)), exponentless(most_of(line))
+        texts.append(say("feedback.points of", lang, points=earned, most=most))
     return say("common.semicolon", lang).join(texts)
 
 
-def arithmetic(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> Iterator[str]:
+def arithmetic(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """`judged with your omega 3 = 5.65 rad/s: it should be 3.63 m/s^2: yes`, where that may be told."""
     shows = reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")
-    useful = line.verdict == "carried" or not any(line.name in one.explains for one in result.suspicions)
+    useful = line.verdict == "carried" or not any(line.text in one.explains for one in result.suspicions)
     if line.of_mistake:
         yield from [] if reveal == "hint" else [say("feedback.follows", lang)]
     elif line.carried is not None and line.own and shows and useful:
-        units = {other.name: other.unit for other in result.lines}
+        units = {other.text: other.unit for other in result.lines}
         values = (f"{as_on_sheets(result, name)} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
         own = say("common.list", lang).join(values)
         agrees = say("feedback.yes" if line.verdict == "carried" else "feedback.no", lang)
@@ -238,18 +240,18 @@ def habit(one: Habit, lang: Lang) -> str:
     return joined([mistake_kind(id, lang) for id in one.ids], lang)
 
 
-def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
+def _hints(one: Explanation | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(SLIP if id == SLIP else MISTAKES[id].topic for id in one.ids if id in (SLIP, *MISTAKES))
     return [mistake_hint(topic, lang) for topic in topics]
 
 
-def suspected(one: Suspicion, lang: Lang) -> str:
-    """The mistakes in words, or by their ids."""
+def suspected(one: Explanation, lang: Lang) -> str:
+    """The mistakes in words."""
     return joined(_in_words(one, lang), lang)
 
 
-def _in_words(one: Suspicion, lang: Lang) -> list[str]:
-    return [mistakes_together(names, lang) for names in one.names] or list(one.ids)
+def _in_words(one: Explanation, lang: Lang) -> list[str]:
+    return [mistakes_together(names, lang) for names in one.names]
 
 
 def points_that_count(result: Result, lang: Lang) -> Iterator[str]:

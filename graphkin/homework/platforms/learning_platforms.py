@@ -19,7 +19,6 @@ from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import (
-    Feedback,
     Reveal,
     as_on_sheets,
     diagnosis,
@@ -29,8 +28,8 @@ from graphkin.homework.platforms.feedback import (
     reason,
 )  # fmt: skip
 from graphkin.homework.platforms.markup import clean, in_html, inside
-from graphkin.homework.platforms.pages import KINDS, Page, html
-from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture
+from graphkin.homework.platforms.pages import KINDS, Page
+from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import line
 from graphkin.say.catalogue import say
 
@@ -97,11 +96,6 @@ def moodle_grades(results: Iterable[Result], lang: Lang, reveal: Reveal) -> Iter
         yield line((f"Participant {name.id}", name.who, "", result.total, result.most, "", comment))
 
 
-def moodle_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
-    """The pages of the zip."""
-    yield from ((name.name, html(page(result))) for name, result in named(results, moodle))
-
-
 def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> Iterator[str]:
     """The gradebook, row by row, without files that Canvas has not named."""
     yield line((*_CANVAS_FRONT, assignment))
@@ -109,15 +103,9 @@ def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> 
     yield from (line((name.who, name.id, "", "", "", result.total)) for name, result in named(results, canvas))
 
 
-def canvas_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
-    """The files of the zip: Canvas shows each under the name that was handed in, so it is of the same kind."""
-    for name, result in named(results, canvas):
-        if (write := canvas_page(name.name)) is not None:
-            yield name.name, write(page(result))
-
-
 def canvas_page(name: str) -> Page | None:
-    """The writer of feedback of the kind of a file; None where there is none."""
+    """The writer of feedback of the kind of a file, as Canvas shows it under the name that was handed in; None where
+    there is none."""
     return KINDS.get(PurePosixPath(name).suffix.lower())
 
 
@@ -129,11 +117,11 @@ def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     Gradescope shows a failed run and no zero."""
     tests: list[Plain] = []
     for each in result.lines:
-        good = each.verdict not in ("wrong", "missing", "not read") and each.points >= each.most
-        name = as_on_sheets(result, each.name)
+        good = each.verdict not in ("wrong", "missing", "not read") and points_of(each) >= most_of(each)
+        name = as_on_sheets(result, each.text)
         test = _gradescope_test(name, quantity(result, each, lang, reveal), "passed" if good else "failed")
-        worth = {"score": float(each.points), "max_score": float(each.most)}
-        tests.append({**test, **worth} if each.most else test)
+        worth = {"score": float(points_of(each)), "max_score": float(most_of(each))}
+        tests.append({**test, **worth} if each.points else test)
     if text := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_gradescope_test(say("feedback.diagnosis", lang), text, "failed"))
     if result.status == "not marked":
@@ -178,10 +166,10 @@ def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence
     texts = [*points_that_count(result, lang)]
     tests = [
         _prairielearn_test(
-            as_on_sheets(result, each.name), float(each.points), float(each.most), quantity(result, each, lang, reveal)
-        )
-        for each in result.lines
-    ]
+            as_on_sheets(result, one.text), float(points_of(one)), float(most_of(one)),
+            quantity(result, one, lang, reveal),
+        ) for one in result.lines
+    ]  # fmt: skip
     if text := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_prairielearn_test(say("feedback.diagnosis", lang), 0.0, 0.0, text))
     return {

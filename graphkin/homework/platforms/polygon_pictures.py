@@ -13,10 +13,11 @@ from collections.abc import Mapping, Sequence
 from graphkin.errors import Lang, OwnFault, Where
 from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.feedback import Reveal, as_on_sheets
-from graphkin.homework.platforms.result import Result, ResultPicture, Suspicion
+from graphkin.homework.platforms.result import Result, ResultPicture
 from graphkin.homework.problems.posed import shown_at
 from graphkin.marking import Rewrite, rewrites
 from graphkin.marking.consequences import DrawingComparison, compare_drawings
+from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of
@@ -130,6 +131,6 @@ def _drawn(sheet: Sheet, sentence: str, lang: Lang) -> ResultPicture:
     return ResultPicture(label, _SVG, inline(sheet).encode())
 
 
-def _position(one: Suspicion) -> int:
+def _position(one: Explanation) -> int:
     """The first at which it explains something."""
     return position_of(one.explains[0])[1] if one.explains else 1

@@ -12,8 +12,9 @@ from pathlib import Path
 
 from graphkin.api import plan
 from graphkin.errors import CannotWrite, GraphkinError, Lang
-from graphkin.homework.grading import KeySet, SetMarker, key_for, set_text
+from graphkin.homework.grading import SetMarker, key_for, set_text
 from graphkin.homework.grading.keys import USUAL, Pencils
+from graphkin.homework.grading.sets import KeySet
 from graphkin.homework.platforms.question import ProblemSet, question_of
 from graphkin.homework.platforms.set_formats import SETS
 from graphkin.homework.problems import Template, Variant

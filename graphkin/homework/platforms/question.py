@@ -50,7 +50,7 @@ class Wrong:
 class Part:
     """One quantity that is asked for.
 
-    name    as it is read: "omega 3"; `label`: as it is printed
+    name    as it is read: "omega 3"
     number  the right one, in `unit`; `also`: others that are as right, such as an angle and a turn more
     points  for a right number; has_sense: half of them for its opposite
     """
@@ -62,13 +62,12 @@ class Part:
     points: float = 1.0
     wrongs: tuple[Wrong, ...] = ()
     also: tuple[float, ...] = ()
-    label: str = ""
     has_sense: bool = False
 
     @property
     def heading(self) -> str:
-        """`ω3 (rad/s)`."""
-        return (self.label or self.name) + (f" ({self.unit})" if self.unit else "")
+        """`omega 3 (rad/s)`."""
+        return self.name + (f" ({self.unit})" if self.unit else "")
 
 
 @frozen

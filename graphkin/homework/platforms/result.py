@@ -15,55 +15,22 @@ from graphkin.errors import NotAResult, Where
 from graphkin.homework import opening
 from graphkin.homework.platforms.question import Text
 from graphkin.homework.platforms.tables import HUNDREDTH, points
-from graphkin.marking.diagnosis import Habit, Trace
-from graphkin.marking.key import Name
-from graphkin.marking.records import Departure, Verdict
+from graphkin.marking.diagnosis import Explanation, Habit, Trace
+from graphkin.marking.records import Departure, Judged, Verdict
 from graphkin.outputs.marks_json import END, HEAD, Record, drawn_of, record_of, records_in
 
 FORMAT = 1
 Status = Literal["marked", "not marked"]
 
 
-@frozen
-class ResultLine:
-    """One quantity of a submission; numbers in SI, `unit` the SI unit.
-
-    carried     what follows from the student's own earlier values (`own`, by quantity), where it was judged by these
-    sense       whether the sense was right, where it was judged by itself; `unit_right`: the same of its unit
-    credit      what it is worth, of 1; points: of `most`
-    written     the answer as it was written, where it was not read
-    of_mistake  whether it follows from the mistake that was named
-    """
-
-    name: str
-    given: float | None
-    right: float
-    carried: float | None
-    tolerance: float
-    verdict: Verdict
-    sense: Literal["right", "wrong"] | None = None
-    unit: str = ""
-    unit_right: bool = True
-    credit: float = 0.0
-    own: Mapping[str, float] = field(default_factory=dict)
-    points: Decimal = Decimal(0)
-    most: Decimal = Decimal(0)
-    written: str = ""
-    of_mistake: bool = False
+def most_of(line: Judged) -> Decimal:
+    """The points there are for a quantity."""
+    return points(line.points)
 
 
-@frozen
-class Suspicion:
-    """Mistakes that the numbers are consistent with and that cannot be told apart.
-
-    names        one mistake, or two made together, for each way in which they give the numbers
-    probability  of all of them together
-    """
-
-    ids: tuple[str, ...]
-    explains: tuple[str, ...]
-    names: tuple[tuple[Name, ...], ...] = ()
-    probability: float = 0.0
+def points_of(line: Judged) -> Decimal:
+    """The points that a quantity earns."""
+    return points(line.points * line.credit)
 
 
 @frozen
@@ -93,8 +60,8 @@ class Result:
     file: str
     status: Status
     reason: Text = field(default_factory=dict)
-    lines: tuple[ResultLine, ...] = ()
-    suspicions: tuple[Suspicion, ...] = ()
+    lines: tuple[Judged, ...] = ()
+    suspicions: tuple[Explanation, ...] = ()
     most: Decimal = Decimal(0)
     notes: tuple[str, ...] = ()
     override: Decimal | None = None
@@ -106,7 +73,7 @@ class Result:
     @property
     def earned(self) -> Decimal:
         """Points by the marking."""
-        return sum((line.points for line in self.lines), Decimal(0))
+        return sum((points_of(line) for line in self.lines), Decimal(0))
 
     @property
     def total(self) -> Decimal | None:
@@ -115,7 +82,7 @@ class Result:
             return self.override
         if not any(line.written for line in self.lines):
             return self.earned
-        most = sum((line.most for line in self.lines), Decimal(0))
+        most = sum((most_of(line) for line in self.lines), Decimal(0))
         return (self.earned * self.most / most).quantize(HUNDREDTH, ROUND_HALF_UP) if most else None
 
     @property
@@ -138,7 +105,7 @@ def from_record(record: Record, where: Where) -> Result:
         texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
         return Result(
             _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
-            tuple(map(_suspicion, record["mistakes"])), sum((line.most for line in lines), Decimal(0)),
+            tuple(map(_suspicion, record["mistakes"])), sum((most_of(line) for line in lines), Decimal(0)),
             tuple(map(_string, record.get("notes", ()))), drawn=drawn_of(record),
             departure=None if left_at is None else Departure(_string(left_at["quantity"]), *sides),
             remarks=tuple(_string(each["text"]) for each in record.get("remarks", ())),
@@ -147,27 +114,27 @@ def from_record(record: Record, where: Where) -> Result:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
 
 
-def _line(name: str, each: Record) -> ResultLine:
+def _line(name: str, each: Record) -> Judged:
     if each["verdict"] not in get_args(Verdict) or each["sense"] not in (None, "right", "wrong"):
         raise ValueError(f"{name}: verdict {each['verdict']!r}, sense {each['sense']!r}")
     worth, credit = _finite(each["points"]), _finite(each["credit"])
     if worth < 0 or not 0 <= credit <= 1:
         raise ValueError(f"{name}: points {worth}, credit {credit}")
-    own = {str(text): _finite(value) for text, value in each["own"].items()}
-    return ResultLine(
-        name, _number(each["given"]), _finite(each["right"]), _number(each["carried"]), _finite(each["tolerance"]),
-        each["verdict"], each["sense"], _string(each["unit"]), bool(each["unit_right"]), credit, own,
-        points(worth * credit), points(worth), _string(each.get("written", "")), bool(each.get("of_mistake")),
+    return Judged(
+        name, _string(each["unit"]), _number(each["given"]), _finite(each["right"]), _finite(each["tolerance"]),
+        each["verdict"], each["sense"], bool(each["unit_right"]), _number(each["carried"]),
+        {str(text): _finite(value) for text, value in each["own"].items()}, credit=credit, points=worth,
+        written=_string(each.get("written", "")), of_mistake=bool(each.get("of_mistake")),
     )  # fmt: skip
 
 
-def _suspicion(each: Record) -> Suspicion:
+def _suspicion(each: Record) -> Explanation:
     names = tuple(
         tuple((_string(name["id"]), _string(name["way"]), _string(name["of"]), _string(name["form"])) for name in some)
         for some in each.get("names", ())
     )
-    ids, explains = (tuple(map(_string, each[key])) for key in ("ids", "explains"))
-    return Suspicion(ids, explains, names, _finite(each.get("probability", 0.0)))
+    probability, margin = (_finite(each.get(key, 0.0)) for key in ("probability", "margin"))
+    return Explanation(names, probability, margin, tuple(map(_string, each["explains"])))
 
 
 def _number(value: object) -> float | None:

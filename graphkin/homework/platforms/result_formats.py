@@ -203,7 +203,8 @@ def _moodle(order: Order) -> WrittenResults:
     grades = order.lines(
         "moodle-grades.csv", platform_files.moodle_grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
     )  # fmt: skip
-    feedback = order.packed("moodle-feedback.zip", platform_files.moodle_feedback(order, order.page))
+    pages = ((name.name, html(order.page(result))) for name, result in platform_files.named(order, moodle))
+    feedback = order.packed("moodle-feedback.zip", pages)
     return WrittenResults((grades, feedback), tuple(_unnamed(order, moodle, "Moodle")))
 
 
@@ -211,7 +212,10 @@ def _canvas(order: Order) -> WrittenResults:
     grades = order.lines(
         "canvas-grades.csv", platform_files.canvas_grades(order, order.assignment, order.most), (b"Points Possible,",),
     )  # fmt: skip
-    feedback = order.packed("canvas-feedback.zip", platform_files.canvas_feedback(order, order.page))
+    named = platform_files.named(order, canvas)
+    writers = ((name.name, platform_files.canvas_page(name.name), result) for name, result in named)
+    pages = ((name, write(order.page(result))) for name, write, result in writers if write is not None)
+    feedback = order.packed("canvas-feedback.zip", pages)
     names = (name.name for name, _ in platform_files.named(order.results, canvas))
     kinds = Counter(Path(name).suffix for name in names if platform_files.canvas_page(name) is None)
     unwritten = (

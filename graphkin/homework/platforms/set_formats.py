@@ -97,6 +97,8 @@ def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang)
     return whole
 
 
+# --- QTI --------------------------------------------------------------------------------------------------------------
+
 SMALLEST = Decimal("0.0001")
 _PACKAGE = "http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1"
 _ITEMS = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
@@ -171,6 +173,8 @@ def _item(name: str, question: Question, part: Part, lang: Lang) -> ET.Element:
     ident = f"{name}q{question.parts.index(part) + 1}"
     return element("item", about, presentation, judged, ident=ident, title=one_line(part.name))
 
+
+# --- tables and Word files; all formats -------------------------------------------------------------------------------
 
 CSV_HEADERS = (
     "student", "text", "quantity", "unit", "points", "percent", "number", "tolerance", "mistakes", "sentence",
