@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from decimal import Decimal
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
@@ -15,7 +16,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import called, habit, in_letters, suspected
 from graphkin.homework.platforms.markup import in_html
-from graphkin.homework.platforms.pages import document, html_table, typeset
+from graphkin.homework.platforms.pages import document, typeset
 from graphkin.homework.platforms.question import texts_in
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
@@ -152,55 +153,45 @@ class _Count:
         )  # fmt: skip
 
 
-Called = Mapping[str, str]  # students by id, with their names
-
-
-def report_text(report: ClassReport, lang: Lang, names: Called | None = None) -> Iterator[str]:
-    """The report in lines."""
-    yield from report_head(report, lang)
+def report_text(report: ClassReport, lang: Lang, names: Mapping[str, str] | None = None) -> Iterator[str]:
+    """The report in lines; names: of students by id, as far as they are known."""
+    yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
+    if report.spread:
+        percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in report.spread.items()}
+        yield say("class_report.scores", lang, **percent)
+    mistakes = [say("class_report.mistake", lang, mistake=text, count=n) for text, n in mistake_counts(report, lang)]
+    if report.unexplained:
+        mistakes.append(say("class_report.unexplained", lang, count=report.unexplained))
+    habits = [say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
+              for one, count in report.habits]  # fmt: skip
+    width = 100 // RANGES
+    distribution = [
+        say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
+        for k, count in enumerate(report.ranges)
+    ]
     steps = []
     for step in report.steps:
         shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
         counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
         verdicts, name = say("common.list", lang).join(counts), in_letters(step.name, [step.name])
         steps.append(say("class_report.step", lang, name=name, verdicts=verdicts, first=step.first))
-    width = 100 // RANGES
-    distribution = [
-        say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
-        for k, count in enumerate(report.ranges)
-    ]
-    parts = report_parts(report, lang, names or {})
-    look = {key: parts[key] for key in ("remarks", "unread")}
-    parts = {**look, "steps": steps, **parts, "distribution": distribution}
+    who = partial(_called, names or {}, lang)
+    unread = [say("class_report.unread", lang, student=who(student), name=in_letters(name, [name]), written=text)
+              for student, name, text in report.unread]  # fmt: skip
+    if report.not_read > len(unread):
+        unread.append(say("marks.more", lang, count=report.not_read - len(unread)))
+    remarks = [say("class_report.remark", lang, student=who(student), file=file, remark=remark)
+               for student, file, remark in report.remarks]  # fmt: skip
+    parts = {"remarks": remarks, "unread": unread, "steps": steps, "mistakes": mistakes, "habits": habits,
+             "distribution": distribution}  # fmt: skip
     for title, texts in parts.items():
         if texts:
             yield from ("", say(f"class_report.part {title}", lang))
             yield from (f"  {text}" for text in texts)
 
 
-def report_head(report: ClassReport, lang: Lang) -> Iterator[str]:
-    """How many, and their scores."""
-    yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
-    if report.spread:
-        percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in report.spread.items()}
-        yield say("class_report.scores", lang, **percent)
-
-
-def report_parts(report: ClassReport, lang: Lang, names: Called) -> dict[str, list[str]]:
-    """The lists of the report: what to look at, mistakes and habits, by the name of each part."""
-    mistakes = [say("class_report.mistake", lang, mistake=text, count=n) for text, n in mistake_counts(report, lang)]
-    if report.unexplained:
-        mistakes.append(say("class_report.unexplained", lang, count=report.unexplained))
-    habits = [say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
-              for one, count in report.habits]  # fmt: skip
-    unread = [say("class_report.unread", lang, student=called(student, names.get(student, ""), lang),
-                  name=in_letters(name, [name]), written=text)
-              for student, name, text in report.unread]  # fmt: skip
-    if report.not_read > len(unread):
-        unread.append(say("marks.more", lang, count=report.not_read - len(unread)))
-    remarks = [say("class_report.remark", lang, student=called(student, names.get(student, ""), lang), file=file,
-                   remark=remark) for student, file, remark in report.remarks]  # fmt: skip
-    return {"remarks": remarks, "unread": unread, "mistakes": mistakes, "habits": habits}
+def _called(names: Mapping[str, str], lang: Lang, student: str) -> str:
+    return called(student, names.get(student, ""), lang)
 
 
 def mistake_counts(report: ClassReport, lang: Lang) -> list[tuple[str, int]]:
@@ -209,27 +200,17 @@ def mistake_counts(report: ClassReport, lang: Lang) -> list[tuple[str, int]]:
     return [(in_letters(suspected(one, lang), names), count) for one, count in report.mistakes]
 
 
-def report_page(report: ClassReport, lang: Lang, names: Called, figure: str = "") -> bytes:
-    """The report as a page like those of the students; figure: an SVG element."""
-    title = say("class_report.title", lang)
-    verdicts = [name for name in get_args(Verdict)
-                if name in _ALWAYS or any(step.verdicts.get(name) for step in report.steps)]  # fmt: skip
-    head = [say("marks.column quantity", lang), *(say(f"verdicts.verdict {name}", lang) for name in verdicts),
-            say("class_report.column first", lang)]  # fmt: skip
-    rows = [("", [typeset(in_letters(step.name, [step.name])),
-                  *(str(step.verdicts.get(name, 0)) for name in verdicts), str(step.first)])
-            for step in report.steps]  # fmt: skip
-    body = [f"<header><h1>{in_html(title)}</h1></header>"]
-    body += [f"<p>{in_html(text)}</p>" for text in report_head(report, lang)]
-    for part, texts in report_parts(report, lang, names).items():
-        if part == "mistakes" and rows:
-            body.append(f"<h2>{in_html(say('class_report.part steps', lang))}</h2>")
-            body.append(html_table([*map(in_html, head)], rows, ["name", *["number"] * (len(head) - 1)]))
-        if texts:
-            lines = texts if part in ("remarks", "unread") else map(typeset, texts)
-            items = "".join(f"<li>{in_html(text) if lines is texts else text}</li>" for text in lines)
-            body.append(f"<h2>{in_html(say(f'class_report.part {part}', lang))}</h2><ul>{items}</ul>")
-    return document(title, "\n".join([*body, f"<figure>{figure}</figure>" if figure else ""]), lang)
+def report_page(report: ClassReport, lang: Lang, names: Mapping[str, str], figure: str) -> bytes:
+    """The report as a page like those of the students, over the figure, an SVG element."""
+    title, drawn = say("class_report.title", lang), say("class_report.part distribution", lang)
+    plain = {say(f"class_report.part {part}", lang) for part in ("remarks", "unread")}  # with words of students
+    head, *parts = ("\n".join(report_text(report, lang, names))).split("\n\n")
+    body = [f"<header><h1>{in_html(title)}</h1></header><p>{in_html(head)}</p>"]
+    for part, *lines in (part.split("\n  ") for part in parts):
+        if part != drawn:
+            items = "".join(f"<li>{(in_html if part in plain else typeset)(line)}</li>" for line in lines)
+            body.append(f"<h2>{in_html(part)}</h2><ul>{items}</ul>")
+    return document(title, "\n".join([*body, f"<figure>{figure}</figure>"]), lang)
 
 
 def report_record(report: ClassReport) -> dict[str, Plain]:

@@ -75,8 +75,12 @@ def html(page: Feedback) -> bytes:
     begin += _paragraph(praise(page.result, lang), "praise")
     if text := next_step(page):
         begin += f'<div class="next"><b>{say("feedback.next", lang)}</b>{typeset(text)}</div>'
-    figure = [] if page.problem is None or not page.problem.data else [_figure(_of_problem(page.problem, lang))]
-    body = [f'<div class="start"><div>{begin}</div>{"".join(figure)}</div>']
+    figure, heading, who = "", title(page), ""
+    if (problem := page.problem) is not None:
+        heading, who = problem.label, f'<p class="who">{in_html(title(page))}</p>'
+        label = say("feedback.problem", lang, title=problem.label)
+        figure = _figure(replace(problem, label=label)) if problem.data else ""
+    body = [f'<div class="start"><div>{begin}</div>{figure}</div>']
     body += [_html_table(page)] if page.result.lines else []
     body += [_paragraph(text, "note") for text in under_table(page)]
     found = [text for text in diagnosis(page.result, lang, page.reveal) if text != next_step(page)]
@@ -84,8 +88,6 @@ def html(page: Feedback) -> bytes:
         body += [f"<h2>{in_html(say('feedback.diagnosis', lang))}</h2>", *map(_paragraph, found)]
         body += [f'<div class="pictures">{"".join(map(_figure, page.pictures))}</div>'] if page.pictures else []
     body += [_paragraph(text, "note") for text in at_the_end(page)]
-    heading = title(page) if page.problem is None else page.problem.label
-    who = "" if page.problem is None else f'<p class="who">{in_html(title(page))}</p>'
     return document(title(page), f"<header>{who}<h1>{in_html(heading)}</h1></header>\n" + "\n".join(body), lang)
 
 
@@ -108,30 +110,20 @@ def _paragraph(text: str, kind: str = "") -> str:
     return f"<p{attribute}>{typeset(text)}</p>" if text else ""
 
 
-def html_table(head: Sequence[str], rows: Iterable[tuple[str, Sequence[str]]], kinds: Sequence[str]) -> str:
-    """Cells that are typeset already under their heads, in columns of these kinds, each row with its own."""
-    whole = [_row("", head, kinds, 'th scope="col"'), *(_row(kind, cells, kinds, "td") for kind, cells in rows)]
-    return "<table>\n" + "\n".join(whole) + "\n</table>"
+def _html_table(page: Feedback) -> str:
+    head, *rows = table(page)
+    kinds = ["name", *["number"] * (len(head) - 3), "verdict", "number"]
+    lines = [_row("", map(in_html, head), kinds, 'th scope="col"')]
+    for (name, given, *others), each in zip(rows, page.result.lines, strict=True):
+        own = in_html(given) if each.written else typeset(given)  # the student's own words stay as they are
+        lines.append(_row(each.verdict, (typeset(name), own, *map(typeset, others)), kinds, "td"))
+    return "<table>\n" + "\n".join(lines) + "\n</table>"
 
 
-def _row(kind: str, cells: Sequence[str], kinds: Sequence[str], tag: str) -> str:
+def _row(kind: str, cells: Iterable[str], kinds: Sequence[str], tag: str) -> str:
     pairs = zip(cells, kinds, strict=True)
     texts = (f'<{tag} class="{of}">{text}</{tag.split(" ")[0]}>' for text, of in pairs)
     return f'<tr class="{kind}">' + "".join(texts) + "</tr>"
-
-
-def _html_table(page: Feedback) -> str:
-    head, *rows = table(page)
-    lines = []
-    for (name, given, *others), each in zip(rows, page.result.lines, strict=True):
-        own = in_html(given) if each.written else typeset(given)  # the student's own words stay as they are
-        lines.append((each.verdict, [typeset(name), own, *map(typeset, others)]))
-    kinds = ["name", *["number"] * (len(head) - 3), "verdict", "number"]
-    return html_table([*map(in_html, head)], lines, kinds)
-
-
-def _of_problem(picture: ResultPicture, lang: Lang) -> ResultPicture:
-    return replace(picture, label=say("feedback.problem", lang, title=picture.label))
 
 
 def _figure(picture: ResultPicture) -> str:

@@ -183,7 +183,6 @@ PHRASES: Phrases = {
     "class_report.unread": ("{student}, {name}: {written}", "{student}，{name}：{written}"),
     "class_report.part steps": ("Where it goes wrong", "错在哪一步"),
     "class_report.step": ("{name}: {verdicts}; the first to fail for {first}", "{name}：{verdicts}；首次出错 {first} 人"),
-    "class_report.column first": ("first to fail", "首次出错"),
     "class_report.part mistakes": ("Mistakes that the numbers are consistent with", "与结果相符的错误"),
     "class_report.mistake": ("{mistake}: {count}", "{mistake}：{count} 人"),
     "class_report.part habits": ("Mistakes that a student makes in several problems", "同一学生在几道题中都出现的错误"),
