@@ -242,7 +242,7 @@ _MM = 1 / 25.4
 _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
 _TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 8.0, 45.0
 _MOST = 25  # mistakes and steps that are shown; tables have the rest
-_LONGEST = 44
+_LONGEST = 38
 _VERDICTS = (
     ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),
     ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"), ("not read", "#bbbbbb", "oo"),
@@ -339,7 +339,7 @@ def _title(axes: Axes, title: str) -> None:
 def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:
     """Names beside the bars, the first above; in plain letters, whatever they are."""
     texts = [_shortened(name) for name in map(writable, names)]
-    axes.set_yticks(range(len(names)), texts, fontsize=8, parse_math=False)
+    axes.set_yticks(range(len(names)), texts, fontsize=8, parse_math=False, multialignment="right")
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
     axes.set_xlabel(say("class_report.students", lang), fontsize=8)
     _count_in_wholes(axes.xaxis)

@@ -186,7 +186,7 @@ def _sheets(
 ) -> Mapping[str, Iterable[Sequence[Cell]]]:
     """The class, and what is to be looked at."""
     look = class_table.look_rows(problems, names, lang)
-    return {say("class_report.title", lang): rows, say("class_report.part remarks", lang): look}
+    return {say("platforms.gradebook", lang): rows, say("class_report.part remarks", lang): look}
 
 
 def _written_table(kind: str, order: Order) -> WrittenResults:

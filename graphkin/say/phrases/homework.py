@@ -91,6 +91,7 @@ PHRASES: Phrases = {
     # === files of teaching platforms: columns, titles, what is left out
     "platforms.problem title": ("{set}, {id}", "{set} {id}"),
     "platforms.column student": ("student", "学号"),
+    "platforms.gradebook": ("Gradebook", "成绩"),
     "platforms.column name": ("name", "姓名"),
     "platforms.column in problem": ("problem", "题目"),
     "platforms.look unread": ("{name} not read: {written}", "{name} 未能读出：{written}"),
