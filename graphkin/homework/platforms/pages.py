@@ -13,18 +13,8 @@ from functools import partial
 from html import escape
 
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import (
-    Feedback,
-    at_the_end,
-    diagnosis,
-    lines,
-    next_step,
-    points_that_count,
-    praise,
-    table,
-    title,
-    under_table,
-)  # fmt: skip
+from graphkin.homework.platforms import feedback
+from graphkin.homework.platforms.feedback import Feedback
 from graphkin.homework.platforms.markup import clean, element, in_html, one_line, pack
 from graphkin.homework.platforms.result import ResultPicture
 from graphkin.homework.platforms.tables import line, workbook_files
@@ -39,27 +29,22 @@ _STYLE = """
 body { font: 16px/1.5 "Helvetica Neue", Arial, "Noto Sans CJK SC", "PingFang SC", "Microsoft YaHei", sans-serif;
   color: #1c2430; max-width: 180mm; margin: 0 auto; padding: 16px }
 i, mi, mn, mtext { font-family: "Times New Roman", "Liberation Serif", Tinos, serif }
-math { font-family: "DejaVu Math TeX Gyre", "STIX Two Math", math; font-size: 1.06em }
-mi { font-style: italic; text-transform: none }
-header { border-bottom: 2px solid #1f4e79; margin-bottom: 14px }
-h1 { font-size: 1.35em; line-height: 1.25; margin: 2px 0 8px }
-h2 { font-size: 1.05em; margin: 20px 0 6px; color: #1f4e79 } .who { margin: 0; color: #55606e }
+math { font: 1.06em "DejaVu Math TeX Gyre", "STIX Two Math", math } mi { font-style: italic; text-transform: none }
+header { border-bottom: 2px solid #1f4e79; margin-bottom: 14px } .who { margin: 0; color: #55606e }
+h1 { font-size: 1.35em; line-height: 1.25; margin: 2px 0 8px } h2 { font-size: 1.05em; color: #1f4e79 }
 .start { display: flex; flex-wrap: wrap; gap: 8px 24px; align-items: center } .start > div { flex: 1 1 240px }
 .total { font-size: 1.3em; font-weight: bold; margin: 0 } .praise { margin: 4px 0 }
 .next { border-left: 4px solid #1f4e79; background: #eef4fa; padding: 8px 12px; margin: 10px 0 }
 .next b { display: block; color: #1f4e79 } figure { margin: 8px 0; max-width: 100%; overflow-x: auto }
 figure svg, figure img { display: block; max-width: 100%; height: auto } figure.wide svg { min-width: 165mm }
 .pictures { display: flex; flex-wrap: wrap; gap: 4px 8px; align-items: flex-start }
-.pictures p { flex: 1 0 100%; margin: 6px 0 0 } .pictures figure { flex: 0 1 88mm }
-.pictures figure.wide { flex-basis: 100% }
+.pictures p, .pictures figure.wide { flex: 1 0 100%; margin: 6px 0 0 } .pictures figure { flex: 0 1 88mm }
 table { border-collapse: collapse; width: 100% } th { color: #55606e; font-weight: normal; font-size: .9em }
 th, td { border-bottom: 1px solid #d5dbe2; padding: 5px 8px; text-align: left; vertical-align: top }
 th.number, td.number { text-align: right; font-variant-numeric: tabular-nums }
-.right .verdict, .carried .verdict { color: #1b6e3c }
-.wrong .verdict, .missing .verdict { color: #a61b1b; font-weight: bold } .not.read .verdict { color: #8a5a00 }
-.note { font-size: .9em; color: #434d59 }
-@media (max-width: 520px) { body { font-size: 15px; padding: 12px } th, td { padding: 5px 4px }
-  .note { font-size: .93em } }
+.right .verdict, .carried .verdict { color: #1b6e3c } .not.read .verdict { color: #8a5a00 }
+.wrong .verdict, .missing .verdict { color: #a61b1b; font-weight: bold } .note { font-size: .9em; color: #434d59 }
+@media (max-width: 520px) { body { font-size: 15px; padding: 12px } th, td { padding: 5px 4px } }
 @media print { @page { size: A4; margin: 15mm } body { max-width: none; padding: 0; font-size: 10.5pt }
   figure, tr, .next { break-inside: avoid } h2 { break-after: avoid } }
 """
@@ -71,24 +56,25 @@ Page = Callable[[Feedback], bytes]
 def html(page: Feedback) -> bytes:
     """A page that needs nothing but itself: points and the next step, the quantities, the diagnosis, pictures."""
     lang = page.lang
-    begin = "".join(_paragraph(text, "total") for text in points_that_count(page.result, lang))
-    begin += _paragraph(praise(page.result, lang), "praise")
-    if text := next_step(page):
-        begin += f'<div class="next"><b>{say("feedback.next", lang)}</b>{typeset(text)}</div>'
-    figure, heading, who = "", title(page), ""
+    begin = "".join(_paragraph(text, "total") for text in feedback.points_that_count(page.result, lang))
+    begin += _paragraph(feedback.praise(page.result, lang), "praise")
+    if step := feedback.next_step(page):
+        begin += f'<div class="next"><b>{say("feedback.next", lang)}</b>{typeset(step)}</div>'
+    figure, title, who = "", feedback.title(page), ""
+    heading = title
     if (problem := page.problem) is not None:
-        heading, who = problem.label, f'<p class="who">{in_html(title(page))}</p>'
+        heading, who = problem.label, f'<p class="who">{in_html(title)}</p>'
         label = say("feedback.problem", lang, title=problem.label)
         figure = _figure(replace(problem, label=label)) if problem.data else ""
     body = [f'<div class="start"><div>{begin}</div>{figure}</div>']
     body += [_html_table(page)] if page.result.lines else []
-    body += [_paragraph(text, "note") for text in under_table(page)]
-    found = [text for text in diagnosis(page.result, lang, page.reveal) if text != next_step(page)]
+    body += [_paragraph(text, "note") for text in feedback.under_table(page)]
+    found = [text for text in feedback.diagnosis(page.result, lang, page.reveal) if text != step]
     if found or page.pictures:
         body += [f"<h2>{in_html(say('feedback.diagnosis', lang))}</h2>", *map(_paragraph, found)]
         body += [f'<div class="pictures">{"".join(map(_figure, page.pictures))}</div>'] if page.pictures else []
-    body += [_paragraph(text, "note") for text in at_the_end(page)]
-    return document(title(page), f"<header>{who}<h1>{in_html(heading)}</h1></header>\n" + "\n".join(body), lang)
+    body += [_paragraph(text, "note") for text in feedback.at_the_end(page)]
+    return document(title, f"<header>{who}<h1>{in_html(heading)}</h1></header>\n" + "\n".join(body), lang)
 
 
 def document(title: str, body: str, lang: Lang) -> bytes:
@@ -111,7 +97,7 @@ def _paragraph(text: str, kind: str = "") -> str:
 
 
 def _html_table(page: Feedback) -> str:
-    head, *rows = table(page)
+    head, *rows = feedback.table(page)
     kinds = ["name", *["number"] * (len(head) - 3), "verdict", "number"]
     lines = [_row("", map(in_html, head), kinds, 'th scope="col"')]
     for (name, given, *others), each in zip(rows, page.result.lines, strict=True):
@@ -153,22 +139,22 @@ _PIECE = re.compile("[\u2e80-\uffef]|[^\\s\u2e80-\uffef]+\\s*|\\s+")
 def drawing(page: Feedback) -> bytes:
     """Lines of text and under them pictures, as wide as A4, as long as it needs."""
     sheet, lang = _SvgPage(), page.lang
-    sheet.write(title(page), plain)
+    sheet.write(feedback.title(page), plain)
     if page.problem is not None:
         sheet.write(page.problem.label, plain)
         sheet.show(page.problem)
-    step = next_step(page)
+    step = feedback.next_step(page)
     step = step and say("feedback.line", lang, name=say("feedback.next", lang), verdict=step)
-    for text in (*points_that_count(page.result, lang), praise(page.result, lang), step):
+    for text in (*feedback.points_that_count(page.result, lang), feedback.praise(page.result, lang), step):
         if text:
             sheet.write(text)
     if page.result.lines:
-        sheet.tabulate([*table(page)])
-    for text in (*under_table(page), *diagnosis(page.result, lang, page.reveal)):
+        sheet.tabulate([*feedback.table(page)])
+    for text in (*feedback.under_table(page), *feedback.diagnosis(page.result, lang, page.reveal)):
         sheet.write(text)
     for picture in page.pictures:
         sheet.show(picture)
-    for text in at_the_end(page):
+    for text in feedback.at_the_end(page):
         sheet.write(text)
     return sheet.whole()
 
@@ -243,7 +229,7 @@ def _broken(text: str) -> Iterator[str]:
 
 def _as_text(kind: str, page: Feedback) -> bytes:
     """Its lines as plain text, as a table of one column, as JSON, as comments of TOML, as a workbook."""
-    texts = [title(page), *lines(page.result, page.lang, page.reveal)]
+    texts = [feedback.title(page), *feedback.lines(page.result, page.lang, page.reveal)]
     match kind:
         case "csv":
             return "".join(line([each]) for each in texts).encode("utf-8-sig")

@@ -13,15 +13,9 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import CannotWrite, Lang
+from graphkin.homework.platforms import class_report as reports
 from graphkin.homework.platforms import class_table
 from graphkin.homework.platforms import learning_platforms as platform_files
-from graphkin.homework.platforms.class_report import (
-    class_report,
-    report_page,
-    report_record,
-    report_text,
-    write_class_figure,
-)
 from graphkin.homework.platforms.class_table import Overrides, read_overrides
 from graphkin.homework.platforms.copies import with_copies
 from graphkin.homework.platforms.feedback import Feedback, Reveal
@@ -271,16 +265,17 @@ def _each(platform: str, order: Order) -> WrittenResults:
 
 def _report(order: Order) -> WrittenResults:
     """The class in words, as data and as a figure."""
-    report = class_report(order)
-    lines = (say("class_report.title", order.lang), *map(clean, report_text(report, order.lang, order.names)))
+    report = reports.class_report(order)
+    lines = (say("class_report.title", order.lang), *map(clean, reports.report_text(report, order.lang, order.names)))
     words = order.lines("class-report.txt", (f"{line}\n" for line in lines), _REPORT)
-    data = order.lines("class-report.json", [json.dumps(report_record(report), ensure_ascii=True) + "\n"], _JSON)
+    record = json.dumps(reports.report_record(report), ensure_ascii=True)
+    data = order.lines("class-report.json", [record + "\n"], _JSON)
     figure = order.folder / "class-report.svg"
-    remark = write_class_figure(figure, report, order.lang, order.force)
+    remark = reports.write_class_figure(figure, report, order.lang, order.force)
     drawn = figure.read_text("utf-8")
     page = order.folder / "class-report.html"
     with beside(page, order.force, [PAGE]) as draft:
-        draft.write_bytes(report_page(report, order.lang, order.names, drawn[drawn.index("<svg") :]))
+        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn[drawn.index("<svg") :]))
     return WrittenResults((words, data, figure, page), () if remark is None else (remark.message(order.lang),))
 
 
