@@ -115,21 +115,11 @@ def write_results(
     Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
     CannotWrite, and what going through the results raises.
     """
-    order = _order(
-        folder, results, lang, reveal, assignment, pictures, force=force, several=several, names=names or {}
-    )
+    overrides = prepared(folder)
+    most = max((result.most for result in results), default=Decimal(0))
+    results, names = with_copies(results, lang), names or {}
+    order = Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several, names)
     return RESULTS[kind](order)
-
-
-def _order(
-    folder: Path, results: Sequence[Result], lang: Lang, reveal: Reveal = "hint", assignment: str = "",
-    pictures: Pictures = lambda result, lang, reveal: (), *, force: bool, names: Mapping[str, str],
-    several: Sequence[Mapping[str, Trace]] = (),
-) -> Order:  # fmt: skip
-    """With the overrides in the folder, and remarks on copies."""
-    most, overrides = max((result.most for result in results), default=Decimal(0)), prepared(folder)
-    marked = with_copies(results, lang)
-    return Order(folder, marked, lang, reveal, assignment, pictures, force, overrides, most, several, names)
 
 
 def prepared(folder: Path) -> Overrides:
@@ -162,10 +152,11 @@ def write_gradebook(
     """The points of a class in several problems, with the overrides in their folders, as `csv` or `xlsx`.
 
     Raises as `write_results`."""
-    marked = {
-        name: [*_order(folder / name, results, lang, names=names or {}, force=force)]
-        for name, results in problems.items()
-    }  # fmt: skip
+    marked = {}
+    for name, results in problems.items():
+        overrides, most = prepared(folder / name), max((result.most for result in results), default=Decimal(0))
+        same = with_copies(results, lang)
+        marked[name] = [*Order(folder, same, lang, "hint", "", lambda *asked: (), force, overrides, most)]
     path, rows = folder / f"class.{kind}", class_table.gradebook(marked, names or {}, lang)
     with beside(path, force, _BOOK if kind == "csv" else ZIP_MARKS) as draft:
         if kind == "csv":
