@@ -110,7 +110,7 @@ def praise(result: Result, lang: Lang) -> str:
     whole = not any(line.verdict == "wrong" or line.written for line in result.lines)
     if right == len(every):
         return say("feedback.praise all" if whole else "feedback.praise asked", lang)
-    much = "most" if 2 * right >= len(every) else "some"
+    much = "most" if 3 * right >= 2 * len(every) else "some"
     return say(f"feedback.praise {much}", lang, right=right, count=len(every))
 
 
