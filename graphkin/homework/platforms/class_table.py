@@ -59,7 +59,8 @@ def rows(
         }
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
         diagnosis = as_on_sheets(result, suspected(result.suspicions[0], lang)) if result.suspicions else ""
-        row = [*front_cells, *middle, say("common.semicolon", lang).join(look_at(result, lang)), diagnosis]
+        look = (reason.rstrip(".。") for reason in look_at(result, lang))
+        row = [*front_cells, *middle, say("common.semicolon", lang).join(look), diagnosis]
         yield [*row, *([say("common.semicolon", lang).join(habits)] if several else [])]
 
 
@@ -114,7 +115,7 @@ def gradebook(problems: Marked, called: Called, lang: Lang) -> Iterator[list[Cel
             status = "not marked" if name in handed_in else "absent"
             cells.append(points[0] if points else say(f"verdicts.status {status}", lang))
         total = sum((cell for cell in cells if isinstance(cell, Decimal)), Decimal(0))
-        reasons = (f"{name}{say('common.colon', lang)}{reason}" for name, results in handed_in.items()
+        reasons = (f"{name}{say('common.colon', lang)}{reason.rstrip('.。')}" for name, results in handed_in.items()
                    for result in results for reason in look_at(result, lang))  # fmt: skip
         score = _percent(total / whole) if whole else None
         look = say("common.semicolon", lang).join(reasons)
