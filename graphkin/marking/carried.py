@@ -67,8 +67,11 @@ class Carried:
             loose = agrees & ~rooted
             who = np.flatnonzero(loose.any(axis=1))
             if not who.size:
-                return replace(self, agrees=agrees)
+                break
             agrees[who, np.where(loose, costs, np.inf)[who].argmin(axis=1)] = False
+        by_itself = self.agrees & ~agrees
+        enters = {j: into & ~by_itself for j, into in self.enters.items()}
+        return replace(self, agrees=agrees, values=np.where(by_itself, np.nan, self.values), enters=enters)
 
     def own(self, k: int, n: int) -> dict[str, float]:
         """The own values of student k that enter quantity n."""
@@ -130,12 +133,13 @@ class CarriedProblem:
         only = own[:, None] == np.arange(given.shape[1])
         followed = self._values(given[who], only)
         for n, others, _ in self._otherwise(given[who], only):  # the nearer of both ways
+            every = np.where(np.arange(given.shape[1]) == n, others[:, None], followed)
+            off, before = (np.abs(differences(self.table, given[who], each))[:, n] for each in (every, followed))
             with np.errstate(invalid="ignore"):
-                nearer = np.abs(given[who, n] - others) < np.abs(given[who, n] - followed[:, n])
-            followed[nearer, n] = others[nearer]
+                followed[off < before, n] = others[off < before]
         moved = np.abs(differences(self.table, followed, self.table.right)) > _FELT * self.table.scatter
         others = (moved & np.isfinite(given[who]) & ~self._alike[own]).sum(axis=1)
-        some = others >= np.where(self.usable(given)[who, own], 1, _SEVERAL)
+        some = others >= np.where(self.usable(given)[who, own], 0, _SEVERAL)
         who, own, followed = who[some], own[some], np.where(only, np.nan, followed)[some]
         values, scatters = np.full((2, *given.shape, given.shape[1]), np.nan)
         values[who, own], scatters[who, own] = followed, self._scatter(followed, self._left[own])
@@ -236,10 +240,12 @@ class CarriedProblem:
         for backwards in (False, True)[: 1 + several]:
             own = self._rotations(given, used, backwards)
             yield from by_contacts(self.plot, self.quantities, self.table.right, own)
-            sources = frozenset[int]().union(*(rate.sources for rate in own.rates.values()))
+            omegas = frozenset[int]().union(*(off.sources for rate, off in own.rates.items() if rate[0] == "omega"))
+            sources = omegas.union(*(off.sources for off in own.rates.values()))
             if sources and self._images:
                 values = self._values(given, used, True, backwards)
-                yield from ((n, values[:, n], sources) for n in range(len(self.quantities)))
+                for n, quantity in enumerate(self.quantities):
+                    yield n, values[:, n], omegas if quantity.unit in ("rad/s", "m/s") else sources
 
     @cached_property
     def _images(self) -> bool:

@@ -16,12 +16,13 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.marking.key import Columns, Hypotheses, Key, Name, agrees, columns_of, differences
-from graphkin.marking.weights import FITS, ONE, TWO, ScaledExplanations, SlipOutcomes, Weighed
+from graphkin.marking.weights import FITS, ONE, TWO, ScaledExplanations, SlipOutcomes, Weighed, shifts
 
 MARGIN = 3.0  # explanations whose weights differ by less cannot be told apart: a factor of 20
 _LIKELY = 0.5
 _SURE = 0.9  # so probable is a mistake that does not explain all
 _SAME = 0.5  # explanations whose values differ by less, in standard deviations, are one
+_STAYS = 1.0  # a value that is moved by fewer standard deviations is left as it is
 _CHANCE = 0.008  # a hit that random numbers make more often is no hint
 _BESIDE_SLIP = 6.0  # a mistake and a slip whose weights differ by less are one set
 _AT_ONCE = 1 << 16  # weights that are held at once
@@ -127,7 +128,8 @@ class Explainer:
         who, row = np.nonzero(same)
         values, scatters = outcomes.of(who, row)
         reach = np.fmax(self._table.tolerance, FITS * scatters)
-        follows = wrong[who] & (agrees(self._table, given[who], values, reach) | outcomes.slip_at(row))
+        follows = agrees(self._table, given[who], values, reach) & ~(shifts(self._table, values) < _STAYS)
+        follows = wrong[who] & (follows | outcomes.slip_at(row))
         # some of a set may say nothing of what is wrong
         explained = np.bincount(who[follows.any(axis=1)], minlength=len(given)) > 0
         same &= explained[:, None]

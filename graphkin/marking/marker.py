@@ -27,6 +27,7 @@ from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, 
 from graphkin.marking.records import Departure, Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import called_as_asked, same_answers
+from graphkin.marking.weights import shifts
 from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
 from graphkin.running import replay_all
@@ -202,7 +203,8 @@ class Marker:
         self, given: np.ndarray, wrong: np.ndarray, carried: Carried, astray: np.ndarray,
         diagnosed: Sequence[Diagnosis], costs: np.ndarray,
     ) -> AfterMistake:  # fmt: skip
-        """All but the first value that the named mistakes of each student explain follow from it: first in costs."""
+        """Of the values that a student's named mistakes explain all follow but one for each: the first in costs that it
+        moves."""
         explains, left = np.zeros_like(wrong), (wrong & ~carried.agrees) | astray
         values = np.full(given.shape, np.nan)
         named = [k for k, one in enumerate(diagnosed) if one.explanations]
@@ -216,10 +218,19 @@ class Marker:
             explains[drawn] |= self.problem.near(given[drawn], outcomes.values) & wrong[drawn]
             explains[drawn] |= outcomes.turned & astray[drawn]
         explains &= left
-        first = np.where(explains, costs, np.inf).argmin(axis=1)
-        # nothing is gained by handing in nought
-        follows = explains & (given != 0) & (np.arange(given.shape[1]) != first[:, None])
-        return AfterMistake(values, explains, follows)
+        first = np.zeros_like(wrong)
+        for k in named:
+            for name in diagnosed[k].explanations[0].names[0]:
+                own = explains[k] & ~first[k] & (self._moved_by.get(name, True) | astray[k])
+                if own.any():
+                    first[k, np.where(own, costs[k], np.inf).argmin()] = True
+        return AfterMistake(values, explains, explains & (given != 0) & ~first)  # nothing is gained by nought
+
+    @cached_property
+    def _moved_by(self) -> dict[Name, np.ndarray]:
+        """The values that each mistake moves (n,), as booleans."""
+        moved = shifts(self.table, self.key.singles.values) > 1
+        return {names[0]: row for names, row in zip(self.key.singles.names, moved, strict=True)}
 
     @cached_property
     def _order(self) -> list[DrawnAt]:

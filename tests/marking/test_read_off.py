@@ -148,7 +148,7 @@ def test_an_arrow_astray_tells_mistakes_apart():
     arrows = {text: vector for text, vector in vectors(one, points).items() if text.startswith("v")}
     found, told = one.off_drawing({"velocity": points["velocity"]}, arrows, {})
     assert told == {"v B2": False}
-    for pointing, expected in ((told, {"driver-reversed"}), ({}, {"driver-reversed", "omega-sense", "sense-not-given"})):
+    for pointing, expected in ((told, {"driver-reversed"}), ({}, {"driver-reversed", "omega-sense", "sense-not-given", "slip"})):
         numbers = {text: HandedNumber(abs(vector), points=pointing.get(text)) for text, vector in arrows.items()}
         numbers |= {text: HandedNumber(value) for text, value in found.values.items()}
         (marked,) = one.mark([StudentWork("s", numbers)])
