@@ -52,7 +52,9 @@ def feedback() -> Iterator[tuple[Path, str]]:
     (graded,) = grading.grade(judge, [HOMEWORK / "s1.toml"])
     result, pictures = platforms.from_record(record(graded), Where("s1.toml")), platforms.PolygonPictures(judge)
     for lang, end in (("en", ""), ("zh", "-zh")):
-        told = Feedback(result, lang, "answer", pictures(result, lang, "answer"))
+        told = Feedback(
+            result, lang, "answer", pictures(result, lang, "answer"), problem=pictures.problem(result, lang)
+        )
         yield Path(FEEDBACK) / f"{FEEDBACK}{end}.svg", page(told).decode()
 
 

@@ -42,8 +42,8 @@ relative_option = click.option("--relative", type=click.FloatRange(0, 1), metava
               help="Write all records into a .json file; with --format, a folder of results.")
 @click.option("--format", "kinds", type=click.Choice(RESULT_FORMATS), multiple=True,
               help="What to write into the folder beside the records; again for each further one.")
-@click.option("--reveal", type=click.Choice(["hint", "mistake", "answer"]), default="answer", show_default=True,
-              help="With --format: how much students are told.")
+@click.option("--reveal", type=click.Choice(["hint", "mistake", "answer"]), default="mistake", show_default=True,
+              help="With --format: how much students are told; answer once nothing more may be handed in.")
 @click.option("--assignment", default="graphkin", metavar="NAME",
               help="With --format canvas: the assignment's column in the gradebook.")
 @pencil_option
@@ -81,7 +81,7 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
     Example:
       graphkin grade ex3-1 s1.toml
       graphkin grade key.json class.zip --json
-      graphkin grade key.json class.zip -o results --format csv --format moodle --reveal mistake
+      graphkin grade key.json class.zip -o results --format csv --format moodle --reveal hint
       graphkin grade keys/ handed-in/ -o results --format report --jobs 4
     """
     _Grading(**options).mark(key, submissions)
@@ -227,19 +227,26 @@ class _Grading:
         from graphkin.homework import platforms
 
         several = [platforms.read_traces(file) for file in files] if len(files) > 1 else []
+        book, called = dict[str, Sequence[platforms.Result]](), dict[str, str]()
         for file, judge, problem in zip(files, judges, problems, strict=True):
             results, pictures = platforms.read_results(file), platforms.PolygonPictures(judge)
+            book[file.parent.name], names = results, {} if judge.roster is None else judge.roster.called
+            called |= {student: name for student, name in names.items() if name or student not in called}
             merged = [path.parent for path in map(Path, problem.paths) if path.name == MARKS and path != file]
             for kind in dict.fromkeys((*self.kinds, *(["csv"] if merged else []))):
                 if kind == "json":
                     continue
                 done = platforms.write_results(
                     file.parent, results, kind, self.lang, self.reveal, assignment=self.assignment,
-                    pictures=pictures, force=self.force, several=several, merged=merged,
+                    pictures=pictures, force=self.force, several=several, merged=merged, names=names,
                 )  # fmt: skip
                 click.echo("\n".join(map(str, done.paths)), err=self.as_json)
                 for line in done.left_out:
                     click.echo(line, err=True)
+        for kind in dict.fromkeys(kind for kind in self.kinds if kind in ("csv", "xlsx") and several):
+            assert self.output is not None
+            path = platforms.write_gradebook(self.output, book, kind, self.lang, called, self.force)
+            click.echo(str(path), err=self.as_json)
 
 
 def _line(problem: str, data: Mapping[str, Plain]) -> str:

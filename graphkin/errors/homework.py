@@ -10,10 +10,10 @@ __all__ = [
     "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenSubmission", "HandedTwice", "LetterTwice",
     "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoNumbers", "NoPaperScale", "NoRange",
     "NoRightNumber", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant", "NotAQuestion",
-    "NotAResult", "NotASet",
-    "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform", "NotMarkable", "NothingToMark", "OffTheDrawing",
-    "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SenseDisputed", "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong",
-    "TurnedPage", "TwoNames", "UnknownStudent", "WantsExtra",
+    "NotAResult", "NotASet", "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform", "NotMarkable",
+    "NothingToMark", "OffTheDrawing", "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SameNumbers", "SenseDisputed",
+    "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong", "TurnedPage", "TwoNames", "UnknownStudent",
+    "WantsExtra",
 ]  # fmt: skip
 
 
@@ -87,9 +87,24 @@ class AnotherStudent(GraphkinError):
     student: str
     agreeing: int
     count: int
+    closely: bool = False
     id: ClassVar[str] = "another-student"
-    en = "agrees with {student}'s problem in {agreeing} of {count}"
-    zh = "所交 {count} 个量中有 {agreeing} 个与 {student} 的题目相符"
+    en = "agrees with {student}'s problem{closely} in {agreeing} of {count}"
+    zh = "所交 {count} 个量中有 {agreeing} 个与 {student} 的题目相符{closely}"
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        digits = {"en": " to three digits", "zh": "（前三位数字）"}[lang] if self.closely else ""
+        return {**super()._words(lang), "closely": digits}
+
+
+class SameNumbers(GraphkinError):
+    """Numbers that another student has handed in, too, and that are not simply the right ones."""
+
+    student: str
+    agreeing: int
+    count: int
+    en = "the same numbers as {student}, digit by digit, in {agreeing} of {count}"
+    zh = "与 {student} 共有的 {count} 个量中有 {agreeing} 个数值逐位相同"
 
 
 class NotMarkable(AboutText):

@@ -219,7 +219,7 @@ def _write_common(order: SetOrder, variants: Sequence[Variant], whole: Mapping[s
     problems = [drawn_problem(variants[0].mechanism, lang) for lang in langs]
     _write(students / HAND_IN, html(hand_in_page(problems, WORKBOOK)), order.force)
     with beside(students / WORKBOOK, order.force, _MARKS) as draft:
-        pack(draft, workbook_files(workbook_rows(problems[0]), problems[0].title[:30]))
+        pack(draft, workbook_files({problems[0].title[:30]: workbook_rows(problems[0])}))
     rates = [(one.rates[0], one.rates[1]) for one in whole.values() if one.rates]
     power = set_discriminability(
         [variant.told for variant in variants], (order.pencils.length_mm, order.pencils.angle_deg), rates

@@ -37,6 +37,7 @@ _SAVED = 4  # a detail is drawn where it saves so many leaders, or labels withou
 _EASIER = 0.5  # the burden of a leader in a detail, where lines are wide apart
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
 _CROWD = 60  # among more labels only the detail of the worst knot is tried
+_ROUND = 1.2  # a lens is so many times as large as what it is to show
 _OWN = 3  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
 _NUMERALS = ("I", "II")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -89,6 +90,14 @@ def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Pa
     while len(drawing.views) < len(_NUMERALS) and (more := drawing.relieved()) is not None:
         drawing = more
     return drawing.panel
+
+
+def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Sequence[Place]) -> Panel:
+    """The panel with a detail of the part that holds these places; as it is where it has no room for one."""
+    drawing, middle = _DetailDrawing(panel, draw, _PRIMES[plane]), sum(about) / len(about)
+    knot = _DetailCircle(middle, max(_RADII[0], _ROUND * max(abs(place - middle) for place in about)))
+    view = drawing._view(knot, FreeRoom(panel.scene))
+    return panel if view is None else drawing._with(view).panel
 
 
 @frozen

@@ -201,7 +201,7 @@ def number(value: float, digits: int = 4) -> Label:
 
 
 _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
-_LOW = r"(?:[^\s()（）/|²³·、。，；：,;.]|[,.](?=\w))+"
+_LOW = r"(?:[^\s()（）/|²³·、。，；：:,;.]|[,.](?=\w))+"
 _SIGN = (
     r"(?P<letter>[A-Za-zα-ωṡ]\u0308?)(?P<part>[ⁿᵗᵏʳ]*)"
     rf"(?:_(?P<low>{_LOW})|(?P<digits>\d+))(?P<power>[²³]?)(?![A-Za-z])"

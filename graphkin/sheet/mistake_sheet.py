@@ -1,15 +1,15 @@
-"""The right drawing, and beside it what mistakes make of it, at one scale; a student's own drawing over both.
+"""What mistakes make of a drawing, or a student's own drawing, laid over the right one; a small figure a sheet.
 
-    versions (`Version`) of a plane --> Pictures in a row, a row a plane --> Page on a paper cut to them
+    versions (`Version`) of a plane --> a Picture each --> Page on a paper cut to it
 
-What is laid off or directed otherwise is drawn thick in both; the right drawing is thin. A picture that must not give
-the answer away has the wrong drawing alone, and tells no scale.
+What is laid over is bold, what it lies on is thin; laid off or directed otherwise is emphasised, and a short arrow of
+that kind is magnified. A picture that must not give the answer away has no right drawing, and tells no scale.
 """
 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from graphkin.base.geometry import place
@@ -19,6 +19,7 @@ from graphkin.errors import Lang
 from graphkin.marking.consequences import DrawingComparison
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
+from graphkin.sheet.detail import lens
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import HEAD
 from graphkin.sheet.lettering import joined, plain, point_label
@@ -27,46 +28,43 @@ from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
-from graphkin.sheet.single_figure import Caption, Picture
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions, enlarged
+from graphkin.sheet.single_figure import Caption
+from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions, corners, enlarged
 
 Own = Mapping[Plane, Mapping[str, complex]]
 """A student's drawing as it was measured: points of each plane by their letters, SI, from any of them."""
 
-_WIDE, _HIGH = 92.0, 84.0
-"""Of the room for one of two figures side by side, with its heading and its caption, at most [mm]."""
+_WIDE, _HIGH = 98.0, 96.0
+"""Of the room for a figure with its heading and its caption, at most: so much that a telephone shows arrow heads of
+2.5 mm [mm]."""
 _CROWDED, _LARGE = 22, 2.0
-"""Figures with more labels than this leave out those that others tell, too; with more still they stand under one
-another, in rooms so many times as wide and high."""
+"""Figures with more labels than this leave out those that others tell, too; with more still they have rooms so many
+times as wide and high."""
 _FOOT = 7.0
-_SMALL = 14.0  # a figure that comes out smaller beside another has a scale of its own [mm]
 _OFF = 2.5  # a point of the student's that lies farther off than this bears its letter [mm]
 _RING = 0.9  # radius of the circles about the student's points [mm]
 _FAR = 2.0  # points of the student's that would make the figure more than so many times as large are not drawn
+_UNLIKE = 4.0  # drawings of which one is more than so many times as large are not laid over one another
+_GONE, _SHORT = 0.5, 8.0  # arrows that are missing, and those that are magnified, are shorter [mm]
+_LENS = 52.0  # room for what is magnified [mm]
 _OTHERWISE = 1  # the step that what is drawn otherwise is marked with, until it is emphasised
 
 
-def mistake_sheet(
+def mistake_sheets(
     method: Method, plot: Plot, *, found: DrawingComparison | None = None, own: Own | None = None, answer: bool = True,
     lang: Lang = "en",
-) -> Sheet | None:  # fmt: skip
-    """The planes that mistakes change, and those that a student has drawn; None where there is nothing to show.
+) -> list[Sheet]:  # fmt: skip
+    """The planes that mistakes change, and those that a student has drawn; none where there is nothing to show.
 
     plot    the right drawing
     found   what mistakes draw otherwise; the right drawing alone where left out
     own     the student's drawing, laid over with its pole on the pole
     answer  whether the right drawing may be shown: without it, the drawing with the mistakes alone
     """
-    panels, top = list[Panel](), 0.0
-    for plane in PLANES:
-        if row := [*_versions(method, plot, plane, found, own or {}, answer)]:
-            panels += _row(row, top, answer, lang)
-            top = panels[-1].room.bottom + _FOOT
-    if not panels:
-        return None
-    paper = Paper("figure", max(panel.room.right for panel in panels) + 1, top, 0.0)
-    page = Page(paper, panels, method.mechanism, plot.facts.values, lang, title=say("pictures.title", lang))
-    return page.sheet().upto(_OTHERWISE).redrawn(lambda mark: replace(mark, step=None))
+    return [
+        version.sheet(answer, lang) for plane in PLANES
+        for version in _versions(method, plot, plane, found, own or {}, answer)
+    ]  # fmt: skip
 
 
 @frozen
@@ -74,19 +72,48 @@ class Version:
     """A plane as it is drawn by somebody.
 
     name    its name in the catalogue, to be said under it
-    thin    only to be compared with
-    arrows, images   drawn otherwise, as in `Beside`
-    own     the student's points, from the pole
+    arrows, images   drawn otherwise, as in `DrawingComparison`
+    own     points that are laid over it, from the pole
     """
 
     method: Method
     plane: Plane
     plot: Plot
     name: str
-    thin: bool = False
     arrows: frozenset[frozenset[str]] = frozenset()
     images: frozenset[str] = frozenset()
     own: Mapping[str, complex] | None = None
+
+    def sheet(self, answer: bool, lang: Lang) -> Sheet:
+        """As large as a page has room for; with its scale where it may be told."""
+        extent = Extent.of(self.places(), self.figure)
+        times = _LARGE if extent.labels > _CROWDED else 1.0
+        scale = extent.finest(Room(0, HEAD, times * _WIDE, times * _HIGH - _FOOT))
+        short = self._short(scale) if self.plane != "position" else []
+        high = HEAD + extent.size.imag / scale + extent.reach.imag + _FOOT
+        window = extent.window(Room(0, HEAD, times * _WIDE, high - _FOOT), scale)
+        caption = Caption((say(f"pictures.under {self.name}", lang),), _FOOT, first=4.0)
+        for more in (0.0, _LENS) if short else (0.0,):  # a lens stands in the figure, or else under it
+            cell = Room(0.0, 0.0, times * _WIDE, high + more)
+            plain = Panel(self.figure(window), window, cell.inset(1, HEAD + 1, _FOOT), after=tuple(caption.drawn(cell)))
+            panel = lens(plain, self.figure, self.plane, [window(at) for at in short]) if short else plain
+            if panel is not plain:
+                break
+        head = heading(HEADINGS[lang][self.plane], self.plane, scale, cell)
+        panel = replace(panel, before=head if answer else head[:1], plane=None)
+        paper, title = Paper("figure", cell.right, cell.bottom, 0.0), HEADINGS[lang][self.plane]
+        page = Page(paper, [panel], self.method.mechanism, self.plot.facts.values, lang, title=title)
+        return page.sheet().upto(_OTHERWISE).redrawn(lambda mark: replace(mark, step=None))
+
+    def _short(self, scale: float) -> list[complex]:
+        """The ends of an arrow that is drawn otherwise and is short in all that is shown, as it is laid over; SI."""
+        drawings = [self._own, self.there] if self._own else [self.there]
+        for ends in sorted(self.arrows, key=sorted):
+            pairs = [[there[name] for name in ends] for there in drawings if ends <= there.keys()]
+            lengths = [abs(pair[-1] - pair[0]) / scale for pair in pairs]
+            if lengths and _GONE < max(lengths) < _SHORT:
+                return pairs[next(k for k, length in enumerate(lengths) if length > _GONE)]
+        return []
 
     @property
     def construction(self) -> Construction:
@@ -96,10 +123,10 @@ class Version:
         """The places that it shows, SI."""
         if self.plane == "position":
             return shown_places(self.method, self.plot)
-        return [*self._there.values(), *self._own.values()]
+        return [*self.there.values(), *self._own.values()]
 
     @property
-    def _there(self) -> Mapping[str, complex]:
+    def there(self) -> Mapping[str, complex]:
         """The polygon's points."""
         names = {self.construction.pole, *self.construction.nodes}
         return {name: place(v) for name, v in self.plot.points(self.plane).items() if name in names}
@@ -107,17 +134,30 @@ class Version:
     def figure(self, window: Window) -> Figure:
         if self.plane == "position":
             figure = plain_mechanism(self.method, self.plot, window).numbered(None)
-            return Figure([self._penned(mark) for mark in figure.marks], figure.wanted)
+            return Figure([self._penned(mark, window.scale) for mark in figure.marks], figure.wanted)
         figure = polygon_figure(self._polygon(self.plot, window))
         crowded = len(figure.wanted) > _CROWDED
         labels = [label for label in figure.wanted if not (crowded and label.spare)]
-        return Figure([self._penned(mark) for mark in figure.marks], labels) + self._over(window)
+        return Figure([self._penned(mark, window.scale) for mark in figure.marks], labels) + self._over(window)
 
     def _polygon(self, plot: Plot, window: Window) -> PolygonFigure:
         return PolygonFigure(self.method.mechanism, self.construction, plot, window, {})
 
-    def _penned(self, mark: Mark) -> Mark:
-        """Thick where it is drawn otherwise; thin where it is only compared with."""
+    def _penned(self, mark: Mark, scale: float) -> Mark:
+        """Emphasised where it is drawn otherwise, or is missing in what is laid over; thin under that."""
+        own = self._own
+        if not own:
+            return self._emphasised(mark)
+        if isinstance(mark, VectorMark) and frozenset((mark.tail, mark.head)) in self.arrows:
+            start, end = own.get(mark.tail), own.get(mark.head)
+            if start is None or end is None or abs(end - start) < _GONE * scale:
+                return self._emphasised(mark)
+        if isinstance(mark, VectorMark | Stroke) and mark.pen in ("vector", "visible"):
+            return replace(mark, pen="thin")
+        return mark
+
+    def _emphasised(self, mark: Mark) -> Mark:
+        """Marked, where it is drawn otherwise."""
         otherwise = False
         match mark:
             case VectorMark(tail=tail, head=head):
@@ -127,16 +167,12 @@ class Version:
                 otherwise = name in self.images
             case Stroke(shows=shows) if shows is not None:
                 otherwise = bool(self.images.intersection(shows.points))
-        if otherwise:
-            return replace(mark, step=_OTHERWISE)
-        if self.thin and isinstance(mark, VectorMark | Stroke) and mark.pen in ("vector", "visible"):
-            return replace(mark, pen="thin")
-        return mark
+        return replace(mark, step=_OTHERWISE) if otherwise else mark
 
     @property
     def _own(self) -> Mapping[str, complex]:
-        """The student's points where this version has its own: the pole upon the pole, or the first upon the first."""
-        there = self._there
+        """The points that are laid over, where it has them: the pole upon the pole, or the first upon the first."""
+        there = self.there
         own = {name: value for name, value in (self.own or {}).items() if name in there}
         if not own:
             return {}
@@ -146,14 +182,15 @@ class Version:
         return {name: value for name, value in laid.items() if value in near}
 
     def _over(self, window: Window) -> Figure:
-        """The student's drawing, dashed; letters in brackets where its points lie elsewhere."""
+        """What is laid over, bold; letters in brackets where its points lie elsewhere."""
         plot = Plot(self.plot.facts)
         plot.points(self.plane).update(self._own)
         polygon = self._polygon(plot, window)
-        figure = Figure([Stroke((arrow.start, arrow.end), "dashed") for arrow in polygon.vectors()])
+        marks = (mark for mark in polygon_figure(polygon).marks if not isinstance(mark, PointMark))
+        figure = Figure([self._emphasised(mark) for mark in marks])
         for name, at in polygon.points.items():
             figure.marks.append(Disc(at, _RING, "thin"))
-            if abs(at - window(self._there[name])) > _OFF:
+            if abs(at - window(self.there[name])) > _OFF:
                 label = joined([plain("("), point_label(name), plain(")")], "")
                 figure.wanted.append(LabelRequest(label, at, gap=_RING))
         return figure
@@ -162,14 +199,26 @@ class Version:
 def _versions(
     method: Method, plot: Plot, plane: Plane, found: DrawingComparison | None, own: Own, answer: bool
 ) -> Iterator[Version]:
-    changed = found is not None and plane in found.planes
+    """The drawing with mistakes over the right one, or beside it where they are not of one size."""
     students = own.get(plane) if plane != "position" else None
-    arrows = found.arrows.get(plane, frozenset()) if found is not None else frozenset()
-    images = found.images.get(plane, frozenset()) if found is not None else frozenset()
-    if answer and (changed or students):
-        yield Version(method, plane, _drawable(plot, plane), "right", changed, arrows, images, students)
-    if changed and found is not None:
-        yield Version(method, plane, _drawable(found.other, plane), "mistake", False, arrows, images, students)
+    right = Version(method, plane, _drawable(plot, plane), "right own" if students else "right", own=students)
+    if found is None or plane not in found.planes:
+        if answer and students:
+            yield right
+        return
+    if plane == "position" and _drawable(found.other, plane) is not found.other:
+        return  # a mechanism that does not close
+    arrows, images = found.arrows.get(plane, frozenset()), found.images.get(plane, frozenset())
+    right = replace(right, arrows=arrows, images=images)
+    wrong = replace(right, plot=_drawable(found.other, plane), name="mistake own" if students else "mistake")
+    if not answer:
+        yield wrong
+        return
+    first, second = (abs(high - low) for low, high in (corners(each.places()) for each in (right, wrong)))
+    if plane != "position" and (students or 1 / _UNLIKE < (second or 1.0) / (first or 1.0) < _UNLIKE):
+        yield right if students else replace(right, name="right over", own=wrong.there)
+        return
+    yield from (right, wrong)
 
 
 def _drawable(plot: Plot, plane: Plane) -> Plot:
@@ -181,23 +230,3 @@ def _drawable(plot: Plot, plane: Plane) -> Plot:
     drawable.points(plane).clear()
     drawable.points(plane).update(there)
     return drawable
-
-
-def _row(versions: Sequence[Version], top: float, answer: bool, lang: Lang) -> list[Panel]:
-    """Side by side, or under one another, at one scale where all are large enough to be read at it."""
-    extents = [Extent.of(version.places(), version.figure) for version in versions]
-    crowded = max(extent.labels for extent in extents) > _CROWDED
-    wide, high = (_LARGE * _WIDE, _LARGE * _HIGH) if crowded else (_WIDE, _HIGH)
-    finest = [extent.finest(Room(0, HEAD, wide, high - _FOOT)) for extent in extents]
-    scales = [max(finest) if extent.longest / max(finest) >= _SMALL else own for extent, own in zip(extents, finest)]
-    heights = [HEAD + e.size.imag / scale + e.reach.imag + _FOOT for e, scale in zip(extents, scales, strict=True)]
-    panels: list[Panel] = []
-    for k, (version, extent, scale) in enumerate(zip(versions, extents, scales, strict=True)):
-        cell = Room(k * wide, top, (k + 1) * wide, top + max(heights))
-        if crowded:
-            cell = Room(0.0, top + sum(heights[:k]), wide, top + sum(heights[: k + 1]))
-        caption = Caption((say(f"pictures.under {version.name}", lang),), _FOOT, first=4.0)
-        panel = Picture(extent, version.figure, caption).panel(cell.inset(0, HEAD, 0), scale)
-        head = heading(HEADINGS[lang][version.plane], version.plane, scale, cell)
-        panels.append(replace(panel, before=head if answer else head[:1], plane=None))
-    return panels

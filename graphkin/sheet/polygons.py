@@ -244,7 +244,7 @@ class PolygonFigure:
             for point in self.mechanism.named(link):
                 owners = self.mechanism.owners[point]
                 own = (name for site, name in sites.items() if site.point == point and site.link in owners)
-                names += [pole] if FRAME in owners else [name for name in own if name in self.points][:1]
+                names += [name for name in ([pole] if FRAME in owners else own) if name in self.points][:1]
             if len(set(names)) > 2:
                 yield link, list(dict.fromkeys(names))
 

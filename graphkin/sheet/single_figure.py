@@ -125,9 +125,24 @@ class Picture:
 def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
     """The figure of a problem at the position of a plot: the mechanism with its letters, and nothing that is found."""
     alone = place_for(method, [plot], mechanism_places(method, plot), None)
-    bare = bare_figure(method, Skeleton(method.mechanism, plot, alone.window, {}))
-    figure = Figure([plainly(mark) for mark in bare.marks], bare.wanted)
-    return alone.sheet(plot, HEADINGS[lang]["position"], figure, lang)
+    return alone.sheet(plot, HEADINGS[lang]["position"], _given(method, plot, alone.window), lang)
+
+
+def problem_picture(method: Method, plot: Plot, size: complex, lang: Lang) -> Sheet:
+    """The same, on a paper no larger than this [mm], with nothing around it."""
+    extent = Extent.of(mechanism_places(method, plot), partial(_given, method, plot))
+    scale = extent.finest(Room(0, 0, size.real, size.imag))
+    whole = extent.size / scale + extent.reach
+    room = Room(0, 0, whole.real, whole.imag)
+    window = extent.window(room, scale)
+    panel = Panel(_given(method, plot, window), window, room)
+    paper = Paper("figure", room.right, room.bottom, 0.0)
+    return Page(paper, [panel], method.mechanism, plot.facts.values, lang).sheet()
+
+
+def _given(method: Method, plot: Plot, window: Window) -> Figure:
+    bare = bare_figure(method, Skeleton(method.mechanism, plot, window, {}))
+    return Figure([plainly(mark) for mark in bare.marks], bare.wanted)
 
 
 # --- one grid for sheets of several figures ---------------------------------------------------------------------------

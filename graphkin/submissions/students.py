@@ -154,6 +154,12 @@ class Roster:
                 new.append(other)
         return Roster([*own.values(), *new])
 
+    @property
+    def called(self) -> dict[str, str]:
+        """The students by id with their names, as far as the list has them."""
+        each = ((id, _called(student).items()) for id, student in self.students.items())
+        return {id: next((text for text, field in texts if field == "name"), "") for id, texts in each}
+
     def numbered(self, text: str) -> frozenset[str]:
         """Those whom a platform gives this number: `4460`, `Participant 4460`."""
         own = self._ids.get(folded(text), ()) if len(text) >= _OF_A_SCHOOL else ()

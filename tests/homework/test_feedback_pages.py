@@ -28,8 +28,8 @@ from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.say.catalogue import say
 from graphkin.sheet import Sheet, sheet
-from graphkin.sheet.marks import Disc, Stroke, Text, VectorMark
-from graphkin.sheet.mistake_sheet import mistake_sheet
+from graphkin.sheet.marks import Disc, Text, VectorMark
+from graphkin.sheet.mistake_sheet import mistake_sheets
 from graphkin.sheet.obstacles import bounds
 from graphkin.submissions.submission import MeasuredDrawing
 
@@ -84,13 +84,13 @@ def test_what_is_drawn_otherwise(name, mistakes, otherwise):
     assert ends(found(name, *mistakes)) == otherwise
 
 
-def arrows(of: Sheet, name: str) -> list[VectorMark]:
-    return [mark for mark in of.marks if isinstance(mark, VectorMark) and mark.name == name]
+def arrows(of: list[Sheet], name: str) -> list[VectorMark]:
+    return [mark for one in of for mark in one.marks if isinstance(mark, VectorMark) and mark.name == name]
 
 
 def test_both_polygons_are_to_one_scale():
     """MARKING's values of example 3-1: a^r 0.1846 where all is right, 2.168 without Coriolis; a_B2 2.4 in both."""
-    picture = mistake_sheet(*drawn("ex3-1"), found=found("ex3-1", ("coriolis-omitted",)))
+    picture = mistake_sheets(*drawn("ex3-1"), found=found("ex3-1", ("coriolis-omitted",)))
     right, wrong = (mark.length for mark in arrows(picture, "a_B2"))
     assert right == pytest.approx(wrong)
     lengths = [mark.length / right * 2.4 for mark in arrows(picture, "a^r_B3B2")]
@@ -103,24 +103,24 @@ def test_both_polygons_are_to_one_scale():
 
 def test_a_mistake_of_another_size_keeps_the_right_polygon_legible():
     """Three orders of magnitude apart: each at a scale of its own, which is told."""
-    picture = mistake_sheet(*drawn("ex3-1"), found=found("ex3-1", ("conversion", "carried", "omega 3", "10³")))
+    picture = mistake_sheets(*drawn("ex3-1"), found=found("ex3-1", ("conversion", "carried", "omega 3", "10³")))
     right, wrong = arrows(picture, "a^n_B3D")
     assert min(right.length, wrong.length) > 3
     assert len({text for text in texts(picture) if "(m/s²)/mm" in text}) == 2
 
 
-def texts(of: Sheet) -> list[str]:
-    return ["".join(run.text for run in mark.label) for mark in of.marks if isinstance(mark, Text)]
+def texts(of: list[Sheet]) -> list[str]:
+    return ["".join(run.text for run in mark.label) for one in of for mark in one.marks if isinstance(mark, Text)]
 
 
 @pytest.mark.parametrize("lang", LANGS)
 def test_how_much_is_told(lang):
     """Without the answer there is the wrong drawing alone, and no scale."""
     of = found("ex3-1", ("coriolis-omitted",))
-    whole, alone = (mistake_sheet(*drawn("ex3-1"), found=of, answer=answer, lang=lang) for answer in (True, False))
+    whole, alone = (mistake_sheets(*drawn("ex3-1"), found=of, answer=answer, lang=lang) for answer in (True, False))
     assert [len(arrows(one, "a^t_B3D")) for one in (whole, alone)] == [2, 1]
     assert [any("mm" in text for text in texts(one)) for one in (whole, alone)] == [True, False]
-    assert [say("pictures.under right", lang) in texts(one) for one in (whole, alone)] == [True, False]
+    assert [say("pictures.under right over", lang) in texts(one) for one in (whole, alone)] == [True, False]
 
 
 FAMILIES = [random_mechanisms.six_bar, random_mechanisms.epicyclic, *([random_mechanisms.triad] if RANDOM > 1 else [])]
@@ -135,12 +135,12 @@ def test_any_mistake_in_any_mechanism(make, seed):
     for k in range(seed, len(every), 1 + len(every) // 2):
         of = compare_drawings(method, plot, [every[k], every[-k]])
         own = {plane: points_of(of.other, plane, 1) for plane in ("velocity", "acceleration")}
-        picture = mistake_sheet(method, plot, found=of, own=own, answer=bool(k % 2), lang=LANGS[k % 2])
-        if picture is not None:
-            left, top, right, bottom = bounds(picture.marks)
+        picture = mistake_sheets(method, plot, found=of, own=own, answer=bool(k % 2), lang=LANGS[k % 2])
+        for one in picture:
+            left, top, right, bottom = bounds(one.marks)
             assert (min(left, top), right, bottom) >= (-1, 0, 0)
-            assert (right, bottom) <= (picture.paper.width + 1, picture.paper.height + 1)
-            assert inline(picture).startswith("<svg")
+            assert (right, bottom) <= (one.paper.width + 1, one.paper.height + 1)
+            assert inline(one).startswith("<svg")
 
 
 def points_of(plot: Plot, plane: str, skip: int = 0) -> dict[str, complex]:
@@ -177,16 +177,27 @@ def test_their_polygon_over_both(tmp_path: Path):
     (result,) = graded(judge, handed_in(tmp_path / "s1.svg", "ex3-1", ("coriolis-omitted",)))
     assert result.drawn["acceleration"]["k'"] == pytest.approx(result.drawn["acceleration"]["b2'"], abs=0.01)
     of = found("ex3-1", ("coriolis-omitted",))
-    picture = mistake_sheet(*drawn("ex3-1"), found=of, own=result.drawn)
-    dashed = [mark.places for mark in picture.marks if isinstance(mark, Stroke) and mark.pen == "dashed"]
-    right, wrong = ((mark.start, mark.end) for mark in arrows(picture, "a^t_B3D"))
-    gaps = [min(max(abs(a - c), abs(b - d)) for a, b in dashed) for c, d in (right, wrong)]
-    assert gaps[1] < 0.05, "it is what they drew"
-    assert gaps[0] > 5
+    picture = mistake_sheets(*drawn("ex3-1"), found=of, own=result.drawn)
+    right, own = arrows(picture, "a^t_B3D")
+    assert (right.pen, own.pen) == ("thin", "vector")
+    sizes = [abs(plot.acceleration["b3'"] - plot.acceleration["n3'"]) for plot in (drawn("ex3-1")[1], of.other)]
+    assert own.length / right.length == pytest.approx(sizes[1] / sizes[0], rel=1e-3), "it is what they drew"
     assert "(k′)" in texts(picture), "where they have it, beside the right one"
-    (alone,) = platforms.PolygonPictures(judge)(result, "en", "mistake")
+    sentence, alone = platforms.PolygonPictures(judge)(result, "en", "mistake")
     assert b"mm\xe2" not in alone.data
-    assert say("pictures.dashed", "en") in alone.label
+    assert say("pictures.brackets", "en") in sentence.label
+    assert alone.label == f"Acceleration polygon: {sentence.label}", "for those who hear the page"
+
+
+def test_a_short_arrow_is_magnified():
+    """The Coriolis term of example 3-1 in a polygon of which all else is much larger: a circle, and a larger one."""
+    found_there = found("ex3-1", ("normal-size", "a_B2", "ω1 l_AB"))
+    alone = mistake_sheets(*drawn("ex3-1"), found=found_there, answer=False)
+    short, *lens = arrows(alone, "a_B2")
+    assert (short.length < 8, short.new) == (True, True)
+    assert [(mark.plane, mark.new) for mark in lens] == [("detail", True)]
+    assert lens[0].length > 8
+    assert any(text.startswith("I′") and ": 1)" in text for text in texts(alone))
 
 
 def test_right_work_over_the_right_polygon(tmp_path: Path):
@@ -194,19 +205,19 @@ def test_right_work_over_the_right_polygon(tmp_path: Path):
     (result,) = graded(judge, handed_in(tmp_path / "s1.svg", "ex3-5"))
     pictures = platforms.PolygonPictures(judge)
     assert not result.suspicions
-    (picture,) = pictures(result, "en", "answer")
-    assert picture.label == say("pictures.dashed", "en")
+    sentence, *polygons = pictures(result, "en", "answer")
+    assert (sentence.label, len(polygons)) == (say("pictures.brackets", "en"), 2)
     assert not pictures(result, "en", "mistake")
 
 
 def test_points_far_off_do_not_spoil_the_figure():
     there = drawn("ex3-1")[1].velocity
     own = {"velocity": {"p": 0j, "b2": there["b2"], "b3": 1e30 + 1e30j, "no such": 1j}, "acceleration": {"b2'": 3j}}
-    picture = mistake_sheet(*drawn("ex3-1"), own=own)
-    plain = mistake_sheet(*drawn("ex3-1"), own={"velocity": {"p": 0j}, "acceleration": {"p'": 0j}})
+    picture = mistake_sheets(*drawn("ex3-1"), own=own)
+    plain = mistake_sheets(*drawn("ex3-1"), own={"velocity": {"p": 0j}, "acceleration": {"p'": 0j}})
     (one,), (two,) = (arrows(of, "v_B3B2") for of in (picture, plain))
     assert one.length > 0.3 * two.length
-    assert sum(isinstance(mark, Disc) and mark.pen != "leader" for mark in picture.marks) == 3
+    assert sum(isinstance(mark, Disc) and mark.pen != "leader" for one in picture for mark in one.marks) == 3
 
 
 def test_a_drawing_is_kept_for_marking_anew(tmp_path: Path):
@@ -285,7 +296,7 @@ def test_what_is_not_drawn_otherwise_is_said(tmp_path: Path):
 def test_an_error_of_ours_costs_the_picture_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     judge = grading.judge_from("ex3-1")
     (result,) = graded(judge, answers(tmp_path / "a.toml", "s", '"alpha 3" = 12.5\n"a_k B3B2" = 0'))
-    monkeypatch.setattr("graphkin.homework.platforms.polygon_pictures.mistake_sheet", lambda *a, **k: 1 / 0)
+    monkeypatch.setattr("graphkin.homework.platforms.polygon_pictures.mistake_sheets", lambda *a, **k: 1 / 0)
     (picture,) = platforms.PolygonPictures(judge)(result, "en", "answer")
     assert "ZeroDivisionError" in picture.label
     assert not picture.data
@@ -300,7 +311,7 @@ def test_a_page_for_each(tmp_path: Path):
     platforms.write_results(tmp_path / "out", there, "pages", pictures=pictures)
     pages = sorted((tmp_path / "out" / "pages").iterdir())
     assert len(pages) == 2
-    assert all(page.read_bytes().count(b"<svg") == 1 for page in pages)
+    assert all(page.read_bytes().count(b'<svg role="img"') == 2 for page in pages)
     platforms.write_results(tmp_path / "pl", there, "prairielearn", pictures=pictures)
     assert "data:image/svg+xml;base64," in (tmp_path / "pl" / "prairielearn" / "s1" / "results.json").read_text()
 

@@ -197,6 +197,6 @@ def test_a_page_shows_the_position_of_the_mistake(key: Key, tmp_path: Path):
     wrong = {f"{entry.text} #3": float(v) for entry, v in zip(one.entries, one.singles.values[row], strict=True) if entry.points}
     graded = list(grade(key, [written(tmp_path, "toml", answered(key, wrong))]))
     result = from_record(record(graded[0]), Where(""))
-    (picture,) = PolygonPictures(OneKey(Marker(key)))(result, "en", "answer")
-    assert picture.label.startswith("At position #3.")
+    sentence, picture = PolygonPictures(OneKey(Marker(key)))(result, "en", "answer")
+    assert sentence.label.startswith("At position #3.")
     assert picture.data

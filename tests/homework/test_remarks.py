@@ -59,11 +59,11 @@ def remark(judge: SetMarker, student: str, numbers: dict[str, float]) -> list[st
 def test_another_students_numbers(judge: SetMarker):
     own, other = (right(judge, student) for student in ("20231001", "20231005"))
     printed = {text: float(f"{value:.3g}") for text, value in other.items()}
-    assert remark(judge, "20231001", printed) == ["agrees with 20231005's problem in 5 of 5"]
+    assert remark(judge, "20231001", printed) == ["agrees with 20231005's problem to three digits in 5 of 5"]
     assert remark(judge, "20231005", printed) == []
     assert remark(judge, "20231001", own) == []
     one_own = {**printed, "omega 3": own["omega 3"]}
-    assert remark(judge, "20231001", one_own) == ["agrees with 20231005's problem in 4 of 5"]
+    assert remark(judge, "20231001", one_own) == ["agrees with 20231005's problem to three digits in 4 of 5"]
     assert remark(judge, "20231001", {**one_own, "alpha 3": own["alpha 3"]}) == []
     assert remark(judge, "20231001", dict([*printed.items()][:2])) == []  # two numbers agree with somebody's soon
 
@@ -103,7 +103,7 @@ def test_only_the_teacher_sees_remarks(folder: Path, judge: SetMarker, tmp_path:
     with zipfile.ZipFile(tmp_path / "class.zip", "w") as archive:
         archive.writestr("Li Lei_20231003_assignsubmission_file_/a.svg", drawing.sheet()._repr_svg_())
         archive.writestr("Han Mei_20231005_assignsubmission_file_/a.toml", "[answers]\n" + "".join(f'"{k}" = {v:.4g}\n' for k, v in values.items()))
-    told = "agrees with 20231001's problem in 5 of 5"
+    told = "agrees with 20231001's problem to three digits in 5 of 5"
     sheet = "graphkin's own sheet"
     text = run(str(folder), str(tmp_path / "class.zip"))
     assert (text.count(f"look: {told}"), text.count(sheet)) == (1, 1)
@@ -111,7 +111,7 @@ def test_only_the_teacher_sees_remarks(folder: Path, judge: SetMarker, tmp_path:
     run(str(folder), str(tmp_path / "class.zip"), "-o", str(out), *(word for kind in RESULT_FORMATS for word in ("--format", kind)))
     seen = {str(path.relative_to(out)): texts_in(path) for path in sorted(out.rglob("*")) if path.is_file()}
     there = {name for name, text in seen.items() if "20231001" in text or sheet in text}
-    assert there == {"marks.json", "class.csv", "class.xlsx", "class-report.txt", "class-report.json"}
+    assert there == {"marks.json", "class.csv", "class.xlsx", "class-report.txt", "class-report.json", "class-report.html"}
     data = {one["student"]: one for one in json.loads(seen["marks.json"])["results"]}
     lines_of = map(json.loads, run(str(folder), str(tmp_path / "class.zip"), "--json").splitlines())
     assert {line["student"]: line["remarks"] for line in lines_of} == {student: one["remarks"] for student, one in data.items()}

@@ -27,8 +27,9 @@ from graphkin.submissions.submission import fingerprint, tidy_id
 _EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each [s]
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
 """Reasons that may be gone when it is tried again."""
-_FILES = (errors.NotMarkable, errors.BrokenSubmission, errors.NoNumbers, errors.WantsExtra, errors.TooMuch)
-"""Why a file beside others is not read: the teacher is told."""
+_LOOK = (errors.NotMarkable, errors.BrokenSubmission, errors.NoNumbers, errors.WantsExtra, errors.TooMuch,
+         errors.AnsweredTwice, errors.SenseDisputed)  # fmt: skip
+"""The teacher is told, too, why a file beside others is not read, and of two answers to one question."""
 _GLANCE = 200
 _SHOWN = 80  # letters of an answer that was not read
 _POINTS = {"right": True, "wrong": False}  # of a drawn vector; of a number its sign says it again
@@ -174,7 +175,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     once_more = isinstance(reason, _ONCE_MORE)
     drawn = {} if one.drawn is None else one.drawn.in_si()
     remarks = [remark for drawing in one.drawings.values() for remark in drawing.remarks]
-    remarks += [note for note in one.notes if isinstance(note, _FILES)]
+    remarks += [note for note in notes if isinstance(note, _LOOK)]
     return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn, (*remarks,))
 
 

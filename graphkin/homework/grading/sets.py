@@ -216,6 +216,7 @@ def judge_from(source: str, pencils: Pencils = USUAL, listed: Path | None = None
 _FEWEST, _PART = 3, 0.8  # so many numbers, and this part of them, agree with one other problem
 _CHANCE = 0.01  # a hit that random numbers make more often, on some problem of the set, is no hint
 _READ = ("unit", "sort", "right", "scatter", "tolerance")  # of a key's quantities
+_THIRD = 0.005  # of a right value
 _NEAREST = 0.1  # closer than this, in standard deviations, is no better
 
 
@@ -262,7 +263,10 @@ class Neighbours:
         ball = (np.pi * np.sum(z[best] ** 2)) ** (n / 2) / math.gamma(n / 2 + 1)
         if len(self.students) * ball * np.prod(cells) > _CHANCE:
             return None
-        return AnotherStudent(self.students[best], int(agrees[best].sum()), len(some))
+        closely = off[best] <= _THIRD * np.abs(self._right[best, which])  # half a unit of the third digit, at most
+        return AnotherStudent(
+            self.students[best], int(agrees[best].sum()), len(some), bool((closely | ~agrees[best]).all())
+        )
 
 
 # --- the problems that are to be marked -------------------------------------------------------------------------------

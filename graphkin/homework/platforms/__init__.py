@@ -17,11 +17,12 @@ To add a format: a file with one function, and its line in `set_formats` or `res
 from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
 from graphkin.homework.platforms.question import ProblemSet
-from graphkin.homework.platforms.result import from_record, read_results, read_traces
-from graphkin.homework.platforms.result_formats import prepared, write_results
+from graphkin.homework.platforms.result import Result, from_record, read_results, read_traces
+from graphkin.homework.platforms.result_formats import prepared, write_gradebook, write_results
 from graphkin.homework.platforms.set_formats import write_set
 
 __all__ = [
-    "PolygonPictures", "ProblemSet", "Reveal", "from_record", "prepared", "read_results", "read_traces",
+    "PolygonPictures", "ProblemSet", "Result", "Reveal", "from_record", "prepared", "read_results", "read_traces",
+    "write_gradebook",
     "write_results", "write_set",
 ]  # fmt: skip

@@ -7,13 +7,17 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from decimal import Decimal
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import habit, suspected
+from graphkin.homework.platforms.feedback import called, habit, in_letters, suspected
+from graphkin.homework.platforms.markup import in_html
+from graphkin.homework.platforms.pages import document, typeset
+from graphkin.homework.platforms.question import texts_in
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Explanation, Habit
@@ -22,6 +26,7 @@ from graphkin.outputs import diagram
 from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, writable
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import say
+from graphkin.sheet.lettering import is_wide
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -106,6 +111,7 @@ class _Count:
         if result.score is not None:
             self.scores[result.score] += 1
         if result.status != "marked":
+            self.remarks.append((result.student, result.file, texts_in([result.reason], "en")[0]))
             return
         for line in result.lines:
             self.verdicts.setdefault(line.text, Counter())[line.verdict] += 1
@@ -147,13 +153,13 @@ class _Count:
         )  # fmt: skip
 
 
-def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
-    """The report in lines."""
+def report_text(report: ClassReport, lang: Lang, names: Mapping[str, str] | None = None) -> Iterator[str]:
+    """The report in lines; names: of students by id, as far as they are known."""
     yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
     if report.spread:
         percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in report.spread.items()}
         yield say("class_report.scores", lang, **percent)
-    mistakes = [say("class_report.mistake", lang, mistake=suspected(one, lang), count=n) for one, n in report.mistakes]
+    mistakes = [say("class_report.mistake", lang, mistake=text, count=n) for text, n in mistake_counts(report, lang)]
     if report.unexplained:
         mistakes.append(say("class_report.unexplained", lang, count=report.unexplained))
     habits = [say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
@@ -167,13 +173,14 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     for step in report.steps:
         shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
         counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
-        verdicts = say("common.list", lang).join(counts)
-        steps.append(say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first))
-    unread = [say("class_report.unread", lang, student=student, name=name, written=text)
+        verdicts, name = say("common.list", lang).join(counts), in_letters(step.name, [step.name])
+        steps.append(say("class_report.step", lang, name=name, verdicts=verdicts, first=step.first))
+    who = partial(_called, names or {}, lang)
+    unread = [say("class_report.unread", lang, student=who(student), name=in_letters(name, [name]), written=text)
               for student, name, text in report.unread]  # fmt: skip
     if report.not_read > len(unread):
         unread.append(say("marks.more", lang, count=report.not_read - len(unread)))
-    remarks = [say("class_report.remark", lang, student=student, file=file, remark=remark)
+    remarks = [say("class_report.remark", lang, student=who(student), file=file, remark=remark)
                for student, file, remark in report.remarks]  # fmt: skip
     parts = {"remarks": remarks, "unread": unread, "steps": steps, "mistakes": mistakes, "habits": habits,
              "distribution": distribution}  # fmt: skip
@@ -181,6 +188,29 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
         if texts:
             yield from ("", say(f"class_report.part {title}", lang))
             yield from (f"  {text}" for text in texts)
+
+
+def _called(names: Mapping[str, str], lang: Lang, student: str) -> str:
+    return called(student, names.get(student, ""), lang)
+
+
+def mistake_counts(report: ClassReport, lang: Lang) -> list[tuple[str, int]]:
+    """The mistakes in words, in the letters of the sheets, with how many students."""
+    names = [step.name for step in report.steps]
+    return [(in_letters(suspected(one, lang), names), count) for one, count in report.mistakes]
+
+
+def report_page(report: ClassReport, lang: Lang, names: Mapping[str, str], figure: str) -> bytes:
+    """The report as a page like those of the students, over the figure, an SVG element."""
+    title, drawn = say("class_report.title", lang), say("class_report.part distribution", lang)
+    plain = {say(f"class_report.part {part}", lang) for part in ("remarks", "unread")}  # with words of students
+    head, *parts = ("\n".join(report_text(report, lang, names))).split("\n\n")
+    body = [f"<header><h1>{in_html(title)}</h1></header><p>{in_html(head)}</p>"]
+    for part, *lines in (part.split("\n  ") for part in parts):
+        if part != drawn:
+            items = "".join(f"<li>{(in_html if part in plain else typeset)(line)}</li>" for line in lines)
+            body.append(f"<h2>{in_html(part)}</h2><ul>{items}</ul>")
+    return document(title, "\n".join([*body, f"<figure>{figure}</figure>"]), lang)
 
 
 def report_record(report: ClassReport) -> dict[str, Plain]:
@@ -210,9 +240,9 @@ def report_record(report: ClassReport) -> dict[str, Plain]:
 
 _MM = 1 / 25.4
 _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
-_TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 6.0, 45.0
+_TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 8.0, 45.0
 _MOST = 25  # mistakes and steps that are shown; tables have the rest
-_LONGEST = 44
+_LONGEST = 38
 _VERDICTS = (
     ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),
     ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"), ("not read", "#bbbbbb", "oo"),
@@ -265,7 +295,7 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
                   label=say(f"verdicts.verdict {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
-    _name_rows(axes, [step.name for step in steps], lang)
+    _name_rows(axes, [in_letters(step.name, [step.name]) for step in steps], lang)
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
                 borderaxespad=0.2, handlelength=1.4, columnspacing=1.0)  # fmt: skip
 
@@ -278,7 +308,7 @@ def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
         _write_instead(axes, say("class_report.nothing diagnosed", lang), *texts)
         return
     axes.barh(range(len(mistakes)), [count for _, count in mistakes], color="#bbbbbb", edgecolor="black", linewidth=0.6)
-    _name_rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in mistakes], lang)
+    _name_rows(axes, [text for text, _ in mistake_counts(report, lang)[:_MOST]], lang)
 
 
 def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
@@ -308,11 +338,25 @@ def _title(axes: Axes, title: str) -> None:
 
 def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:
     """Names beside the bars, the first above; in plain letters, whatever they are."""
-    texts = [name if len(name) <= _LONGEST else name[: _LONGEST - 2] + ".." for name in map(writable, names)]
-    axes.set_yticks(range(len(names)), texts, fontsize=8, parse_math=False)
+    texts = [_shortened(name) for name in map(writable, names)]
+    axes.set_yticks(range(len(names)), texts, fontsize=8, parse_math=False, multialignment="right")
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
     axes.set_xlabel(say("class_report.students", lang), fontsize=8)
     _count_in_wholes(axes.xaxis)
+
+
+def _shortened(name: str) -> str:
+    """As much of a name as there is room for beside a row, in two lines."""
+    lines, wide = [""], 0
+    for letter in name:
+        wide += 2 if is_wide(letter) else 1
+        if wide > _LONGEST:
+            if len(lines) > 1:
+                return "\n".join(lines)[:-2] + ".."
+            whole, space, rest = lines[0].rpartition(" ")
+            lines, wide = ([whole, rest] if space else [lines[0], ""]), len(rest) if space else 0
+        lines[-1] += letter
+    return "\n".join(lines)
 
 
 def _count_in_wholes(axis: Axis) -> None:

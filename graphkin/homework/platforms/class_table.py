@@ -1,4 +1,5 @@
-"""The class as a table: a row a submission, in the order of the results, as CSV and XLSX write it; and overrides.
+"""The class as a table: a row a submission, in the order of the results, then those who handed in nothing, as CSV and
+XLSX write it; the gradebook of several problems; what the teacher should look at; and overrides.
 
 An override is the teacher's own points: a column of the table that survives when the table is written anew.
 """
@@ -6,24 +7,25 @@ An override is the teacher's own points: a column of the table that survives whe
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, Lang, NotAnOverride, Unreadable, Where
-from graphkin.homework.platforms.feedback import habit, suspected
+from graphkin.homework.platforms.feedback import as_on_sheets, habit, in_letters, suspected
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.question import texts_in
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
 from graphkin.marking.records import Judged
 from graphkin.say.catalogue import in_both, say
-from graphkin.say.marks import verdict
+from graphkin.say.marks import how_sure, verdict
 
-_FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
-_BACK = ("remarks", "diagnosis", "reason")
+_FRONT = ("student", "name", "file", "status", "earned", "most", "override", "total", "score percent")
+_BACK = ("remarks", "diagnosis")
+_SURE = 0.9  # a diagnosis that gives points and is less probable is to be looked at
 
 
 def quantities(results: Iterable[Result]) -> tuple[str, ...]:
@@ -34,9 +36,12 @@ def quantities(results: Iterable[Result]) -> tuple[str, ...]:
     return tuple(name for name, shown in met.items() if shown)
 
 
-def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False) -> Iterator[list[Cell]]:
+def rows(
+    results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False, called: Called | None = None
+) -> Iterator[list[Cell]]:
     """The table with its head; with a last column, where this is one of several problems, for what shows in them."""
-    pairs = [text for name in names for text in (name, say("platforms.column part earned", lang, name=name))]
+    lettered = [in_letters(name, names) for name in names]
+    pairs = [text for name in lettered for text in (name, say("platforms.column part earned", lang, name=name))]
     front, back = ([say(f"platforms.column {key}", lang) for key in keys] for keys in (_FRONT, _BACK))
     yield [*front, *pairs, *back, *([say("platforms.column habits", lang)] if several else [])]
     for result in results:
@@ -46,21 +51,76 @@ def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several:
         )
         marked = result.status == "marked"
         front_cells: list[Cell] = [
-            result.student, result.file, say(f"verdicts.status {result.status}", lang),
-            result.earned if marked else None, result.most, result.override, result.total,
-            None if result.score is None else (result.score * 100).quantize(Decimal("0.01")),
+            result.student, (called or {}).get(result.student, ""), result.file,
+            say(f"verdicts.status {result.status}", lang), result.earned if marked else None, result.most,
+            result.override, result.total, _percent(result.score),
         ]  # fmt: skip
         by_name: dict[str, tuple[Cell, Cell]] = {
             line.text: (_cell(line, lang), None if line.written else points_of(line)) for line in result.lines
         }
-        unread = [line.text for line in result.lines if line.written]
-        reasons = [say("marks.unread", lang, quantities=say("common.list", lang).join(unread))] if unread else []
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
-        diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
-        why = say("common.semicolon", lang).join(filter(None, [texts_in([result.reason], lang)[0], *reasons]))
-        remarks = say("common.semicolon", lang).join(result.remarks)
-        row = [*front_cells, *middle, remarks, diagnosis, why]
+        diagnosis = as_on_sheets(result, suspected(result.suspicions[0], lang)) if result.suspicions else ""
+        look = (reason.rstrip(".。") for reason in look_at(result, lang))
+        row = [*front_cells, *middle, say("common.semicolon", lang).join(look), diagnosis]
         yield [*row, *([say("common.semicolon", lang).join(habits)] if several else [])]
+
+
+def _percent(score: Decimal | None) -> Decimal | None:
+    return None if score is None else (score * 100).quantize(HUNDREDTH)
+
+
+def look_at(result: Result, lang: Lang) -> Iterator[str]:
+    """The reasons for which the teacher should look at a submission."""
+    if result.status != "marked":
+        yield texts_in([result.reason], lang)[0]
+    for line in result.lines:
+        if line.written:
+            name = as_on_sheets(result, line.text)
+            yield say("platforms.look unread", lang, name=name, written=one_line(line.written))
+    yield from result.remarks
+    for one in result.suspicions[:1]:
+        if one.probability < _SURE and any(line.of_mistake and points_of(line) for line in result.lines):
+            mistake, sure = as_on_sheets(result, suspected(one, lang)), how_sure(one.probability, (), lang)
+            yield say("platforms.look unsure", lang, mistake=mistake, sure=sure)
+
+
+Called = Mapping[str, str]
+"""The students of a class by id, with their names as far as a list has them."""
+Marked = Mapping[str, Sequence[Result]]
+"""The results of several problems by their names."""
+
+
+def look_rows(problems: Marked, called: Called, lang: Lang) -> Iterator[list[Cell]]:
+    """All that is to be looked at, a reason a row."""
+    yield [say(f"platforms.column {key}", lang) for key in ("student", "name", "in problem", "file", "reason")]
+    for problem, results in problems.items():
+        for result in results:
+            for reason in look_at(result, lang):
+                yield [result.student, called.get(result.student, ""), problem, result.file, reason]
+
+
+def gradebook(problems: Marked, called: Called, lang: Lang) -> Iterator[list[Cell]]:
+    """The points of each student in several problems, and the total; with those who handed in nothing."""
+    keys = ("total", "most", "score percent", "remarks")
+    front, back = [say(f"platforms.column {key}", lang) for key in ("student", "name")], keys
+    yield [*front, *problems, *(say(f"platforms.column {key}", lang) for key in back)]
+    whole = sum((max((one.most for one in results), default=Decimal(0)) for results in problems.values()), Decimal(0))
+    own: dict[str, dict[str, list[Result]]] = {student: {} for student in called}
+    for name, results in problems.items():
+        for result in results:
+            own.setdefault(result.student, {}).setdefault(name, []).append(result)
+    for student, handed_in in own.items():
+        cells: list[Cell] = []
+        for name in problems:
+            points = [one.total for one in handed_in.get(name, ()) if one.total is not None]
+            status = "not marked" if name in handed_in else "absent"
+            cells.append(points[0] if points else say(f"verdicts.status {status}", lang))
+        total = sum((cell for cell in cells if isinstance(cell, Decimal)), Decimal(0))
+        reasons = (f"{name}{say('common.colon', lang)}{reason.rstrip('.。')}" for name, results in handed_in.items()
+                   for result in results for reason in look_at(result, lang))  # fmt: skip
+        score = _percent(total / whole) if whole else None
+        look = say("common.semicolon", lang).join(reasons)
+        yield [student, called.get(student, ""), *cells, total, whole, score, look]
 
 
 def _cell(line: Judged, lang: Lang) -> str:
@@ -69,10 +129,18 @@ def _cell(line: Judged, lang: Lang) -> str:
     return f'{text} "{one_line(line.written)}"' if line.written else text
 
 
-def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]:
-    """Overrides of those who are not among the results gone through so far; they keep a row each."""
+def absent(
+    overrides: Overrides, names: tuple[str, ...], called: Called, there: Container[str], lang: Lang
+) -> Iterator[list[Cell]]:
+    """Those of the class who are not among the results, and overrides of these and of others; a row each."""
+    blank: list[Cell] = [None] * (2 + 2 * len(names) + len(_BACK))
+    rest = {each.student: each for each in overrides.rest()}
+    for student, name in called.items():
+        if student not in there and student not in rest:
+            yield [student, name, "", say("verdicts.status absent", lang), None, None, None, *blank]
     for each in overrides.rest():
-        yield [each.student, each.file, "", None, None, each.points, *[None] * (2 + 2 * len(names) + len(_BACK))]
+        status = "" if each.student in there else say("verdicts.status absent", lang)
+        yield [each.student, called.get(each.student, ""), each.file, status, None, None, each.points, *blank]
 
 
 _LARGEST = Decimal(10**6)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal
 
 from graphkin.base.value import frozen
@@ -22,66 +22,143 @@ from graphkin.say.marks import departs, how_sure, joined, mistake_hint, mistake_
 from graphkin.say.names import symbols, vector
 from graphkin.say.numbers import number
 
+_NAMED = 4  # of what is to be done again not more quantities are named
 Reveal = Literal["hint", "mistake", "answer"]
 """A hint: the verdicts, and where to look again; a mistake: what the numbers are consistent with; the right values."""
 
 
 @frozen
 class Feedback:
-    """The feedback on a result in a language; with pictures, where what it is written as shows any."""
+    """The feedback on a result in a language; with pictures, where what it is written as shows any.
+
+    name     of the student, as far as a list of the class has it
+    problem  its figure, under its title
+    """
 
     result: Result
     lang: Lang
     reveal: Reveal
     pictures: Sequence[ResultPicture] = ()
+    name: str = ""
+    problem: ResultPicture | None = None
 
 
 def title(page: Feedback) -> str:
     """The title of a student's page."""
-    return say("feedback.title for", page.lang, student=one_line(page.result.student))
+    return say("feedback.title for", page.lang, student=called(page.result.student, page.name, page.lang))
+
+
+def called(student: str, name: str, lang: Lang) -> str:
+    """A student by name and id."""
+    known = name and name != student
+    return one_line(say("feedback.student", lang, name=name, student=student) if known else student)
 
 
 def table(page: Feedback) -> Iterator[tuple[str, ...]]:
     """Quantities in columns, under their heads; the first column and the last but one are words, the others numbers."""
-    names = ["marks.column quantity", "feedback.column given", "marks.column verdict", "platforms.column points"]
-    if page.reveal == "answer":
-        names[2:2] = ["marks.column right value", "verdicts.tolerance"]
-    yield tuple(say(name, page.lang) for name in names)
+    right = [say("feedback.column right", page.lang)] if page.reveal == "answer" else []
+    first = [say(name, page.lang) for name in ("marks.column quantity", "feedback.column given")]
+    yield (*first, *right, *(say(name, page.lang) for name in ("marks.column verdict", "platforms.column points")))
     for line in page.result.lines:
-        numbers = [line.given, *([line.right, line.tolerance] if page.reveal == "answer" else [])]
-        values = ["" if x is None else shown(x, line.unit) for x in numbers]
-        values[0] = values[0] or one_line(line.written)
+        values = [one_line(line.written) if line.given is None else shown(line.given, line.unit)]
+        values += [right_value(line)] if right else []
         points, most = exponentless(points_of(line)), exponentless(most_of(line))
-        worth = say("feedback.of", page.lang, points=points, most=most) if most_of(line) else ""
+        worth = say("feedback.of", page.lang, points=points, most=most) if line.points else ""
         yield (as_on_sheets(page.result, line.text), *values, verdict(line, page.lang), worth)
+
+
+def right_value(line: Judged) -> str:
+    """`62.22 ± 3.1 rad/s²`."""
+    edge = EDGE.get(line.unit)
+    factor, unit = (1.0, f" {line.unit}".rstrip()) if edge is None else (edge.factor, edge.after)
+    return f"{number(line.right * factor)} ± {number(line.tolerance * factor, digits=2)}{unit}"
 
 
 def as_on_sheets(result: Result, text: str) -> str:
     """A text with the quantities and the arrows of the problem as the sheets write them: ω3, aᵏ_B3B2."""
-    known = {name for line in result.lines for name in (line.text, line.text.split(" #")[0].split(" @")[0])}
+    return in_letters(text, (line.text for line in result.lines))
+
+
+def in_letters(text: str, names: Iterable[str]) -> str:
+    """A text with these quantities, with rotations and arrows as the sheets write them."""
+    known = {name for whole in names for name in (whole, whole.split(" #")[0].split(" @")[0])}
     turning = ("theta ", "omega ", "alpha ")
     typed = respelled(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
-    return re.sub(r"\b[va]\^[nktr]_[\w@]+", lambda arrow: vector(arrow[0]), typed)
+    return re.sub(r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+", lambda arrow: vector(arrow[0]), typed)
 
 
 def under_table(page: Feedback) -> Iterator[str]:
-    """The arithmetic, and what the numbers are consistent with."""
+    """The arithmetic, and what carried means."""
     result, lang = page.result, page.lang
+    sentences: dict[str, list[str]] = {}  # one for all quantities of which the same is said
     for line in result.lines:
         for text in arithmetic(result, line, lang, page.reveal):
-            name = as_on_sheets(result, line.text)
-            yield say("feedback.stop", lang, text=say("feedback.line", lang, name=name, verdict=text))
+            sentences.setdefault(text, []).append(as_on_sheets(result, line.text))
+    for text, names in sentences.items():
+        name = say("common.list", lang).join(names)
+        yield say("feedback.stop", lang, text=say("feedback.line", lang, name=name, verdict=text))
     if any(line.verdict == "carried" for line in result.lines):
         yield say("verdicts.carried means", lang)
-    yield from diagnosis(result, lang, page.reveal)
+
+
+def praise(result: Result, lang: Lang) -> str:
+    """A word to good work; nothing where there is none."""
+    every = [line for line in result.lines if line.points or line.written] or result.lines
+    right = sum(line.verdict not in ("wrong", "missing", "not read") for line in every)
+    if not right:
+        return ""
+    whole = not any(line.verdict == "wrong" or line.written for line in result.lines)
+    if right == len(every):
+        return say("feedback.praise all" if whole else "feedback.praise asked", lang)
+    much = "most" if 3 * right >= 2 * len(every) else "some"
+    return say(f"feedback.praise {much}", lang, right=right, count=len(every))
+
+
+def next_step(page: Feedback) -> str:
+    """The one thing to do next; nothing where all is right."""
+    result, lang = page.result, page.lang
+    if page.reveal == "hint" and result.suspicions:
+        return "".join(_hints(result.suspicions[0], lang)[:1])
+    for kind, names in _to_do(result):
+        if names:
+            asked = [line.text for line in result.lines if line.points and line.text in names] or names
+            listed = as_on_sheets(result, say("common.list", lang).join(asked[:_NAMED]))
+            look = "".join(_hints(result.suspicions[0], lang)[:1]) if kind == "mistake" else ""
+            return say(f"feedback.next {kind}", lang, look=look, names=listed)
+    return ""
+
+
+def _to_do(result: Result) -> Iterator[tuple[str, list[str]]]:
+    """What there may be to do, the most useful first, with the quantities."""
+    wrong = [line for line in result.lines if line.verdict == "wrong"]
+    yield "unread", [line.text for line in result.lines if line.written]
+    if result.suspicions:
+        yield "mistake", [*result.suspicions[0].explains]
+    yield "unit", [line.text for line in wrong if not line.unit_right]
+    yield "sense", [line.text for line in wrong if line.credit and line.sense == "wrong"]
+    yield "departure", [result.departure.text] if result.departure is not None else []
+    yield "wrong", [line.text for line in wrong][:1]
+    yield "missing", [line.text for line in result.lines if line.verdict == "missing" and line.points]
+
+
+_PLACE = re.compile(r"^[^\n]*?\.\w{1,5}(?:![^\n]*?)?(?::\d+)?(?:, (?P<key>[^:：\n]{1,80}))?[:：] ?(?=\S)")
+_FOLDERS = re.compile(r"(?:[^\s/\\'\"：，]*[/\\])+([^/\\\s:：]+\.\w{1,5})(?::\d+)?")
+
+
+def without_place(text: str, lang: Lang) -> str:
+    """A sentence about a file without its path, which is of the teacher's machine; the key in the file is kept."""
+    match = _PLACE.match(text)
+    rest = text if match is None else text[match.end() :]
+    key = "" if match is None else (match["key"] or "").removeprefix("answers.")
+    return (key and key + say("common.colon", lang)) + _FOLDERS.sub(r"\1", rest)
 
 
 def at_the_end(page: Feedback) -> Iterator[str]:
-    """Notes on what was passed over, and the points that count; of what was not marked, why."""
+    """Notes on what was passed over; of what was not marked, why."""
     if page.result.status == "not marked":
         yield reason(page.result, page.lang)
-    yield from (say("feedback.note", page.lang, note=as_on_sheets(page.result, note)) for note in page.result.notes)
-    yield from points_that_count(page.result, page.lang)
+    yield from (say("feedback.note", page.lang, note=as_on_sheets(page.result, without_place(note, page.lang)))
+                for note in page.result.notes)  # fmt: skip
 
 
 def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
@@ -89,7 +166,10 @@ def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     for each in result.lines:
         yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
     yield from diagnosis(result, lang, reveal)
-    yield from at_the_end(Feedback(result, lang, reveal))
+    page = Feedback(result, lang, reveal)
+    yield from filter(None, (praise(result, lang), "" if reveal == "hint" else next_step(page)))
+    yield from at_the_end(page)
+    yield from points_that_count(result, lang)
 
 
 def reason(result: Result, lang: Lang) -> str:
@@ -97,7 +177,7 @@ def reason(result: Result, lang: Lang) -> str:
     unread = [one_line(line.written) for line in result.lines if line.written]
     without = "feedback.waits" if unread else "feedback.no reason"
     why = texts_in([result.reason], lang)[0] or say(without, lang, written=say("common.list", lang).join(unread))
-    return say("feedback.not marked why", lang, reason=why)
+    return say("feedback.not marked why", lang, reason=without_place(why, lang))
 
 
 def quantity(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> str:
@@ -109,11 +189,10 @@ def quantity(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> str:
         texts.append(say("feedback.given", lang, value=one_line(line.written)))
     texts += arithmetic(result, line, lang, reveal)
     if reveal == "answer":
-        right, tolerance = shown(line.right, line.unit), shown(line.tolerance, line.unit)
-        texts.append(say("feedback.answer", lang, value=right, tolerance=tolerance))
-    if most := most_of(line):
-        earned = exponentless(points_of(line))
-        texts.append(say("feedback.points of", lang, points=earned, most=exponentless(most)))
+        texts.append(say("feedback.answer", lang, value=right_value(line)))
+    if line.points:
+        earned, most = exponentless(points_of(line)), exponentless(most_of(line))
+        texts.append(say("feedback.points of", lang, points=earned, most=most))
     return say("common.semicolon", lang).join(texts)
 
 

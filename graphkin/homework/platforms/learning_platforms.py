@@ -18,7 +18,15 @@ from typing import TypeVar
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import Reveal, diagnosis, lines, points_that_count, quantity, reason
+from graphkin.homework.platforms.feedback import (
+    Reveal,
+    as_on_sheets,
+    diagnosis,
+    lines,
+    points_that_count,
+    quantity,
+    reason,
+)  # fmt: skip
 from graphkin.homework.platforms.markup import clean, in_html, inside
 from graphkin.homework.platforms.pages import KINDS, Page
 from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture, most_of, points_of
@@ -105,9 +113,10 @@ def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     tests: list[Plain] = []
     for each in result.lines:
         good = each.verdict not in ("wrong", "missing", "not read") and points_of(each) >= most_of(each)
-        test = _gradescope_test(each.text, quantity(result, each, lang, reveal), "passed" if good else "failed")
+        name = as_on_sheets(result, each.text)
+        test = _gradescope_test(name, quantity(result, each, lang, reveal), "passed" if good else "failed")
         worth = {"score": float(points_of(each)), "max_score": float(most_of(each))}
-        tests.append({**test, **worth} if most_of(each) else test)
+        tests.append({**test, **worth} if each.points else test)
     if text := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_gradescope_test(say("feedback.diagnosis", lang), text, "failed"))
     if result.status == "not marked":
@@ -151,9 +160,11 @@ def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence
         return {"gradable": False, "format_errors": [clean(reason(result, lang))], **mark}
     texts = [*points_that_count(result, lang)]
     tests = [
-        _prairielearn_test(one.text, float(points_of(one)), float(most_of(one)), quantity(result, one, lang, reveal))
-        for one in result.lines
-    ]
+        _prairielearn_test(
+            as_on_sheets(result, one.text), float(points_of(one)), float(most_of(one)),
+            quantity(result, one, lang, reveal),
+        ) for one in result.lines
+    ]  # fmt: skip
     if text := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_prairielearn_test(say("feedback.diagnosis", lang), 0.0, 0.0, text))
     return {

@@ -1,8 +1,9 @@
-"""Pictures for a page of feedback: the polygons that a mistake changes, and a drawing that was handed in over them.
+"""Pictures for a page of feedback: the figure of the problem, the polygons that a mistake changes, and a drawing that
+was handed in over them.
 
-How much is shown goes with what is told. A hint has no picture. With the mistake there is the drawing that it leads to
+How much is shown goes with what is told. A hint has no polygon. With the mistake there is the drawing that it leads to
 alone, without a scale: what the student has drawn, if the mistake is the one, and no value to copy. With the answer
-the right drawing stands beside it.
+it lies over the right drawing.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from graphkin.errors import Lang, OwnFault, Where
 from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.feedback import Reveal, as_on_sheets
 from graphkin.homework.platforms.result import Result, ResultPicture
+from graphkin.homework.problems.posed import shown_at
 from graphkin.marking import Rewrite, rewrites
 from graphkin.marking.consequences import DrawingComparison, compare_drawings
 from graphkin.marking.diagnosis import Explanation
@@ -20,10 +22,14 @@ from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of
 from graphkin.outputs.svg import inline
+from graphkin.running import replay_all
 from graphkin.say.catalogue import say
 from graphkin.say.marks import mistakes_together
-from graphkin.sheet.mistake_sheet import mistake_sheet
+from graphkin.sheet.mistake_sheet import mistake_sheets
+from graphkin.sheet.page import Sheet
+from graphkin.sheet.single_figure import problem_picture
 
+_FIGURE = complex(80.0, 60.0)  # of the problem, at most [mm]
 _KEPT = 64  # pictures that are held ready: many students of one key make one mistake
 _SAME = 8  # so many mistakes that cannot be told apart are tried, for one that draws something otherwise
 
@@ -36,6 +42,7 @@ class PolygonPictures:
         self._marker: Marker | None = None
         self._ready: dict[tuple[object, ...], list[ResultPicture]] = {}
         self._rewrites: dict[int, Mapping[Name, Rewrite]] = {}
+        self._figures: dict[tuple[str, ...], ResultPicture] = {}
 
     def __call__(self, result: Result, lang: Lang, reveal: Reveal) -> Sequence[ResultPicture]:
         if reveal == "hint" or result.status != "marked" or not (result.suspicions or result.drawn):
@@ -54,36 +61,51 @@ class PolygonPictures:
             self._ready[key] = self._pictures(marker, result, lang, reveal)
         return self._ready[key]
 
+    def problem(self, result: Result, lang: Lang) -> ResultPicture | None:
+        """The figure that the problem shows, under the problem's title; the title alone where there is none."""
+        marker = self._judge.marker(result.student) if result.lines else None
+        if marker is None:
+            return None
+        name = (marker.method.mechanism.headline(lang), marker.method.mechanism.text, lang)
+        if name not in self._figures:
+            shown = shown_at(marker.method, replay_all(marker.method))
+            drawn = None if shown is None else problem_picture(marker.method, shown[0], _FIGURE, lang)
+            self._figures = {name: ResultPicture(name[0], _SVG, b"" if drawn is None else inline(drawn).encode())}
+        return self._figures[name]
+
     def _pictures(self, marker: Marker, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
         """One for each explanation; where there is none, the student's drawing over the right one. An error of ours
         costs the picture, not the page, and is said there."""
         explanations = [(one.names, _position(one)) for one in result.suspicions] or [((), 1)]
         try:
-            pictures = [self._picture(marker, at, names, result, lang, reveal) for names, at in explanations]
-            return [picture for picture in pictures if picture is not None]
+            return [
+                picture for names, at in explanations
+                for picture in self._explained(marker, at, names, result, lang, reveal)
+            ]  # fmt: skip
         except Exception as problem:
             reason = OwnFault(Where(result.file), type(problem).__name__).message(lang)
             return [ResultPicture(say("pictures.none", lang, reason=reason), "", b"")]
 
-    def _picture(
+    def _explained(
         self, marker: Marker, at: int, names: Sequence[tuple[Name, ...]], result: Result, lang: Lang, reveal: Reveal
-    ) -> ResultPicture | None:
-        """The drawing at a position; the student's own is of the first."""
+    ) -> list[ResultPicture]:
+        """The drawings at a position, after a sentence that says what they show; the student's own is of the first."""
         here = marker.positions[at - 1]
         mistake, changed = self._otherwise(here, at, names)
         answer, own = reveal == "answer", result.drawn if at == 1 else {}
-        sheet = mistake_sheet(here.method, here.plot, found=changed, own=own, answer=answer, lang=lang)
-        if sheet is None:
-            return ResultPicture(say("pictures.nothing", lang), "", b"") if mistake else None
+        sheets = mistake_sheets(here.method, here.plot, found=changed, own=own, answer=answer, lang=lang)
+        if not sheets:
+            return [ResultPicture(say("pictures.nothing", lang), "", b"")] if mistake else []
         label = [say("pictures.position", lang, at=at)] if at > 1 else []
         if changed is not None:
             shows = as_on_sheets(result, mistakes_together(mistake, lang))
             label.append(say("pictures.shows", lang, mistake=shows))
             thick = any(changed.arrows.values()) or any(changed.images.values())
             label += [say("pictures.thick", lang)] if thick else []
-            label += [] if answer else [say("pictures.no scale", lang)]
-        label += [say("pictures.dashed", lang)] if own else []
-        return ResultPicture(say("pictures.between", lang).join(label), "image/svg+xml", inline(sheet).encode())
+        label += [say("pictures.brackets", lang)] if own or answer else []
+        label += [] if answer else [say("pictures.no scale", lang)]
+        sentence = say("pictures.between", lang).join(label)
+        return [ResultPicture(sentence, "", b""), *(_drawn(sheet, sentence, lang) for sheet in sheets)]
 
     def _otherwise(
         self, here: Marker, at: int, names: Sequence[tuple[Name, ...]]
@@ -99,6 +121,14 @@ class PolygonPictures:
             if changed.planes:
                 return mistake, changed
         return next(iter(known), ()), None
+
+
+_SVG = "image/svg+xml"
+
+
+def _drawn(sheet: Sheet, sentence: str, lang: Lang) -> ResultPicture:
+    label = sheet.title + say("common.colon", lang) + sentence
+    return ResultPicture(label, _SVG, inline(sheet).encode())
 
 
 def _position(one: Explanation) -> int:

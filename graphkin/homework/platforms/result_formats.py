@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from decimal import Decimal
 from functools import partial
 from itertools import chain, islice
@@ -13,23 +13,28 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import CannotWrite, Lang
+from graphkin.homework.platforms import class_report as reports
 from graphkin.homework.platforms import class_table
 from graphkin.homework.platforms import learning_platforms as platform_files
-from graphkin.homework.platforms.class_report import class_report, report_record, report_text, write_class_figure
 from graphkin.homework.platforms.class_table import Overrides, read_overrides
+from graphkin.homework.platforms.copies import with_copies
 from graphkin.homework.platforms.feedback import Feedback, Reveal
 from graphkin.homework.platforms.learning_platforms import Named, canvas, moodle
 from graphkin.homework.platforms.markup import ZIP_MARKS, clean, pack
 from graphkin.homework.platforms.pages import PAGE, html
+from graphkin.homework.platforms.polygon_pictures import PolygonPictures
 from graphkin.homework.platforms.result import Result, ResultPicture
 from graphkin.homework.platforms.tables import BOM, Cell, line, printed, workbook_files, write_lines
 from graphkin.marking.diagnosis import Trace, habits
 from graphkin.outputs.files import beside
-from graphkin.say.catalogue import in_both, say
+from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.submissions import safe_name
 
 CLASS_TABLE = "class.csv"  # in this table of a results folder teachers write their overrides
 _JSON, _TABLE = (b'"graphkin"',), (b"override",)
+_BOOK = tuple(
+    ",".join(say(f"platforms.column {key}", lang) for key in ("student", "name")).encode() for lang in LANGUAGES
+)
 _REPORT = tuple(title.encode() for title in in_both("class_report.title").values())
 
 
@@ -51,6 +56,7 @@ class Order:
     results   gone through as often as a format needs it
     pictures  makes those of a student's page of feedback
     several   the mistakes that the results of each student speak for, in all problems of which this is one
+    names     of the students of the class, by id
     """
 
     folder: Path
@@ -63,6 +69,7 @@ class Order:
     overrides: Overrides
     most: Decimal
     several: Sequence[Mapping[str, Trace]] = ()
+    names: Mapping[str, str] = field(default_factory=dict)
 
     def __iter__(self) -> Iterator[Result]:
         """The results, with the teacher's points and habits; what was not marked, or not read as a
@@ -75,7 +82,9 @@ class Order:
 
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""
-        return Feedback(result, self.lang, self.reveal, self.pictures(result, self.lang, self.reveal))
+        lang, name = self.lang, self.names.get(result.student, "")
+        problem = self.pictures.problem(result, lang) if isinstance(self.pictures, PolygonPictures) else None
+        return Feedback(result, lang, self.reveal, self.pictures(result, lang, self.reveal), name, problem)
 
     def lines(self, name: str, lines: Iterable[str], marks: Sequence[bytes]) -> Path:
         """A file of text in the folder."""
@@ -95,13 +104,14 @@ class Order:
 def write_results(
     folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
     assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
-    several: Sequence[Mapping[str, Trace]] = (), merged: Sequence[Path] = (),
+    several: Sequence[Mapping[str, Trace]] = (), merged: Sequence[Path] = (), names: Mapping[str, str] | None = None,
 ) -> WrittenResults:  # fmt: skip
     """Results into a folder, which is made where it is not there.
 
     pictures  makes those of a student's page (`PolygonPictures`); none where left out
     several   of all problems of which this is one, as `read_traces` gives them
     merged    folders of other graders, whose overrides count, too
+    names     of all students of the class by id, where there is a list of them (`Roster.called`)
 
     Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
     CannotWrite, and what going through the results raises.
@@ -111,7 +121,9 @@ def write_results(
         overrides = overrides.joined(read_overrides(other / CLASS_TABLE).kept)
     overrides.among(results)
     most = max((result.most for result in results), default=Decimal(0))
-    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several))
+    results, names = with_copies(results, lang), names or {}
+    order = Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several, names)
+    return RESULTS[kind](order)
 
 
 def prepared(folder: Path) -> Overrides:
@@ -130,18 +142,49 @@ def _made(folder: Path) -> Path:
 
 
 def _table(order: Order) -> Iterator[Sequence[Cell]]:
-    """The class table; those with an override who are not here come last, known when all others are through."""
-    names = class_table.quantities(order.results)
+    """The class table; those who are not here come last, known when all others are through."""
+    names, there = class_table.quantities(order.results), {result.student for result in order.results}
     several = len(order.several) > 1
-    table = chain(class_table.rows(order, names, order.lang, several), class_table.absent(order.overrides, names))
+    rows = class_table.rows(order, names, order.lang, several, order.names)
+    table = chain(rows, class_table.absent(order.overrides, names, order.names, there, order.lang))
     return class_table.commented(table, order.overrides, order.lang)
+
+
+def write_gradebook(
+    folder: Path, problems: Mapping[str, Sequence[Result]], kind: str, lang: Lang = "en",
+    names: Mapping[str, str] | None = None, force: bool = False,
+) -> Path:  # fmt: skip
+    """The points of a class in several problems, with the overrides in their folders, as `csv` or `xlsx`.
+
+    Raises as `write_results`."""
+    marked = {}
+    for name, results in problems.items():
+        overrides, most = prepared(folder / name), max((result.most for result in results), default=Decimal(0))
+        same = with_copies(results, lang)
+        marked[name] = [*Order(folder, same, lang, "hint", "", lambda *asked: (), force, overrides, most)]
+    path, rows = folder / f"class.{kind}", class_table.gradebook(marked, names or {}, lang)
+    with beside(path, force, _BOOK if kind == "csv" else ZIP_MARKS) as draft:
+        if kind == "csv":
+            write_lines(draft, chain([BOM], map(line, rows)))
+        else:
+            pack(draft, workbook_files(_sheets(rows, marked, names or {}, lang)))
+    return path
+
+
+def _sheets(
+    rows: Iterable[Sequence[Cell]], problems: Mapping[str, Sequence[Result]], names: Mapping[str, str], lang: Lang
+) -> Mapping[str, Iterable[Sequence[Cell]]]:
+    """The class, and what is to be looked at."""
+    look = class_table.look_rows(problems, names, lang)
+    return {say("platforms.gradebook", lang): rows, say("class_report.part remarks", lang): look}
 
 
 def _written_table(kind: str, order: Order) -> WrittenResults:
     if kind == "csv":
         path = order.lines(CLASS_TABLE, chain([BOM], map(line, _table(order))), _TABLE)
     else:
-        path = order.packed("class.xlsx", workbook_files(_table(order), say("class_report.title", order.lang)))
+        sheets = _sheets(_table(order), {"": [*order]}, order.names, order.lang)
+        path = order.packed("class.xlsx", workbook_files(sheets))
     names = (each.student or each.file for each in order.overrides.rest())
     clashes = (
         say(
@@ -226,13 +269,18 @@ def _each(platform: str, order: Order) -> WrittenResults:
 
 def _report(order: Order) -> WrittenResults:
     """The class in words, as data and as a figure."""
-    report = class_report(order)
-    lines = (say("class_report.title", order.lang), *map(clean, report_text(report, order.lang)))
+    report = reports.class_report(order)
+    lines = (say("class_report.title", order.lang), *map(clean, reports.report_text(report, order.lang, order.names)))
     words = order.lines("class-report.txt", (f"{line}\n" for line in lines), _REPORT)
-    data = order.lines("class-report.json", [json.dumps(report_record(report), ensure_ascii=True) + "\n"], _JSON)
+    record = json.dumps(reports.report_record(report), ensure_ascii=True)
+    data = order.lines("class-report.json", [record + "\n"], _JSON)
     figure = order.folder / "class-report.svg"
-    remark = write_class_figure(figure, report, order.lang, order.force)
-    return WrittenResults((words, data, figure), () if remark is None else (remark.message(order.lang),))
+    remark = reports.write_class_figure(figure, report, order.lang, order.force)
+    drawn = figure.read_text("utf-8")
+    page = order.folder / "class-report.html"
+    with beside(page, order.force, [PAGE]) as draft:
+        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn[drawn.index("<svg") :]))
+    return WrittenResults((words, data, figure, page), () if remark is None else (remark.message(order.lang),))
 
 
 RESULTS: Mapping[str, Callable[[Order], WrittenResults]] = {

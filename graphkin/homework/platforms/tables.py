@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import ROUND_HALF_UP, ROUND_UP, Decimal
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -107,21 +107,36 @@ def read_table(path: Path) -> Iterator[list[str]]:
 
 _MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 _KIND = "application/vnd.openxmlformats-officedocument.spreadsheetml"
+_WIDEST = 60  # letters of a column that are shown
 _LONGEST = 32_767  # letters that a cell of Excel holds
 
 
-def workbook_files(rows: Iterable[Iterable[Cell]], name: str) -> Iterator[tuple[str, bytes | Iterable[bytes]]]:
-    """The files of the workbook, row by row. name: of its one sheet."""
-    parts = (("/xl/workbook.xml", f"{_KIND}.sheet.main+xml"), ("/xl/worksheets/sheet1.xml", f"{_KIND}.worksheet+xml"))
+def workbook_files(sheets: Mapping[str, Iterable[Iterable[Cell]]]) -> Iterator[tuple[str, bytes | Iterable[bytes]]]:
+    """The files of the workbook: sheets by name, each whose head stays when it is moved."""
+    paths = [f"worksheets/sheet{k}.xml" for k in range(1, len(sheets) + 1)]
+    parts = [("/xl/workbook.xml", f"{_KIND}.sheet.main+xml")]
+    parts += [(f"/xl/{path}", f"{_KIND}.worksheet+xml") for path in paths]
     yield from office_package(parts, "xl/workbook.xml")
-    sheet = element("sheet", name=name, sheetId="1", **{"r:id": "rId1"})
-    yield "xl/workbook.xml", xml(element("workbook", element("sheets", sheet), xmlns=_MAIN, **{"xmlns:r": OFFICE}))
-    yield "xl/_rels/workbook.xml.rels", office_link("worksheet", "worksheets/sheet1.xml")
-    yield "xl/worksheets/sheet1.xml", _sheet(rows)
+    names = (element("sheet", name=name, sheetId=f"{k}", **{"r:id": f"rId{k}"}) for k, name in enumerate(sheets, 1))
+    yield "xl/workbook.xml", xml(element("workbook", element("sheets", *names), xmlns=_MAIN, **{"xmlns:r": OFFICE}))
+    yield "xl/_rels/workbook.xml.rels", office_link("worksheet", *paths)
+    for path, rows in zip(paths, sheets.values(), strict=True):
+        yield f"xl/{path}", _sheet([[*row] for row in rows])
 
 
-def _sheet(rows: Iterable[Iterable[Cell]]) -> Iterator[bytes]:
-    yield f'<?xml version="1.0" encoding="UTF-8"?>\n<worksheet xmlns="{_MAIN}"><sheetData>'.encode()
+def _sheet(rows: Sequence[Sequence[Cell]]) -> Iterator[bytes]:
+    yield f'<?xml version="1.0" encoding="UTF-8"?>\n<worksheet xmlns="{_MAIN}">'.encode()
+    if len(rows) > 1:
+        texts = [[one_line(str(row[k])) for row in rows if k < len(row)] for k in range(len(rows[0]))]
+        widths = (min(_WIDEST, 2 + max(len(text) + sum(letter > "\u2e7f" for letter in text) for text in column))
+                  for column in texts)  # fmt: skip
+        yield (
+            '<sheetViews><sheetView workbookViewId="0"><pane ySplit="1" topLeftCell="A2" state="frozen"/></sheetView>'
+            "</sheetViews><cols>"
+            + "".join(f'<col min="{k}" max="{k}" width="{wide}" customWidth="1"/>' for k, wide in enumerate(widths, 1))
+            + "</cols>"
+        ).encode()
+    yield b"<sheetData>"
     for number, row in enumerate(rows, 1):
         yield f'<row r="{number}">{"".join(_cell(cell, k, number) for k, cell in enumerate(row))}</row>'.encode()
     yield b"</sheetData></worksheet>\n"
