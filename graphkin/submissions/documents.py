@@ -37,7 +37,7 @@ _LONGEST_CELL = 1 << 16
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
 _KEY = re.compile(r"""\s*(?:["“”„]([^"“”„]*)["“”„]|'([^']*)'|([^=＝≈:：\s"'“”„][^=＝≈:：]*?))\s*[=＝≈:：]""")
 """Quotes are those that word processors make of plain ones, too; an equals sign may be as wide as a Chinese letter."""
-_ANSWER = re.compile(r"\s*(?:[vaωα][A-Z_^ ]|[vaωα]\d|omega|alpha|角)[^#]*[0-9]", re.IGNORECASE)
+_ANSWER = re.compile(r"\s*[^\W\d].*[0-9]")  # words with a number
 _HEADER = re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]\s*")
 _TABLES = ("answers", "answer", "values", "results", "答案")
 _SCALES = ("scales", "scale", "比例尺")
