@@ -68,6 +68,9 @@ def measured(
     claimed = {**picture.scales, **written, **stated}
     scales = numbers.stated_by(asked.mechanism) | calibrated | claimed
     turned = {plane: cmath.phase(drawn / value) for plane, (drawn, value) in first.items()} if limits.turned else {}
+    page = turned.get("acceleration", 0.0)  # a driver's own acceleration does not tell its sense
+    if abs(cmath.phase(cmath.rect(1.0, turned.get("velocity", page) - page))) > math.pi - _STRAIGHT:
+        turned["velocity"] = page  # half a turn of the velocities alone is the sense of a driver
     drawing = MeasuredDrawing(letters.points, scales, turned, where)
     vectors = _drawn(picture, drawing, shapes, questions)
     values = {name: HandedValue("", abs(vector), vector=vector) for name, vector in vectors.items()}

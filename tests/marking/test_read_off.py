@@ -169,6 +169,15 @@ def test_a_drawing_with_the_driver_reversed_is_marked(tmp_path: Path):
     assert any("driver-reversed" in each.ids for each in found.marked.diagnosis.explanations)
 
 
+def test_a_page_may_be_turned_and_the_driver_not(tmp_path: Path):
+    """Half a turn of the velocities alone is the driver's sense."""
+    points = next(points for rewrite, points in made("ex3-1") if rewrite.name[0] == "driver-reversed")
+    (tmp_path / "s1.svg").write_text(svg(points, {"velocity": 0.005, "acceleration": 0.05}), encoding="utf-8")
+    (found,) = grade(marker("ex3-1").key, [tmp_path / "s1.svg"], Limits(turned=True))
+    assert found.marked is not None, found.reason
+    assert {each.text: each.verdict for each in found.marked.judged}["omega 3"] == "wrong"
+
+
 def test_directions_stay_when_marks_are_made_anew(tmp_path: Path):
     one = marker("ex3-1")
     points = next(points for rewrite, points in made("ex3-1") if rewrite.name[0] == "coriolis-reversed")
