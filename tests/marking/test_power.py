@@ -135,9 +135,10 @@ def test_other_right_ways_are_told_nothing(name: str):
         assert [one.verdict for one in marked.judged if one.given is not None] == ["right"]
         assert not marked.diagnosis.explanations
     for method in other_methods(marker.method):
-        given = Drawings.of(method, pencil_of(key.marking), Slips(9, 300)).values(marker.quantities)[0]
+        given = Drawings.of(method, pencil_of(key.marking), Slips(9, 1000)).values(marker.quantities)[0]
         given = given[np.isfinite(given).all(axis=1)]
-        assert not any(one.explanations for one in marker.diagnoses(given, marker.judged(given)[1]))
+        told = [bool(one.explanations) for one in marker.diagnoses(given, marker.judged(given)[1])]
+        assert np.mean(told) <= 0.002  # a drawing that errs in all its steps
 
 
 def test_a_drawing_that_does_not_close_is_begun_again():
