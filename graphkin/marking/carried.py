@@ -130,6 +130,9 @@ class CarriedProblem:
         """The outcomes of a slip in each wrong value (students, n) from which others follow that are wrong, too; for
         those of the quantities that are handed in."""
         who, own = np.nonzero(wrong & self.usable(given, of_any_size=True))
+        # of links that turn together a slip in one is a slip in all
+        again = (self._alike[own] & (np.arange(given.shape[1]) < own[:, None]) & wrong[who]).any(axis=1)
+        who, own = who[~again], own[~again]
         only = own[:, None] == np.arange(given.shape[1])
         followed = self._values(given[who], only)
         for n, others, _ in self._otherwise(given[who], only):  # the nearer of both ways
