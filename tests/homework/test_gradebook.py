@@ -3,7 +3,6 @@ and what a page of feedback says to its student."""
 
 from __future__ import annotations
 
-import json
 import re
 from dataclasses import replace
 from html import unescape
@@ -14,11 +13,12 @@ from test_platform_results import quantity, record, results, rows, table, unmark
 
 from graphkin.homework.grading import judge_from
 from graphkin.homework.grading.sets import set_text
-from graphkin.homework.platforms import class_names, write_gradebook, write_results
+from graphkin.homework.platforms import write_gradebook, write_results
 from graphkin.homework.platforms.copies import with_copies
 from graphkin.homework.platforms.feedback import Feedback, next_step, praise, without_place
 from graphkin.homework.platforms.pages import html
 from graphkin.homework.platforms.result import ResultPicture
+from graphkin.submissions import Student
 
 NAMES = {"s1": "Li Lei", "s2": "Han Mei", "s3": ""}
 UNREAD = {"omega 3": quantity(0.0, 0.0, "rad/s", written="see drawing", verdict="not read")}
@@ -56,12 +56,10 @@ def test_a_gradebook_of_several_problems(tmp_path: Path):
 
 
 def test_the_names_of_a_set(tmp_path: Path):
-    assert class_names(judge_from("ex3-1")) == {}
-    (tmp_path / "key.json").write_text(set_text({"1": "1.key.json", "2": "2.key.json"}), "utf-8")
-    assert class_names(judge_from(str(tmp_path))) == {"1": "", "2": ""}
-    students = {"1": {"names": {"班级": "1", "姓名": "朱霞洋"}}, "2": {"names": {}}}
-    (tmp_path / "set.json").write_text(json.dumps({"students": students}), "utf-8")
-    assert class_names(judge_from(str(tmp_path))) == {"1": "朱霞洋", "2": ""}
+    assert judge_from("ex3-1").roster is None
+    students = [Student("1", (("班级", "1"), ("姓名", "朱霞洋"))), Student("2")]
+    (tmp_path / "key.json").write_text(set_text({"1": "1.key.json", "2": "2.key.json"}, students), "utf-8")
+    assert judge_from(str(tmp_path)).roster.called == {"1": "朱霞洋", "2": ""}
 
 
 # --- copies -----------------------------------------------------------------------------------

@@ -63,6 +63,7 @@ def table(page: Feedback) -> Iterator[tuple[str, ...]]:
         values = [one_line(line.written) if line.given is None else shown(line.given, line.unit)]
         values += [right_value(line)] if right else []
         points, most = exponentless(points_of(line)), exponentless(most_of(line))
+        points = "–" if line.written else points  # until the teacher has looked
         worth = say("feedback.of", page.lang, points=points, most=most) if line.points else ""
         yield (as_on_sheets(page.result, line.text), *values, verdict(line, page.lang), worth)
 
@@ -190,7 +191,7 @@ def quantity(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> str:
     texts += arithmetic(result, line, lang, reveal)
     if reveal == "answer":
         texts.append(say("feedback.answer", lang, value=right_value(line)))
-    if line.points:
+    if line.points and not line.written:
         earned, most = exponentless(points_of(line)), exponentless(most_of(line))
         texts.append(say("feedback.points of", lang, points=earned, most=most))
     return say("common.semicolon", lang).join(texts)
