@@ -294,7 +294,7 @@ class Drawing(Readable):
         from graphkin.say import explain
         from graphkin.sheet import scales_of
 
-        scales = scales_of(self.method, self.plot)
+        scales = scales_of(self.method, self.plot, lang)
         keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
         on_paper, plot, ruler = {key: scales[plane] for key, plane in keys.items()}, self.plot, None
         if as_drawn:

@@ -74,7 +74,8 @@ def kept_lines(kept: int, replaced: Sequence[tuple[str, str, str]], lang: Lang) 
     """What became of the records that were there: how many stay, and which work is another now."""
     if kept:
         yield say("marks.kept", lang, count=kept)
-    yield from (say("marks.replaced", lang, student=student, old=old, new=new) for student, old, new in replaced)
+    for student, old, latest in replaced:
+        yield say("marks.replaced", lang, student=student, old=old, latest=latest)
 
 
 def marks_table(rows: Sequence[Sequence[str]]) -> Iterator[str]:

@@ -27,7 +27,7 @@ from graphkin.sheet.layout import Layout, cut_to
 from graphkin.sheet.lettering import formula, plain
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.page import Lettered, Page, Sheet
-from graphkin.sheet.paper import BODY, KEYS, LARGE, Paper, TooLargeForPaper, papers_for
+from graphkin.sheet.paper import BODY, LARGE, Paper, TooLargeForPaper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
 from graphkin.sheet.text_blocks import LINE, broken
@@ -63,7 +63,6 @@ def mechanism_sheet(
         contents = SheetContents(drawing, [] if tight else given_tables(drawing.reading({})), tight)
         return replace(cheapest(contents, paper).lettered.sheet, given=True)
     method, plot = shown(method, plot)
-    method = _at_scales(method, plot, lang) if only is None and paper is None and style == "construction" else method
     drawing = Planes(method, plot, _planes(only), style, lang, paths)
     contents = SheetContents(drawing, [] if tight else tables(method, plot, lang), tight)
     return cheapest(contents, paper).lettered.sheet if upto is None else next(_staged(contents, paper, [upto]))
@@ -75,7 +74,6 @@ def mechanism_step_sheets(
 ) -> Iterator[Sheet]:  # fmt: skip
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     method, plot = shown(method, plot)
-    method = _at_scales(method, plot, lang) if only is None and paper is None else method
     drawing = Planes(method, plot, _planes(only), "construction", lang)
     yield from _staged(SheetContents(drawing, [] if tight else tables(method, plot, lang), tight), paper)
 
@@ -85,19 +83,10 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
     return tuple(plane for plane in PLANES if plane in planes)
 
 
-def scales_of(method: Method, plot: Plot) -> Mapping[Plane, float]:
-    """The scales of the sheet, which are those of every language: as it is laid out in English."""
-    contents = SheetContents(Planes(method, plot, PLANES, "construction", "en"), tables(method, plot, "en"))
+def scales_of(method: Method, plot: Plot, lang: Lang = "en") -> Mapping[Plane, float]:
+    """The scales of the sheet."""
+    contents = SheetContents(Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
     return cheapest(contents, None).layout.scales
-
-
-def _at_scales(method: Method, plot: Plot, lang: Lang) -> Method:
-    """The method at the scales that its whole sheet has in another language."""
-    written = method.mechanism.scales
-    if lang == "en" or all(key in written for key in KEYS.values()):
-        return method
-    scales = {KEYS[plane]: scale for plane, scale in scales_of(method, plot).items()}
-    return replace(method, mechanism=replace(method.mechanism, scales=scales))
 
 
 # --- arrangements -----------------------------------------------------------------------------------------------------
@@ -208,7 +197,7 @@ def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] =
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
     arrangement, drawing = cheapest(contents, paper), contents.drawing
     layout, whole = arrangement.layout, replace(arrangement, stages=True).lettered.sheet
-    others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot)
+    others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
     reading = drawing.reading({**others, **layout.scales})
     entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
     texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}

@@ -36,7 +36,7 @@ PHRASES: Phrases = {
     "marks.note": ("note: {note}", "提示：{note}"),
     "marks.kept": ("{count} earlier records stay, of students who are not among these submissions.",
                    "保留原有记录 {count} 条（本次未提交的学生）。"),
-    "marks.replaced": ("{student}: {new} takes the place of {old}.", "{student}：以 {new} 取代 {old}。"),
+    "marks.replaced": ("{student}: {latest} takes the place of {old}.", "{student}：以 {latest} 取代 {old}。"),
     "marks.interrupted": ("Broken off. What was marked is kept beside {path}; the same command goes on from there.",
                           "已中断。已批改的部分保存在 {path} 旁；再次运行同一命令即可继续。"),
     # === verdicts: one word for each, everywhere
