@@ -3,6 +3,7 @@ and as a figure."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field, replace
@@ -336,10 +337,16 @@ def _title(axes: Axes, title: str) -> None:
     axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
 
 
+_RAISED = str.maketrans({"ᵏ": "^k", "ⁿ": "^n", "ʳ": "^r", "ᵗ": "^t"})
+_ARROW = re.compile(r"\b([va])(?:\^([knrt]))?_([A-Za-z0-9]+)\b")
+
+
 def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:
-    """Names beside the bars, the first above; in plain letters, whatever they are."""
-    texts = [_shortened(name) for name in map(writable, names)]
-    axes.set_yticks(range(len(names)), texts, fontsize=8, parse_math=False, multialignment="right")
+    """Names beside the bars, the first above: arrows as formulas, all else in plain letters, whatever they are."""
+    plain = (_shortened(writable(name.translate(_RAISED))).replace("$", r"\$") for name in names)
+    # beside Chinese letters matplotlib sets no formula
+    texts = [_ARROW.sub(r"$\1^{\2}_{\3}$", text) if text.isascii() else text for text in plain]
+    axes.set_yticks(range(len(names)), texts, fontsize=8, multialignment="right")
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
     axes.set_xlabel(say("class_report.students", lang), fontsize=8)
     _count_in_wholes(axes.xaxis)
