@@ -20,7 +20,7 @@ from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.say.phrases.marking import PHRASES
 
-COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 400)
+COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 800)
 """Random mechanisms of each family; more of them with GRAPHKIN_RANDOM=8000 in the environment."""
 
 

@@ -30,7 +30,7 @@ from graphkin.errors import (
     UnknownStudent,
     WantsExtra,
 )
-from graphkin.submissions import Handed, Limits, ReadableProblem, guarded, handed_in, limited, read_one, safe_name
+from graphkin.submissions import Handed, Limits, ReadableProblem, guarded, handed_in, limited, pool, read_one, safe_name
 from graphkin.submissions.answers import answers
 from graphkin.submissions.archives import decoded
 from graphkin.submissions.documents import read_lines
@@ -313,8 +313,9 @@ def hangs_or_dies(numbers: list[int]) -> list[int]:
     return numbers
 
 
-def test_what_hangs_or_dies_takes_nobody_with_it():
+def test_what_hangs_or_dies_takes_nobody_with_it(monkeypatch: pytest.MonkeyPatch):
     """A worker that is only slow to start is given its time: none of the others is lost to it."""
+    monkeypatch.setattr(pool, "_GRACE", 2.0)
     found = guarded(hangs_or_dies, ([k, k + 1] for k in range(0, 8, 2)), 1, 0.1, lambda number, why: why)
     assert list(found) == [0, 1, 2, "died", 4, "hung", 6, "hung"]
 
