@@ -121,7 +121,7 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     from graphkin.files.lines import as_sketched
     from graphkin.files.links import frame_problems, read_links, read_measures
     from graphkin.files.pairs import read_drivers, read_pairs, read_poses
-    from graphkin.files.schema import complaints, read_tables, stated_values
+    from graphkin.files.schema import CREDIT, complaints, read_tables, stated_values
 
     draft.problems.extend(frame_problems(document.get("frame"), draft.where))
     measures, problems = read_measures(document.get("links"), draft.where)
@@ -144,13 +144,12 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
     pairs = as_sketched(file, draft.links, pairs, (*drivers, *poses), sketch)
     slides = [pair.name for pair in pairs if pair.table == "slide"]
-    worth = {question: file.points.worth.get(question, 1.0) for question in (*file.ask, *file.points.worth)}
     titled = {name: _titles(table.title) for name, table in zip(slides, file.slide, strict=True)}
     machine = MechanismFile(
         name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
         _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
         slide_titles={name: title for name, title in titled.items() if title},
-        worth=worth, follows={"full": 1.0, "half": 0.5, "none": 0.0}[file.points.follows],
+        worth={**dict.fromkeys(file.ask, 1.0), **file.points.worth}, follows=CREDIT[file.points.follows],
         given=Deferred(partial(stated_values, document)),
     )  # fmt: skip
     check_questions(draft, machine)

@@ -25,6 +25,7 @@ Place = Sequence[float]
 Vector = tuple[str, str]
 Side = Literal["left", "right"]
 Follows = Literal["full", "half", "none"]
+CREDIT: Mapping[Follows, float] = {"full": 1.0, "half": 0.5, "none": 0.0}
 
 
 @table

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Image, LayOff, Measure, Plane, Size
-from graphkin.marking.answers import size_of
 from graphkin.marking.carried import CarriedProblem
-from graphkin.marking.consequences import combined
+from graphkin.marking.consequences import combined, table_of, written_otherwise
 from graphkin.marking.follow_through import Followed, Own
 from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.read_off import ASTRAY
@@ -35,7 +34,7 @@ class OwnMistaken(Mistaken):
         plot.met[plane, point] = mistaken = self.crossing(plot, plane, point, right)
         return self.own.crossing(plot, plane, point, mistaken)
 
-    def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+    def further(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         plot.met[plane, step.point] = mistaken = self.corner(plot, plane, step, right)
         return self.own.corner(plot, plane, step, mistaken)
 
@@ -88,19 +87,8 @@ def _with_own(
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         plot = redraw(problem.method, hand.placed(problem.method, problem.plot), hand, hand.shape)
         followed = Followed(problem.method, problem.arrows, plot)
-        answers = [np.broadcast_to(followed.value(quantity).value, hand.shape) for quantity in problem.quantities]
-    values = np.stack([answer.real for answer in answers], axis=1).astype(float)
-    texts: Mapping[str, int] = {quantity.text: k for k, quantity in enumerate(problem.quantities)}
-    for row, column in enumerate(columns):
-        read = values[row].copy()
-        for one in (one for rewrite in column for one in rewrite.asked):
-            k = texts[one.quantity]
-            if one.other:
-                values[row, k] = read[texts[one.other]]
-            elif one.instead is None:
-                values[row, k] *= one.factor.real if isinstance(one.factor, complex) else one.factor
-            else:
-                quantity = problem.quantities[k]
-                other = complex(one.factor * one.instead)
-                values[row, k] = float(size_of(quantity, other)) if problem.table.size[k] else other.real
+        answers = [followed.value(quantity) for quantity in problem.quantities]
+        values = table_of([answer.value for answer in answers], len(columns), float)
+        vectors = table_of([np.nan if a.vector is None else a.vector for a in answers], len(columns), complex)
+        written_otherwise(problem.quantities, columns, values, vectors)
     return values

@@ -45,7 +45,7 @@ def own_rotations(
     turns = plot.facts.turns
     rates: dict[Rate, OffRate] = {}
     stays: dict[Rate, np.ndarray] = {}
-    for k, rate in _rotations(plot, quantities):
+    for k, rate in rotations_of(plot, quantities):
         stays[rate] = stays.get(rate, False) | agree[:, k]
         if used[:, k].any():
             own = OffRate(np.where(used[:, k], given[:, k] - right[k], np.nan), frozenset({k}))
@@ -70,12 +70,12 @@ def by_contacts(
 ) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
     """The rotations of wheels that follow: the number of the quantity, the values (students,), NaN where none follows,
     and the numbers of the own rotations."""
-    for k, rate in _rotations(plot, quantities):
+    for k, rate in rotations_of(plot, quantities):
         if rate in own.wheels:
             yield k, right[k] + own.wheels[rate].off, own.wheels[rate].sources
 
 
-def _rotations(plot: Plot, quantities: Sequence[Quantity]) -> Iterator[tuple[int, Rate]]:
+def rotations_of(plot: Plot, quantities: Sequence[Quantity]) -> Iterator[tuple[int, Rate]]:
     """The quantities that are omega or alpha, by their numbers."""
     turns = plot.facts.turns
     for k, quantity in enumerate(quantities):

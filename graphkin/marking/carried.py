@@ -12,7 +12,7 @@ from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
 from graphkin.construction import Image, Plot
 from graphkin.marking.answers import ArrowPlaces, arrows_of
-from graphkin.marking.by_rotations import OwnRotations, by_contacts, own_rotations
+from graphkin.marking.by_rotations import OwnRotations, by_contacts, own_rotations, rotations_of
 from graphkin.marking.consequences import combined
 from graphkin.marking.follow_through import replay_with
 from graphkin.marking.key import Columns, Key, agrees, columns, differences, sense_only
@@ -25,8 +25,7 @@ _SAME = 1e-6  # an own value that differs from a number of the problem by a smal
 _ANSWERABLE = 5.0  # an own value is carried on between 1/5 and 5 times the right size
 _MOVES = 1e-3  # an own value that moves another by a smaller part of its tolerance does not enter it
 _ROUNDING = 0.015  # of a value that is calculated from others in three digits
-_FELT = 0.3  # others follow from a value that moves one of them by so many standard deviations
-_SEVERAL = 3  # a slip far off is one where so many others follow from it
+_SEVERAL, _FELT = 3, 0.3  # a slip far off is one that moves so many others by so many standard deviations
 _STRETCH = 5.0  # a carried value that is larger than the right one may be off by as much more, within this
 
 
@@ -116,9 +115,8 @@ class CarriedProblem:
     @cached_property
     def _alike(self) -> np.ndarray:
         """Which quantities are one: rotations of links that turn together (quantities, quantities)."""
-        turns = self.plot.facts.turns
-        whose = [(q.word, turns[q.link].base) if isinstance(q, Rotation) and q.link in turns else q.text
-                 for q in self.quantities]  # fmt: skip
+        rates = dict(rotations_of(self.plot, self.quantities))
+        whose = [rates.get(n, (quantity.text,)) for n, quantity in enumerate(self.quantities)]
         return np.array([[one == other for other in whose] for one in whose], dtype=bool)
 
     @cached_property
@@ -127,8 +125,8 @@ class CarriedProblem:
         return once_known(self.key.together)[0]
 
     def slips(self, given: np.ndarray, wrong: np.ndarray, there: np.ndarray) -> SlipOutcomes:
-        """The outcomes of a slip in each wrong value (students, n) from which others follow that are wrong, too; for
-        those of the quantities that are handed in."""
+        """The outcomes of a slip in each wrong value (students, n), of one far off where several others follow from it;
+        for those of the quantities that are handed in."""
         who, own = np.nonzero(wrong & self.usable(given, of_any_size=True))
         # of links that turn together a slip in one is a slip in all
         again = (self._alike[own] & (np.arange(given.shape[1]) < own[:, None]) & wrong[who]).any(axis=1)

@@ -109,15 +109,27 @@ def combined(
     hand = Mistaken(columns)
     placed = hand.placed(method, plot)
     drawn, right, still = redraw(method, placed, hand, hand.shape), redraw(method, plot), redraw(method, placed)
-    numbers = {quantity.text: k for k, quantity in enumerate(quantities)}
     with np.errstate(divide="ignore", invalid="ignore"):  # of what a mistake leaves nothing of
         answers = [drawn_answer(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
     cut = method.mechanism.usual.cut
-    values = _table([cut(answer.value, answer.unit) for answer in answers], len(columns), float)
-    vectors = _table([np.nan if a.vector is None else cut(a.vector, a.unit) for a in answers], len(columns), complex)
+    values = table_of([cut(answer.value, answer.unit) for answer in answers], len(columns), float)
+    vectors = table_of([np.nan if a.vector is None else cut(a.vector, a.unit) for a in answers], len(columns), complex)
+    written_otherwise(quantities, columns, values, vectors)
+    return Consequences(
+        tuple(quantities), tuple(drawn_answer(method, right, quantity, arrows) for quantity in quantities),
+        tuple(map(tuple, columns)), values, vectors,
+        np.array([method.mechanism.usual.size(quantity.unit) for quantity in quantities]), drawn,
+    )  # fmt: skip
+
+
+def written_otherwise(
+    quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]], values: np.ndarray, vectors: np.ndarray
+) -> None:
+    """Puts what is drawn right and written otherwise in the place of what was read (columns, quantities)."""
+    numbers = {quantity.text: k for k, quantity in enumerate(quantities)}
     for row, rewrites in enumerate(columns):
         read, whole = values[row].copy(), vectors[row].copy()
-        for one in (one for rewrite in rewrites for one in rewrite.asked):  # drawn right and written otherwise
+        for one in (one for rewrite in rewrites for one in rewrite.asked):
             if not {one.quantity, one.other or one.quantity} <= numbers.keys():
                 continue
             k = numbers[one.quantity]
@@ -128,14 +140,9 @@ def combined(
                 values[row, k] = size_of(quantities[k], vectors[row, k])
             else:
                 values[row, k] = (one.factor * (values[row, k] if one.instead is None else one.instead)).real
-    return Consequences(
-        tuple(quantities), tuple(drawn_answer(method, right, quantity, arrows) for quantity in quantities),
-        tuple(map(tuple, columns)), values, vectors,
-        np.array([method.mechanism.usual.size(quantity.unit) for quantity in quantities]), drawn,
-    )  # fmt: skip
 
 
-def _table(columns: Sequence[Value], count: int, kind: type) -> np.ndarray:
+def table_of(columns: Sequence[Value], count: int, kind: type) -> np.ndarray:
     if not columns:
         return np.zeros((count, 0), dtype=kind)
     return np.stack([np.broadcast_to(np.asarray(value, dtype=kind), (count,)) for value in columns], axis=1)

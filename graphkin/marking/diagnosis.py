@@ -246,6 +246,11 @@ class Diagnosis:
     explanations: tuple[Explanation, ...] = ()
     evidence: Mapping[str, float] = field(default_factory=dict)
 
+    @property
+    def likeliest(self) -> tuple[Name, ...]:
+        """The mistakes of the likeliest explanation; none where nothing is explained."""
+        return self.explanations[0].names[0] if self.explanations else ()
+
 
 class Diagnostician:
     """Diagnoses by a key those who have handed in the same quantities; what is made ready for these is kept.

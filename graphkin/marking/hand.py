@@ -51,6 +51,9 @@ class PolygonHand(Hand["Redrawing"]):
         wheel = plot.wheels.get(step.link)
         if wheel is not None and wheel.centre != step.corners[2]:
             right = turned_about(plot, plane, step, wheel.centre)
+        return self.further(plot, plane, step, right)
+
+    def further(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         plot.met[plane, step.point] = right
         return self.corner(plot, plane, step, right)
 
@@ -69,7 +72,7 @@ def turned_about(plot: Redrawing, plane: Plane, step: Image, about: str) -> Valu
 
 
 @frozen
-class Wheel:
+class WheelCentre:
     """The centre of a link that rolls, the arm that bears it, and where that one turns."""
 
     centre: str
@@ -94,7 +97,7 @@ class Redrawing(Plot):
     laid: dict[tuple[Plane, str, str], Value] = field(default_factory=dict)
     before: dict[tuple[str, str], Real] = field(default_factory=dict)
     met: dict[tuple[Plane, str], Value] = field(default_factory=dict)
-    wheels: Mapping[str, Wheel] = field(default_factory=dict)
+    wheels: Mapping[str, WheelCentre] = field(default_factory=dict)
     corners: Mapping[tuple[Plane, str], str] = field(default_factory=dict)
     least: Callable[[str], float] = field(default=lambda unit: 0.0)
 
@@ -134,8 +137,8 @@ def redraw(method: Method, right: Plot, hand: PolygonHand = RIGHT, shape: tuple[
     return plot
 
 
-def _wheels(method: Method) -> Iterator[tuple[str, Wheel]]:
+def _wheels(method: Method) -> Iterator[tuple[str, WheelCentre]]:
     for contact in method.structure.tying:
         for wheel, centre, other in zip(contact.wheels, contact.centres, contact.centres[::-1], strict=True):
             if centre:
-                yield wheel, Wheel(centre, contact.arm, other)
+                yield wheel, WheelCentre(centre, contact.arm, other)

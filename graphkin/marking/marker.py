@@ -190,7 +190,7 @@ class Marker:
         costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
         costs = np.repeat(costs[None], len(diagnosed), axis=0)
         for k, one in enumerate(diagnosed):
-            for id, _, text, _ in one.explanations[0].names[0] if one.explanations else ():
+            for id, _, text, _ in one.likeliest:
                 if id == SLIP:
                     costs[k, self._numbers[text]] = -1.0
         return costs
@@ -210,9 +210,9 @@ class Marker:
         named = [k for k, one in enumerate(diagnosed) if one.explanations]
         for k in named:
             explains[k, [self._numbers[text] for text in diagnosed[k].explanations[0].explains]] = True
-        drawn = [k for k in named if all(name in self.known for name in diagnosed[k].explanations[0].names[0])]
+        drawn = [k for k in named if all(name in self.known for name in diagnosed[k].likeliest)]
         if drawn:
-            columns = [tuple(self.known[name] for name in diagnosed[k].explanations[0].names[0]) for k in drawn]
+            columns = [tuple(self.known[name] for name in diagnosed[k].likeliest) for k in drawn]
             outcomes = aftermath(self.problem, columns, given[drawn], wrong[drawn])
             values[drawn] = outcomes.values
             explains[drawn] |= self.problem.near(given[drawn], outcomes.values) & wrong[drawn]
@@ -220,7 +220,7 @@ class Marker:
         explains &= left
         first = np.zeros_like(wrong)
         for k in named:
-            for name in diagnosed[k].explanations[0].names[0]:
+            for name in diagnosed[k].likeliest:
                 own = explains[k] & ~first[k] & (self._moved_by.get(name, True) | astray[k])
                 if own.any():
                     first[k, np.where(own, costs[k], np.inf).argmin()] = True

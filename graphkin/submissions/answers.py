@@ -70,7 +70,8 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
             continue
         question, quantity, unit = read
         value = _value(raw, quantity, unit, scales)
-        value = replace(value, fault=value.fault and value.fault.at(where))
+        if value.fault is not None:
+            value = replace(value, fault=value.fault.at(where))
         first = values.get(question)
         if first is None or first.value is None:  # of two answers one where they say the same, else none
             values[question] = value if first is None or value.value is not None else first

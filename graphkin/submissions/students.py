@@ -13,7 +13,7 @@ import difflib
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import islice
 from pathlib import PurePosixPath
 from typing import Literal
@@ -154,7 +154,7 @@ class Roster:
                 new.append(other)
         return Roster([*own.values(), *new])
 
-    @property
+    @cached_property
     def called(self) -> dict[str, str]:
         """The students by id with their names, as far as the list has them."""
         each = ((id, _called(student).items()) for id, student in self.students.items())
@@ -233,7 +233,7 @@ class Roster:
 
     def label(self, id: str) -> str:
         """The id, and the name where it is known."""
-        return " ".join((id, *[text for text, field in _called(self.students[id]).items() if field == "name"][:1]))
+        return " ".join(filter(None, (id, self.called[id])))
 
     def nearest(self, text: str) -> tuple[str, ...]:
         """Those who are called nearly so."""

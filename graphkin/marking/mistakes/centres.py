@@ -171,15 +171,13 @@ def _by_laws(laws: Sequence[Law], shares: Mapping[str, Sequence[float]], of: str
 
 
 def _on_wheels(scene: Scene, plane: Plane, contact: Contact, rates: Mapping[str, Change]) -> Iterator[Edit]:
-    """Points of wheels found by image, where the wheel's own rotation about its centre puts them; a centre, where the
-    arm's about the other one does."""
+    """Centres of wheels found by image, where the arm's rotation about the other centre puts them."""
+    arm, rate = contact.arm, rates.get(contact.arm)
     for wheel, centre, other in zip(contact.wheels, contact.centres, contact.centres[::-1], strict=True):
+        node = scene.construction(plane).pole if scene.fixed(other) else scene.node(other, arm, plane)
         for step in scene.images(plane).get(wheel, ()) if wheel in rates else ():
-            link, about = (contact.arm, other) if step.corners[2] == centre else (wheel, centre)
-            node = scene.construction(plane).pole if scene.fixed(about) else scene.node(about, link, plane)
-            if link in rates and node is not None:
-                turned = _turned(plane, node, (about, step.corners[2]), link, rates[link])
-                yield Edit(("image", plane, step.point), turned)
+            if step.corners[2] == centre and rate is not None and node is not None:
+                yield Edit(("image", plane, step.point), _turned(plane, node, (other, centre), arm, rate))
 
 
 def _turned(plane: Plane, node: str, arm: tuple[str, str], link: str, rate: Change) -> Change:
