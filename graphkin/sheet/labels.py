@@ -20,7 +20,7 @@ from graphkin.sheet.label_candidates import FARTHEST, LED, MANY, NEAR, Boxes, La
 from graphkin.sheet.label_costs import CROWDED, NEARBY, LabelChoice, LabelTable, under
 from graphkin.sheet.label_requests import LEAST, LabelRequest
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Disc, Mark, Stroke
+from graphkin.sheet.marks import Mark, Stroke
 
 _TOUCH = 0.05  # closer than this to a box's edge is not yet on it [mm]
 _MOST, _LEAST, _ALL = 80, 16, 8000
@@ -226,7 +226,6 @@ class LabelPlacing:
         return [int(label) for label in rows[bad]]
 
 
-_DOT = 0.3  # at the end of a leader on an arrow is a dot of this radius, so that it is plain which of two it means [mm]
 _ROUNDS = 30  # some are left out so often, to give others a place
 _NEIGHBOUR = 15.0  # so near to a label without a place, others that say nothing new are left out [mm]
 
@@ -278,8 +277,6 @@ def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[
             rest = off - edge
             begin = middle + edge + rest / abs(rest) * 0.3 if abs(rest) > 1 else middle + edge
             yield Stroke((begin, at), "leader", step=want.step)
-            if want.of:
-                yield Disc(at, _DOT, "leader", "ink", step=want.step)
 
 
 def _left_out(wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int]) -> list[int]:

@@ -22,7 +22,7 @@ from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
-from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import LABEL, Paper, Room, written
 from graphkin.sheet.titleblock import Strip, strip
@@ -257,24 +257,25 @@ class Lettered:
         page = self.page
         foot: list[Mark] = []
         if page.strip is not None:  # title, results, and the scales that are not over their figures
-            over = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
-            texts, notes = {mark.label for mark in over if isinstance(mark, Text)}, page.strip.notes
+            heads = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
+            texts, notes = {mark.label for mark in heads if isinstance(mark, Text)}, page.strip.notes
             scales = {p: s for p, s in page.scales.items() if written(p, s) not in texts or p in notes}
             foot = strip(page.strip, page.mechanism, page.paper, scales, page.lang)
         yield Layer("sheet", (*foot, *page.base))
         drawn: dict[Plane, list[Mark]] = {}
-        letters: list[tuple[Plane | None, Mark]] = []
+        over: list[tuple[Plane | None, Mark]] = []
         for panel, (settled, added) in zip(page.panels, self.finished, strict=True):
             figure = drawn.setdefault(panel.plane or "position", [])
             figure += [*added.under, *panel.drawn, *panel.after]
             figure += [mark for mark in added.over if not isinstance(mark, Text)]
-            letters += [(panel.plane, mark) for mark in (*settled.marks, *added.over)]
+            over += [(panel.plane, mark) for mark in settled.marks]
+            over += [(panel.plane, mark) for mark in added.over if isinstance(mark, Text)]
         for plane, marks in drawn.items():
             yield Layer(_LAYERS[plane], tuple(marks), plane)
-        leaders = (mark for settled, _ in self.finished for mark in settled.marks if not isinstance(mark, Text))
-        yield Layer("leaders", tuple(leaders))
-        accented = (replace(mark, accent=mark.accent or plane) for plane, mark in letters if isinstance(mark, Text))
-        yield Layer("labels", tuple(accented))
+        each = [(plane, mark) for plane, mark in over if isinstance(mark, Stroke | Text)]
+        accented = [replace(mark, accent=mark.accent or plane) for plane, mark in each]
+        yield Layer("leaders", tuple(mark for mark in accented if isinstance(mark, Stroke)))
+        yield Layer("labels", tuple(mark for mark in accented if isinstance(mark, Text)))
 
 
 def _worth(settled: Settled) -> tuple[int, int, int]:

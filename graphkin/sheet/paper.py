@@ -125,7 +125,7 @@ PENS: Mapping[PenName, Pen] = {
     "centre": Pen(0.18, (6.0, 1.0, 0.6, 1.0)),
     "construction": Pen(0.18),
     "measured": Pen(0.18, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
-    "leader": Pen(0.18),
+    "leader": Pen(0.13),  # in half the colour of its plane
 }
 
 TITLE = 4.5  # size of the title's letters [mm]: the em of the font
