@@ -9,9 +9,8 @@ from functools import cached_property
 
 from graphkin.base.value import frozen
 from graphkin.say.entry import Entry, Sentence, VectorEquation
-from graphkin.sheet.lettering import Label, formula, joined, plain, width
+from graphkin.sheet.lettering import LABEL, Label, formula, joined, plain, width
 from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.paper import BODY, LEAST
 
 _PITCH = 1.45  # from base line to base line, as a part of the letters' size
 
@@ -95,9 +94,9 @@ class Paragraphs:
             yield Text(formula(line), corner + into + 1j * self.letters * (LINE * k + 1.1), self.letters)
 
 
-_SIZES = (BODY, LEAST, LEAST)
-_LINES = (3.2, 7.3, 11.2)  # base lines of the terms and of the two rows under them [mm]
-_HIGH, _GAP, _BETWEEN = 13.0, 2.2, 8.0
+_SIZES = (LABEL, LABEL, LABEL)
+_LINES = (3.6, 8.6, 13.2)  # base lines of the terms and of the two rows under them [mm]
+_HIGH, _GAP, _BETWEEN = 15.5, 2.2, 8.0
 
 
 @frozen
