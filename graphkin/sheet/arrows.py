@@ -1,8 +1,8 @@
 """Arrows of a polygon on one line, and heads that would melt.
 
-Arrows on one line lie on one another, as books draw them: each from its point to its point. The name of one stands where
-no other lies, if it goes on past the others. Heads that meet at one point under a small angle open outwards only; what
-would still become one to the eye stands back from its point, the longer arrow's.
+Arrows on one line lie on one another, as books draw them: each from its point to its point. The name of one stands
+where no other lies, if it goes on past the others. Heads that meet at one point under a small angle open outwards
+only; what would still become one to the eye stands back from its point, the longer arrow's.
 """
 
 from __future__ import annotations
