@@ -160,12 +160,10 @@ class Arrangement:
         arrangement = self
         for _ in range(0 if self.contents.tight else _TRIALS):
             contents, layout = arrangement.contents, arrangement.layout
-            out = contents.without_room(layout)
-            if not out:
-                out = contents.without_head(layout) if arrangement.cost[0] else arrangement.lettered.left_out
+            out = contents.without_room(layout) or (contents.without_head(layout) if arrangement.cost[0] else [])
             if not out:
                 break
-            arrangement = replace(arrangement, contents=contents.moved(out))
+            arrangement = replace(arrangement, contents=replace(contents, in_strip={*contents.in_strip, *out}))
         return arrangement
 
 

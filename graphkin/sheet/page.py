@@ -25,7 +25,6 @@ from graphkin.sheet.lettering import LABEL, plain, width
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Paper, Room, written
-from graphkin.sheet.text_blocks import EquationBlock
 from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 
@@ -98,10 +97,7 @@ def step_sheets(whole: Sheet, steps: Iterable[int] = ()) -> Iterator[Sheet]:
 
 
 class Last(Protocol):
-    """Marks that are drawn last on a figure; `loose`: equations among them that have no place of their own."""
-
-    @property
-    def loose(self) -> Sequence[EquationBlock]: ...
+    """Marks that are drawn last on a figure."""
 
     def lines(self) -> list[Mark]:
         """Lines that labels should keep off, where that costs nothing."""
@@ -235,13 +231,6 @@ class Lettered:
     def finished(self) -> list[tuple[Settled, Annotations]]:
         """Each panel's labels, and what is drawn last where they have left room."""
         return [panel.finished(settled) for panel, settled in zip(self.page.panels, self.labels, strict=True)]
-
-    @property
-    def left_out(self) -> list[EquationBlock]:
-        """Equations for which no figure has room."""
-        if not any(panel.more is not None and panel.more.loose for panel in self.page.panels):
-            return []
-        return [block for _, added in self.finished for block in added.left_out]
 
     @property
     def trimmed(self) -> Lettered:

@@ -15,7 +15,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import Paper, Room, written
-from graphkin.sheet.text_blocks import EquationBlock, Paragraphs, flowed, head_of, laid_out
+from graphkin.sheet.text_blocks import Ladder, Paragraphs, flowed, laid_out, line_size
 
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
@@ -167,18 +167,18 @@ _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实�
 
 
 def strip_height(
-    paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = (), told: Sequence[str] = ()
+    paper: Paper, found: Sequence[Table] = (), equations: Sequence[Ladder] = (), told: Sequence[str] = ()
 ) -> float:
     """The height that the strip needs on a paper [mm]."""
-    lines = sum(head_of(line)[0].imag for line in _lines(equations, paper))
+    lines = sum(line_size(line).imag for line in _lines(equations, paper))
     words = Paragraphs.of(told, tables_room(paper), LABEL).height
     return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + words + lines + 1 + _BAR)
 
 
-def _lines(equations: Sequence[EquationBlock], paper: Paper) -> list[list[EquationBlock]]:
+def _lines(equations: Sequence[Ladder], paper: Paper) -> list[list[Ladder]]:
     """Line by line the equations for which there is room; the others are in the written solution alone."""
     lines = flowed(equations, tables_room(paper))
-    reach = accumulate(head_of(line)[0].imag for line in lines)
+    reach = accumulate(line_size(line).imag for line in lines)
     return [line for line, end in zip(lines, reach, strict=True) if end <= _SHARE * paper.height]
 
 
@@ -200,7 +200,7 @@ class Strip:
     found: Sequence[Table] = ()
     notes: Mapping[Plane, Label] = field(default_factory=dict)
     further: Mapping[Plane, float] = field(default_factory=dict)
-    equations: Sequence[EquationBlock] = ()
+    equations: Sequence[Ladder] = ()
     told: Sequence[str] = ()
 
 
@@ -219,8 +219,8 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     marks += words.marks(corner)
     corner += 1j * words.height
     for line in _lines(asked.equations, paper):
-        marks += laid_out(line, corner, tables_room(paper))
-        corner += 1j * head_of(line)[0].imag
+        marks += laid_out(line, corner)
+        corner += 1j * line_size(line).imag
     at = complex(room.left + 3, room.bottom - 3.2)  # a line of 100 mm to lay a ruler on
     marks.append(Stroke((at, at + 100), "thin", shows=Shows("", "ruler", plane="position")))
     marks += [Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, 100)]

@@ -72,18 +72,7 @@ def constructions(method: Method) -> dict[Plane, Construction]:
 _TRIAL = 100.0  # size of a figure when it is drawn to see how far its signs reach [mm]
 _LETTERS = 6.5  # room for labels around a figure [mm]
 _LEAST = 5.0  # points in less room than this are no figure [mm]
-_TOO_HIGH = 1e6  # higher than any room [mm]
 _CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
-
-Over = tuple[complex, complex]
-"""Width and height of what stands over a figure: side by side, and one under the other [mm]."""
-
-
-def height_over(over: Over, wide: Array) -> Array:
-    """Its height in rooms of this width [mm]; more than any has in those too narrow for it."""
-    beside, stacked = over
-    return np.where(wide >= beside.real, beside.imag, np.where(wide >= stacked.real, stacked.imag, _TOO_HIGH))
-
 
 @frozen
 class Extent:
@@ -92,7 +81,7 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
-    labels  their number; lettering: the room that they take [mm^2]; over: the size of what stands over it
+    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations [mm]
     """
 
     low: complex
@@ -104,7 +93,7 @@ class Extent:
     given: float | None = None
     labels: int = 10
     lettering: float = 0.0
-    over: Over | None = None
+    ladder: complex | None = None
 
     @classmethod
     def of(
