@@ -13,11 +13,11 @@ from graphkin.base.value import frozen
 from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
 from graphkin.sheet.centre_figure import Spot, centre_label, coordinates, spots
-from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, width
+from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
-from graphkin.sheet.paper import LABEL, LEAST, PenName, Room
+from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.skeleton import off_stretch
-from graphkin.sheet.titleblock import PITCH, SIZE, Table, height_of
+from graphkin.sheet.titleblock import PITCH, Table, height_of
 from graphkin.studies.centres import Centres
 
 _PENS: dict[str, PenName] = {
@@ -148,7 +148,7 @@ class CentreTable:
                 pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
                 for cell, wide in zip(row, part.widths, strict=True):
                     if cell:
-                        yield Text(cell, pen, SIZE, min(step, self.steps) if k else None)
+                        yield Text(cell, pen, LABEL, min(step, self.steps) if k else None)
                     pen += wide + _GAP
                 if not k:
                     under = corner + 1j * (PITCH * 1.05)

@@ -18,7 +18,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
-from graphkin.sheet.arrows import heads_apart, side_by_side
+from graphkin.sheet.arrows import heads_apart, named_apart
 from graphkin.sheet.construction_lines import MechanismNotes, PolygonConstruction, pencil_lines
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.free_room import FreeRoom
@@ -73,7 +73,7 @@ class Planes:
         """Drawn once through each window: many divisions of a paper show one figure alike."""
         if (plane, window) not in self._drawn:
             if plane != "position":
-                figure = heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
+                figure = heads_apart(named_apart(polygon_figure(self.polygon(plane, window))))
             elif self.style == "given":
                 figure = bare_figure(self.method, self.skeleton(window))
             else:

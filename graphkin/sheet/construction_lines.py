@@ -26,9 +26,8 @@ from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import formula, plain, quantity_label
+from graphkin.sheet.lettering import LABEL, LEAST, formula, plain, quantity_label
 from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import LEAST
 from graphkin.sheet.polygons import PolygonFigure, arrows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
@@ -95,7 +94,7 @@ class PolygonConstruction:
         free.add(added.under)
         added.over.extend(self._numbers(free))
         named = [
-            LabelRequest(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
+            LabelRequest(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), step=line.page)
             for line, tip in marked
         ]
         for letters in free.letters(named):
@@ -264,7 +263,7 @@ class MechanismNotes:
         if self.planes:
             texts = [formula(text) for text in dimensions(self.reading)]
             for wide in (free.room.size.real - 8, *_NARROWER):  # in lines at the foot of the figure
-                lines = WrittenLines.of(texts, wide, LEAST)
+                lines = WrittenLines.of(texts, wide, LABEL)
                 if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
                     marks: list[Mark] = [*lines.marks(corner)]
                     free.add(marks)
@@ -278,7 +277,7 @@ class MechanismNotes:
         if abs(end - start) < _TOLD or not (pieces := free.pieces(start, end)):
             return
         step = self.skeleton.step(one, other)
-        want = LabelRequest(formula(length_text(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
+        want = LabelRequest(formula(length_text(self.reading, one, other)), start, end, gap=0.5, step=step)
         if letters := next(free.letters([want])):
             added.over.extend(letters)
             lines = [Stroke(piece, "measured", step=step) for piece in pieces]

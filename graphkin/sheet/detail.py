@@ -18,11 +18,11 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import plain, width
+from graphkin.sheet.lettering import LABEL, plain, width
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.page import Panel
-from graphkin.sheet.paper import BODY, Room
+from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window, magnified
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
@@ -162,11 +162,11 @@ class _DetailDrawing:
         stay = [not (want.of in arrows if want.of else view.part.names(want)) for want in figure.wanted]
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
         numeral = _NUMERALS[len(self.views)] + self.prime
-        sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=BODY, step=step)
+        sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=LABEL, step=step)
         marks += [Disc(circle.centre, circle.radius, "thin", step=step) for circle in (view.part, view.shown)]
         heading = plain(f"{numeral}  ({view.times:g} : 1)")
         top = view.shown.centre - 1j * (view.shown.radius + _AROUND - 1.0)  # over what is written around it
-        marks.append(Text(heading, top - width(heading, BODY) / 2, BODY, step))
+        marks.append(Text(heading, top - width(heading, LABEL) / 2, LABEL, step))
         side = 2 * (view.shown.radius + _AROUND)  # with the room of letters around it
         corner = view.shown.centre - complex(side, side) / 2
         room = Room(corner.real, corner.imag, corner.real + side, corner.imag + side)

@@ -277,12 +277,19 @@ class Arrows:
         self.start = np.array([vector.start for vector in vectors], dtype=complex)
         self.end = np.array([vector.end for vector in vectors], dtype=complex)
 
+    def _hold(self, want: LabelRequest) -> Array:
+        """The arrows on which all that a label names lies."""
+        places, along = np.array([want.start, want.place]), self.end - self.start
+        part = np.clip(((places[:, None] - self.start) / along).real, 0, 1)
+        return np.asarray((np.abs(self.start + part * along - places[:, None]) < _SHORTEST).all(axis=0))
+
     def strange(self, wanted: Sequence[LabelRequest], owner: Array, low: Array, high: Array) -> Array:
         """Boxes low..high of labels that stand nearer to an arrow that is not their owner's."""
         strange = np.zeros(len(owner), dtype=bool)
         for k, want in enumerate(wanted if len(self.names) > 1 else ()):
             own = self.names == want.of
             if want.of and own.any():
+                own |= self._hold(want)  # arrows that lie on one another are one line
                 rows = np.flatnonzero(owner == k)
                 apart = self._apart(low[rows, None], high[rows, None])
                 strange[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER

@@ -11,9 +11,8 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
-from graphkin.sheet.lettering import Label, box, width
+from graphkin.sheet.lettering import LABEL, Label, box, width
 from graphkin.sheet.marks import Place, Text
-from graphkin.sheet.paper import LABEL
 
 
 def _leaning(turns: Array) -> Array:

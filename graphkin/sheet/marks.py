@@ -109,7 +109,6 @@ class VectorMark:
     also   the names of others with the same ends, which it shows, too
     part   which part of the motion, as in `Term`
     solved the construction found its length
-    aside  how many steps it was moved off the line of its points, because another arrow lies there
     half   on which side of the line alone its head opens, seen along it; back: how far its tip stands off the end [mm]
     pen    a lighter one for an arrow that is laid off, or only compared with
     """
@@ -126,7 +125,6 @@ class VectorMark:
     also: tuple[str, ...] = ()
     part: str = ""
     solved: bool = False
-    aside: int = 0
     half: Half = ""
     back: float = 0.0
     pen: PenName = "vector"

@@ -24,10 +24,10 @@ from graphkin.say.numbers import circled
 from graphkin.sheet.composition import Planes, SheetContents, Style
 from graphkin.sheet.label_requests import CRAMMED
 from graphkin.sheet.layout import Layout, cut_to
-from graphkin.sheet.lettering import formula, plain
+from graphkin.sheet.lettering import LABEL, formula, plain
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.page import Lettered, Page, Sheet
-from graphkin.sheet.paper import BODY, LARGE, Paper, TooLargeForPaper, papers_for
+from graphkin.sheet.paper import LARGE, Paper, TooLargeForPaper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
 from graphkin.sheet.text_blocks import LINE, broken
@@ -206,11 +206,11 @@ def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] =
         if not contents.tight:
             below, *above = sheet.layers
             at: Place = complex(strip.left + 3, strip.top + 6)
-            marks = [Text(plain(say("sheet.step", drawing.lang, number=number, count=len(acts))), at, BODY)]
+            marks = [Text(plain(say("sheet.step", drawing.lang, number=number, count=len(acts))), at, LABEL)]
             sign = f"{circled(act.number)} " if act.numbered else ""
-            for line in broken(sign + texts.get(act, ""), tables_room(sheet.paper), BODY):
-                at += 1j * LINE * BODY
+            for line in broken(sign + texts.get(act, ""), tables_room(sheet.paper), LABEL):
+                at += 1j * LINE * LABEL
                 if at.imag < strip.bottom - 9:
-                    marks.append(Text(formula(line), at, BODY))
+                    marks.append(Text(formula(line), at, LABEL))
             sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *marks)), *above))
         yield sheet

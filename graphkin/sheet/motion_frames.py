@@ -28,12 +28,12 @@ from graphkin.sheet.boxes import overlap
 from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import lay_out
-from graphkin.sheet.lettering import Label, box, joined, plain, point_label
+from graphkin.sheet.lettering import LABEL, Label, box, joined, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
-from graphkin.sheet.paper import KEYS, LABEL, Room, TooLargeForPaper, papers_for
+from graphkin.sheet.paper import KEYS, Room, TooLargeForPaper, papers_for
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, strip_height

@@ -21,10 +21,10 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.labels import Settled, settle
-from graphkin.sheet.lettering import plain, width
+from graphkin.sheet.lettering import LABEL, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import LABEL, Paper, Room, written
+from graphkin.sheet.paper import Paper, Room, written
 from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 

@@ -101,7 +101,7 @@ USUAL = tuple(PAPERS.values())[:4]
 LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])  # tried, too, where a smaller one holds all but leaves it little room
 
 PenName = Literal[
-    "visible", "outline", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",
+    "visible", "outline", "asked", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",
     "leader",
 ]  # fmt: skip
 
@@ -117,22 +117,17 @@ class Pen:
 PENS: Mapping[PenName, Pen] = {
     "visible": Pen(0.7),  # links, the drawing frame
     "outline": Pen(0.35),  # blocks, hinges, pivots
-    "vector": Pen(0.35),
-    "laid": Pen(0.18),  # arrows that are laid off, where those that the construction finds stand out
+    "asked": Pen(0.5),  # arrows that the problem asks for
+    "vector": Pen(0.35),  # those that the construction finds
+    "laid": Pen(0.18),  # those that are laid off, where others stand out
     "thin": Pen(0.18),  # images, tables
     "hatch": Pen(0.18),
     "dashed": Pen(0.18, (2.0, 1.0)),
     "centre": Pen(0.18, (6.0, 1.0, 0.6, 1.0)),
-    "construction": Pen(0.18),
-    "measured": Pen(0.18, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
+    "construction": Pen(0.13),
+    "measured": Pen(0.13, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
     "leader": Pen(0.13),  # in half the colour of its plane
 }
-
-TITLE = 4.5  # size of the title's letters [mm]: the em of the font
-LABEL = 3.8  # labels of points, vectors and links, and headings [mm]
-BODY = 3.2  # tables and the title block [mm]
-LEAST = 2.5  # nothing is lettered smaller [mm]
-
 
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}

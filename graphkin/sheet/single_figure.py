@@ -13,11 +13,11 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.sheet.layout import HEAD, Layout, alone, divided
-from graphkin.sheet.lettering import formula, width
+from graphkin.sheet.lettering import LABEL, formula, width
 from graphkin.sheet.marks import Mark, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
-from graphkin.sheet.paper import BODY, Paper, Room
+from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, Table, strip_height, two_lines
 from graphkin.sheet.window import Extent, Figure, Window
@@ -86,15 +86,15 @@ class Caption:
     texts: tuple[str, ...]
     height: float
     first: float = 5.0
-    pitch: float = 1.35 * BODY
+    pitch: float = 1.35 * LABEL
     sides: float = 3.0
 
     def drawn(self, cell: Room) -> Iterator[Text]:
         pen = cell.bottom - self.height + self.first
         for text in self.texts:
-            for line in two_lines(text, BODY, cell.size.real - 2 * self.sides):
+            for line in two_lines(text, LABEL, cell.size.real - 2 * self.sides):
                 label = formula(line)
-                yield Text(label, complex((cell.left + cell.right - width(label, BODY)) / 2, pen), BODY)
+                yield Text(label, complex((cell.left + cell.right - width(label, LABEL)) / 2, pen), LABEL)
                 pen += self.pitch
 
 

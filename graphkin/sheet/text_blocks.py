@@ -13,9 +13,8 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.planning.method import Act
 from graphkin.say.entry import Entry, Sentence, VectorEquation
-from graphkin.sheet.lettering import Label, box, formula, joined, plain, width
+from graphkin.sheet.lettering import LABEL, LEAST, Label, box, formula, joined, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
-from graphkin.sheet.paper import BODY, LEAST
 
 _PITCH = 1.45  # from base line to base line, as a part of the letters' size
 
@@ -120,9 +119,8 @@ def ring_width(numbers: str) -> float:
     return max(2 * RING, width(plain(numbers), LEAST) + 0.6 * RING if "\u2013" in numbers else 0.0)
 
 
-_SIZES = (BODY, LEAST, LEAST)
-_LINES = (BODY, BODY + 1.6 * LEAST, BODY + 3.15 * LEAST)  # base lines of terms and of the rows under them [mm]
-_HIGH, _GAP, _BETWEEN = BODY + 4.6 * LEAST, 2.2, 8.0
+_LINES = tuple(k * LABEL for k in (1, 2.4, 3.7))  # base lines of terms and of the rows under them [mm]
+_HIGH, _GAP, _BETWEEN = 4.4 * LABEL, 2.2, 8.0
 AIR = 3.0  # about a ladder: what stood nearer would read as one more row [mm]
 
 
@@ -136,7 +134,7 @@ class EquationBlock:
 
     @cached_property
     def widths(self) -> list[float]:
-        wide = [max(width(label, size) for label, size in zip(column, _SIZES, strict=True)) for column in self.columns]
+        wide = [max(width(label, LABEL) for label in column) for column in self.columns]
         return [max(wide[0], ring_width(self.numbers)), *wide[1:]]
 
     @property
@@ -148,13 +146,13 @@ class EquationBlock:
         """From its upper left corner; each column centred, numbers and the words before the rows flush right."""
         pen = corner
         if self.numbers:
-            off = complex(self.widths[0] - ring_width(self.numbers) / 2, _LINES[0] - 0.3 * BODY)
+            off = complex(self.widths[0] - ring_width(self.numbers) / 2, 0.7 * LABEL)
             yield from ringed(self.numbers, corner + off, self.page)
         for k, (column, wide) in enumerate(zip(self.columns, self.widths, strict=True)):
-            for label, size, line in zip(column, _SIZES, _LINES, strict=True):
+            for label, line in zip(column, _LINES, strict=True):
                 if label:
-                    spare = wide - width(label, size)
-                    yield Text(label, pen + (spare / 2 if k else spare) + 1j * line, size, self.page)
+                    spare = wide - width(label, LABEL)
+                    yield Text(label, pen + (spare / 2 if k else spare) + 1j * line, LABEL, self.page)
             pen += wide + _GAP
 
     def within(self, room: float) -> Iterator[EquationBlock]:

@@ -12,13 +12,12 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
-from graphkin.sheet.lettering import Label, Run, plain, width
+from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room, written
+from graphkin.sheet.paper import Paper, Room, written
 from graphkin.sheet.text_blocks import Ladder, Paragraphs, flowed, laid_out, line_size
 
-PITCH = 4.2  # from base line to base line [mm]
-SIZE = 3.0  # letters of the table [mm]
+PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _MOST_ROWS = 12
 Cell = tuple[float | None, float]
@@ -84,8 +83,8 @@ class Table:
     @cached_property
     def _cells(self) -> list[tuple[float, list[Cell]]]:
         """Of each column: the width of its heading, and its cells."""
-        cells = [[(_whole(cell), width(cell, SIZE)) for cell in row] for row in self.rows]
-        return [(width(head, SIZE), [row[k] for row in cells]) for k, head in enumerate(self.head)]
+        cells = [[(_whole(cell), width(cell, LABEL)) for cell in row] for row in self.rows]
+        return [(width(head, LABEL), [row[k] for row in cells]) for k, head in enumerate(self.head)]
 
 
 def _point(cells: list[Cell]) -> float:
@@ -98,7 +97,7 @@ def _whole(cell: Label) -> float | None:
     """Width of a number up to its point; of the whole number where it has none; None where it is no number [mm]."""
     first = cell[0] if cell else Run("")
     whole = re.match(r"−?\d+", first.text)
-    return width((first._replace(text=whole[0]),), SIZE) if whole is not None and not first.italic else None
+    return width((first._replace(text=whole[0]),), LABEL) if whole is not None and not first.italic else None
 
 
 # --- on paper ---------------------------------------------------------------------------------
@@ -151,7 +150,7 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
                 for column, (cell, wide, gap) in enumerate(zip(row, part.widths, part.gaps, strict=True)):
                     if cell:
                         accent = _PLANES.get(part.head[column][0].text) if k and part.head[column] else None
-                        marks.append(Text(cell, at + (part.before(cell, column) if k else 0), SIZE, accent=accent))
+                        marks.append(Text(cell, at + (part.before(cell, column) if k else 0), LABEL, accent=accent))
                     at += wide + gap
             under = pen + 1j * (PITCH * 1.05)
             marks.append(Stroke((under, under + part.wide), "thin"))
@@ -164,7 +163,6 @@ _WIDE = 64.0  # width of the title block [mm]
 _LEAST_HEIGHT = 33.0
 _SHARE = 0.3  # so much of a paper's height equations may take at most
 _BAR = 9.0  # room for the check bar under the tables [mm]
-_SENTENCE = 2.8  # letters of sentences [mm]
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 
 
@@ -173,7 +171,7 @@ def strip_height(
 ) -> float:
     """The height that the strip needs on a paper [mm]."""
     lines = sum(line_size(line).imag for line in _lines(equations, paper))
-    words = Paragraphs.of(told, tables_room(paper), _SENTENCE).height
+    words = Paragraphs.of(told, tables_room(paper), LABEL).height
     return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + words + lines + 1 + _BAR)
 
 
@@ -217,7 +215,7 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
     marks += drawn_tables(tiers, corner)
     corner += 1j * height_of(tiers)
-    words = Paragraphs.of(asked.told, tables_room(paper), _SENTENCE)
+    words = Paragraphs.of(asked.told, tables_room(paper), LABEL)
     marks += words.marks(corner)
     corner += 1j * words.height
     for line in _lines(asked.equations, paper):
@@ -246,17 +244,17 @@ def _words(
     """Title, source, scales, and the program's name; each line shrunk or broken to the block."""
     marks: list[Mark] = []
     pen, title = complex(room.left, room.top) + 1.2j, machine.headline(lang)
-    large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
-    for text, size in ((title, large), (machine.credit(lang), LEAST + 0.2)):
+    large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else LABEL
+    for text, size in ((title, large), (machine.credit(lang), LEAST)):
         for line in two_lines(text, size, _WIDE - 6):
             pen += 1j * (size * 1.25)
             marks.append(Text(plain(line), pen, size))
     pen += 1.2j
     for plane, scale in scales.items():
-        pen += 1j * (BODY * 1.45)
-        marks.append(Text(written(plane, scale), pen, BODY))
+        pen += 1j * (LABEL * 1.45)
+        marks.append(Text(written(plane, scale), pen, LABEL))
         if plane in notes:
-            marks.append(Text(notes[plane], pen + width(written(plane, scale), BODY) + 2.5, LEAST))
+            marks.append(Text(notes[plane], pen + width(written(plane, scale), LABEL) + 2.5, LEAST))
     name = plain("graphkin")
     marks.append(Text(name, complex(room.right - width(name, LEAST), room.bottom), LEAST))
     return marks
