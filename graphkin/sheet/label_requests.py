@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -45,6 +45,8 @@ _ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82])
 _OFF = np.array([0.0, 0.75, 1.65])[:, None]  # distances of a label from its line beyond what it needs [mm]
 _SPACE = 2.0  # beside and over a label [mm]
 CRAMMED = 0.2  # a figure whose labels take a larger part of its room has no place for all of them
+_SMALL, _KNOT, _THREE = 8.0, 10.0, 3
+"""So many arrows shorter than this, within this distance, are a knot to the eye [mm]."""
 _POINT = 1.5  # a shorter line is a point [mm]
 
 
@@ -150,6 +152,14 @@ def lettering(wanted: Iterable[LabelRequest]) -> float:
     """The room that labels take, with what is usually free about them [mm^2]."""
     boxes = (box(want.label, want.size) for want in wanted)
     return sum((wide + _SPACE) * (up + down + _SPACE) for wide, up, down in boxes)
+
+
+def tangled(wanted: Sequence[LabelRequest]) -> Array:
+    """Labels of short arrows (n,) of which three or more lie close together."""
+    small = np.array([bool(want.of) and 2 * abs(want.place - want.start) < _SMALL for want in wanted])
+    middle = np.array([want.place for want in wanted])
+    near = (np.abs(middle[:, None] - middle) <= _KNOT) & small & small[:, None]
+    return np.asarray(near.sum(axis=1) >= _THREE)
 
 
 def _around(point: Place, half: complex, want: LabelRequest, rings: Array) -> LabelCandidates:

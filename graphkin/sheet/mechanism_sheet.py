@@ -34,8 +34,8 @@ from graphkin.sheet.text_blocks import LINE, broken
 from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import PLANES
 
-_MANY_LEADERS = 10  # with more of them a larger paper is tried
-_LARGE_PAPER = 1.2  # the weight of leaders on a large paper that nobody asked for
+_BURDENED = 10.0  # with more burden on the eye a larger paper is tried
+_LARGE_PAPER = 1.2  # the weight of labels on a large paper that nobody asked for
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
 _TRIALS = 4  # so often equations are moved into the strip, whose height leaves figures less room
 
@@ -142,11 +142,11 @@ class Arrangement:
 
     @cached_property
     def cost(self) -> tuple[float, float]:
-        """Labels that find no place near by, and leaders; of an overfull one all labels, and by how much it is so."""
+        """Labels that find no place near by, and the burden of all; of an overfull one all labels, and by how much."""
         if self.overfull > 1:
             return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
         dear = self.large and len(self.papers) > 1
-        return self.near.lost, self.near.crowded * (_LARGE_PAPER if dear else 1.0)
+        return self.near.lost, self.near.burden * (_LARGE_PAPER if dear else 1.0)
 
     @cached_property
     def lettered(self) -> Lettered:
@@ -170,7 +170,7 @@ class Arrangement:
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
     best = _on(Arrangement(contents, papers_for(paper)))
-    if paper is None and not best.large and (best.cost[0] or best.cost[1] > _MANY_LEADERS):
+    if paper is None and not best.large and (best.cost[0] or best.cost[1] > _BURDENED):
         best = min(best, _on(Arrangement(contents, LARGE)), key=lambda each: each.cost)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True).settled if cut else best

@@ -14,13 +14,17 @@ from functools import cached_property
 from math import ceil
 from typing import Literal, Protocol, SupportsFloat
 
+import numpy as np
+
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
-from graphkin.sheet.labels import Settled, settle
+from graphkin.sheet.label_requests import tangled
+from graphkin.sheet.labels import Settled, burden, settle
 from graphkin.sheet.lettering import LABEL, plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import bounds
@@ -34,6 +38,7 @@ HEADINGS: dict[Lang, dict[Plane, str]] = {
 }
 HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm]
 
+_TANGLED = 1.4  # the burden of a short arrow's label among others, where one on a leader is 1
 _EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
@@ -153,6 +158,14 @@ class Panel:
         lines = self.more.lines() if self.more is not None else ()
         return _settled(self.scene.under(lines)) if lines else None
 
+    @cached_property
+    def burdens(self) -> Array:
+        """The burden of each label on the eye; twice that of a leader, where all are crammed."""
+        wanted = self.figure.wanted
+        if self.scene.crammed or not wanted:
+            return np.full(len(wanted), 2.0)
+        return self.near.burdens(len(wanted)) + _TANGLED * tangled(wanted)
+
     def finished(self, settled: Settled) -> tuple[Settled, Annotations]:
         """Its labels, and what is drawn last where they have left room."""
         if self.more is None:
@@ -226,6 +239,11 @@ class Lettered:
     def crowded(self) -> int:
         """The number of labels that stand off from what they name, at the end of a leader."""
         return sum(len(settled.led) for settled in self.labels)
+
+    @property
+    def burden(self) -> float:
+        """The burden of its labels on the eye, where they are near what they name."""
+        return sum(burden(panel.burdens) for panel in self.page.panels)
 
     @cached_property
     def finished(self) -> list[tuple[Settled, Annotations]]:
