@@ -38,6 +38,7 @@ from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
 _COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations over it
+_LENS = 60 + 68j  # the room for a detail [mm]
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
@@ -138,13 +139,14 @@ class SheetContents:
     """All that a mechanism's sheet shows, whatever its paper.
 
     tight     without frame, tables and title
-    in_strip  the planes whose equations stand there, not with their polygons
+    in_strip  the planes whose equations stand there, not with their polygons; lensed: those with room for a detail
     """
 
     drawing: Planes
     tables: Sequence[Table]
     tight: bool = False
     in_strip: Collection[Plane] = ()
+    lensed: Collection[Plane] = ()
 
     @property
     def planes(self) -> tuple[Plane, ...]:
@@ -152,9 +154,15 @@ class SheetContents:
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        """With the equations of each polygon."""
-        sizes = {plane: own.size for plane, own in self.ladders.items()}
-        return {plane: replace(extent, ladder=sizes.get(plane)) for plane, extent in self.drawing.extents.items()}
+        """With the equations and the detail of each polygon."""
+        extents = dict(self.drawing.extents)
+        for plane in {*self.ladders, *self.lensed}:
+            own = self.ladders[plane].size if plane in self.ladders else 0j
+            lens = _LENS if plane in self.lensed else 0j
+            over = complex(own.real + lens.real, max(own.imag, lens.imag))
+            beside = complex(max(own.real, lens.real), own.imag + lens.imag)
+            extents[plane] = replace(extents[plane], beside=(over, beside))
+        return extents
 
     @cached_property
     def ladders(self) -> dict[Plane, Ladder]:
@@ -193,7 +201,7 @@ class SheetContents:
         if key not in self._layouts:
             extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
             papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
-            free = {plane: replace(extent, ladder=None) for plane, extent in extents.items()}
+            free = {plane: replace(extent, beside=None) for plane, extent in extents.items()}
             bare = lay_out(free, self.height, papers)
             self._layouts[key] = headed(bare, extents, self.height, papers, _COARSER)
         return self._layouts[key]
@@ -204,7 +212,7 @@ class SheetContents:
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
         """With its equations, where they have a room of their own."""
-        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], ladder=None)
+        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], beside=None)
 
     def page(self, layout: Layout, stages: bool, details: bool) -> Page:
         """Everything on a divided paper; with `stages`, over the lines of the pencil and without results."""

@@ -71,14 +71,15 @@ def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array]:
     """The parts of rooms that heading and equations leave, and the scales there: the equations stand over the figure
     or on its left, whichever leaves it larger."""
     under = _under_heading(room)
-    if extent.ladder is None:
+    if extent.beside is None:
         return under, extent.scales_in(under)
-    wide, high = extent.ladder.real + 2 * HEAD_LEFT, extent.ladder.imag + HEAD_LEFT
-    over = under._replace(top=np.where(room.right - room.left >= wide, under.top + high, under.bottom))
-    beside = under._replace(left=np.where(under.bottom - under.top >= high, under.left + wide, under.right))
-    scale, other = extent.scales_in(over), extent.scales_in(beside)
-    better = np.isnan(scale) | (other < scale)
-    return Rooms(*(np.where(better, b, a) for a, b in zip(over, beside))), np.where(better, other, scale)
+    first, other = (size + complex(2 * HEAD_LEFT, HEAD_LEFT) for size in extent.beside)
+    over = under._replace(top=np.where(room.right - room.left >= first.real, under.top + first.imag, under.bottom))
+    room_beside = under.bottom - under.top >= other.imag
+    beside = under._replace(left=np.where(room_beside, under.left + other.real, under.right))
+    scale, second = extent.scales_in(over), extent.scales_in(beside)
+    better = np.isnan(scale) | (second < scale)
+    return Rooms(*(np.where(better, b, a) for a, b in zip(over, beside))), np.where(better, second, scale)
 
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:
@@ -105,15 +106,16 @@ def alone(extent: Extent, strip_height: Height, paper: str | None) -> Layout:
 def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
     need, paper = extent.size / layout.scales[plane] + extent.reach, layout.paper
-    strip, ladder, room = layout.strip.size.imag, extent.ladder or 0j, layout.rooms[plane]
+    strip, room, (over, beside) = layout.strip.size.imag, layout.rooms[plane], extent.beside or (0j, 0j)
     (left, top, _, _), _ = _for_figure(_one(room), extent)
     need += complex(float(left) - room.left, float(top) - under_heading(room).top)  # what its equations take
-    need = complex(max(need.real, ladder.real + 2 * HEAD_LEFT), need.imag)
+    least = beside if left > room.left else over
+    need = complex(max(need.real, least.real + 2 * HEAD_LEFT), max(need.imag, least.imag + HEAD_LEFT))
     wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(need.real)))
 
     def high(wide: float) -> float:
         head = under_heading(Room(0.0, 0.0, replace(paper, width=wide).frame.size.real, 0.0)).top
-        return 2.0 * paper.margin + strip + math.ceil(head + max(need.imag, ladder.imag + HEAD_LEFT))
+        return 2.0 * paper.margin + strip + math.ceil(head + need.imag)
 
     wide = wide if high(wide) <= paper.height else paper.width  # in less width the heading may need more lines
     cut = replace(paper, width=wide, height=min(paper.height, high(wide)))
@@ -139,11 +141,11 @@ def headed(
 ) -> Layout:
     """As the layout, with what stands over figures for as many as have room for it: on paper of the same size, none
     drawn more than so much coarser."""
-    over = [plane for plane, extent in extents.items() if extent.ladder is not None]
+    over = [plane for plane, extent in extents.items() if extent.beside is not None]
     area = layout.paper.width * layout.paper.height
     same = [paper for paper in papers if paper.width * paper.height == area]
     for planes in (over, *([plane] for plane in over if len(over) > 1)):
-        own = {plane: e if plane in planes else replace(e, ladder=None) for plane, e in extents.items()}
+        own = {plane: e if plane in planes else replace(e, beside=None) for plane, e in extents.items()}
         best = _best(same, own, strip_height, _divisions) if planes else None
         if best is not None and all(best.scales[p] <= layout.scales[p] * coarser for p in extents):
             return replace(best, headed=tuple(planes))

@@ -22,7 +22,9 @@ from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.sheet.composition import Planes, SheetContents, Style
+from graphkin.sheet.detail import SAVED
 from graphkin.sheet.label_requests import CRAMMED
+from graphkin.sheet.labels import burden
 from graphkin.sheet.layout import Layout, cut_to
 from graphkin.sheet.lettering import LABEL, formula, plain
 from graphkin.sheet.marks import Place, Text
@@ -35,6 +37,7 @@ from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import PLANES
 
 _BURDENED = 10.0  # with more burden on the eye a larger paper is tried
+_APART = 3.0  # the burden of equations apart from their polygon, where a label on a leader is 1
 _LARGE_PAPER = 1.2  # the weight of labels on a large paper that nobody asked for
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
 _TRIALS = 4  # so often equations are moved into the strip, whose height leaves figures less room
@@ -146,7 +149,14 @@ class Arrangement:
         if self.overfull > 1:
             return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
         dear = self.large and len(self.papers) > 1
-        return self.near.lost, self.near.burden * (_LARGE_PAPER if dear else 1.0)
+        apart = _APART * len([*self.contents.in_strip])
+        return self.near.lost, apart + self.near.burden * (_LARGE_PAPER if dear else 1.0)
+
+    @property
+    def knotted(self) -> list[Plane]:
+        """Planes whose labels would be worth a detail."""
+        panels = zip(self.contents.planes, self.page.panels, strict=True)
+        return [plane for plane, panel in panels if plane != "position" and burden(panel.burdens) >= SAVED]
 
     @cached_property
     def lettered(self) -> Lettered:
@@ -179,13 +189,16 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
 def _on(first: Arrangement) -> Arrangement:
     """The cheapest on the papers of an arrangement."""
     best = first.settled
+    if knots := best.knotted:
+        first = replace(first, details=True, contents=replace(first.contents, lensed=knots))
+        best = min(best, first.settled, key=lambda each: each.cost)
     for weight in _WEIGHTS:
         if not best.cost[0] or best.overfull > 1:
             break
         crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
         other = replace(first, weights=dict.fromkeys(crowded, weight))
         best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.cost)
-    return min(replace(best, details=True).settled, best, key=lambda each: each.cost) if any(best.cost) else best
+    return best
 
 
 # --- single steps -----------------------------------------------------------------------------------------------------

@@ -81,7 +81,8 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
-    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations [mm]
+    labels  their number; lettering: the room that they take [mm^2]
+    beside  the sizes of its equations and its detail, over it and on its left [mm]
     """
 
     low: complex
@@ -93,7 +94,7 @@ class Extent:
     given: float | None = None
     labels: int = 10
     lettering: float = 0.0
-    ladder: complex | None = None
+    beside: tuple[complex, complex] | None = None
 
     @classmethod
     def of(
