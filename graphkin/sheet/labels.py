@@ -267,7 +267,7 @@ def settle(scene: LabelScene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not scene.wanted:
         return Settled([], ())
-    last = NEAR if scene.beyond_help else LED if len(scene.wanted) > MANY or not far else FARTHEST
+    last = NEAR if scene.beyond_help else LED
     places = LabelPlacing(scene, last)
     clashing = places.clashing()
     for _ in range(_ROUNDS if far else 0):
