@@ -25,7 +25,7 @@ from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
-from graphkin.sheet.marks import Place
+from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
@@ -33,10 +33,11 @@ from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.text_blocks import AIR, Ladder, ladder
-from graphkin.sheet.titleblock import Strip, Table, strip_height
+from graphkin.sheet.titleblock import Strip, Table, TableBlock, strip_height
 from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
+_APART = 6.0  # from a figure to its tables under it [mm]
 _COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations over it
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
@@ -138,13 +139,18 @@ class SheetContents:
     """All that a mechanism's sheet shows, whatever its paper.
 
     tight     without frame, tables and title
+    given     tables of the strip; tables: with their planes
     in_strip  the planes whose equations stand there, not with their polygons
+    footed    the planes whose tables have a room of their own under the figure; low: those whose tables go to the strip
     """
 
     drawing: Planes
-    tables: Sequence[Table]
+    tables: Mapping[Plane, Sequence[Table]]
+    given: Sequence[Table] = ()
     tight: bool = False
     in_strip: Collection[Plane] = ()
+    footed: Collection[Plane] = ()
+    low: Collection[Plane] = ()
 
     @property
     def planes(self) -> tuple[Plane, ...]:
@@ -154,7 +160,9 @@ class SheetContents:
     def extents(self) -> dict[Plane, Extent]:
         """With the equations of each polygon."""
         sizes = {plane: own.size for plane, own in self.ladders.items()}
-        return {plane: replace(extent, ladder=sizes.get(plane)) for plane, extent in self.drawing.extents.items()}
+        feet = {plane: TableBlock.shapes(self.tables[plane])[0].size.imag + _APART for plane in self.footed}
+        return {plane: replace(extent, ladder=sizes.get(plane), bottom=extent.bottom + feet.get(plane, 0.0))
+                for plane, extent in self.drawing.extents.items()}  # fmt: skip
 
     @cached_property
     def ladders(self) -> dict[Plane, Ladder]:
@@ -174,18 +182,41 @@ class SheetContents:
         room = layout.rooms[plane]
         if plane in layout.headed:
             return complex(room.left + HEAD_LEFT, under_heading(room).top)
-        window = layout.window(plane, self.extent(layout, plane))
-        marks = [*heading(HEADINGS[self.drawing.lang][plane], plane, window.scale, room)]
-        free = FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1)))
-        corner = free.corner(self.ladders[plane].size + 2 * complex(AIR, AIR))
+        corner = self._free(layout, plane, ()).corner(self.ladders[plane].size + 2 * complex(AIR, AIR))
         return None if corner is None else corner + complex(AIR, AIR)
+
+    def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark]) -> FreeRoom:
+        """The room that a plane's figure and its heading leave, and what else stands there before all letters."""
+        room, window = layout.rooms[plane], layout.window(plane, self.extent(layout, plane))
+        marks = [*heading(HEADINGS[self.drawing.lang][plane], plane, window.printed, room), *before]
+        return FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1)))
+
+    def _tables_at(self, layout: Layout, plane: Plane) -> list[Mark] | None:
+        """A plane's tables as low in its room as its figure and equations allow; None where they do not."""
+        at = self._ladder_at(layout, plane) if plane in self.ladders else None
+        free = self._free(layout, plane, () if at is None else [*self.ladders[plane].marks(at)])
+        air = complex(AIR, 0.5 * AIR) if plane in self.footed else complex(AIR, AIR)
+        for block in TableBlock.shapes(self.tables[plane]):
+            if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
+                return block.marks(corner + air)
+        return None
+
+    def tableless(self, layout: Layout) -> list[Plane]:
+        """Planes whose tables have no place with them."""
+        planes = (plane for plane in self.tables if plane in self.planes and plane not in self.low)
+        return [plane for plane in planes if self._tables_at(layout, plane) is None]
 
     @cached_property
     def height(self) -> Height:
         """The height of the strip on a paper [mm], reckoned once for each."""
         equations = [self.drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
-        height = partial(strip_height, found=self.tables, equations=equations)
+        height = partial(strip_height, found=self._in_foot, equations=equations)
         return cache(height) if not self.tight else lambda _: 0.0
+
+    @property
+    def _in_foot(self) -> list[Table]:
+        """The tables of the strip."""
+        return [*self.given, *(table for plane in self.planes if plane in self.low for table in self.tables[plane])]
 
     def layout(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
         """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
@@ -218,7 +249,7 @@ class SheetContents:
             elif any(isinstance(step, Simultaneous) for step in steps):
                 notes[plane] = plain(_TOGETHER[drawing.lang])
         ladders = [drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
-        tables, equations = ([], []) if stages else (self.tables, ladders)
+        tables, equations = ([], []) if stages else (self._in_foot, ladders)
         strip = None if self.tight else Strip(layout.strip, tables, notes, equations=equations)
         return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
 
@@ -238,12 +269,14 @@ class SheetContents:
     def _plain_panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:
         """One plane's figure under its heading."""
         drawing, room = self.drawing, layout.rooms[plane]
-        before = [*heading(HEADINGS[drawing.lang][plane], plane, window.scale, room)]
+        before = [*heading(HEADINGS[drawing.lang][plane], plane, window.printed, room)]
         corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
         if plane == "position":
             before += drawing.paths.written(corner)
         if plane in self.ladders and (at := self._ladder_at(layout, plane)) is not None:
             before += self.ladders[plane].marks(at)
+        if plane in self.tables and plane not in self.low and not stages:
+            before += self._tables_at(layout, plane) or []
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more: Last | None = None

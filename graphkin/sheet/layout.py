@@ -19,7 +19,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
 from graphkin.sheet.page import HEAD_WIDTH
-from graphkin.sheet.paper import KEYS, LARGE, UNITS, Paper, Room, Rooms, TooLargeForPaper, finer, papers_for
+from graphkin.sheet.paper import KEYS, UNITS, Paper, Room, Rooms, TooLargeForPaper, finer, papers_for
 from graphkin.sheet.window import Extent, Window
 
 HEAD = 7.5  # height of a figure's heading [mm]
@@ -28,7 +28,8 @@ _SECOND = 5.5  # its additional height where the scale stands under it, in a nar
 _NARROWEST = 46.0  # a heading wants at least so much [mm]
 _MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
 _INK = 2.0  # the worth of paper that is used
-_LARGE_ENOUGH = 130.0  # a figure of this size alone on its paper needs no larger one [mm]
+_MOST, _FAIR, _DEAR = 0.37, 0.27, 40.0
+"""So much of the field the mechanism may take, so much of it each polygon has; the cost of what is not so."""
 
 Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
 Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
@@ -50,8 +51,10 @@ class Layout:
 
     def window(self, plane: Plane, extent: Extent) -> Window:
         """The figure with all its signs in the middle of its room, under its heading."""
-        free, _ = _for_figure(_one(self.rooms[plane]), extent)
-        return extent.window(Room(*map(float, free)), self.scales[plane])
+        times, scale = self.paper.times, self.scales[plane]
+        free, _ = _for_figure(_one(self.rooms[plane]), extent.reduced(times))
+        seen = extent.reduced(times).window(Room(*map(float, free)), scale)
+        return Window(seen.origin, scale * times, times)
 
 
 def under_heading(room: Room) -> Room:
@@ -89,22 +92,17 @@ def divided(paper: Paper, height: float) -> tuple[Room, Room]:
 
 def alone(extent: Extent, strip_height: Height, paper: str | None) -> Layout:
     """One figure alone; a given scale that is too fine is not kept. Raises UnknownPaper."""
-
-    def freely(papers: Sequence[Paper]) -> Layout:
-        try:
-            return lay_out({"position": extent}, strip_height, papers)
-        except TooLargeForPaper:
-            return lay_out({"position": replace(extent, given=None)}, strip_height, papers)
-
-    layout = freely(papers_for(paper))
-    if paper is None and extent.longest / layout.scales["position"] < _LARGE_ENOUGH:
-        return min(layout, freely(LARGE), key=lambda each: each.scales["position"])
-    return layout
+    papers = papers_for(paper)
+    try:
+        return lay_out({"position": extent}, strip_height, papers)
+    except TooLargeForPaper:
+        return lay_out({"position": replace(extent, given=None)}, strip_height, papers)
 
 
 def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
-    need, paper = extent.size / layout.scales[plane] + extent.reach, layout.paper
+    paper, extent = layout.paper, extent.reduced(layout.paper.times)
+    need = extent.size / layout.scales[plane] + extent.reach
     strip, ladder, room = layout.strip.size.imag, extent.ladder or 0j, layout.rooms[plane]
     (left, top, _, _), _ = _for_figure(_one(room), extent)
     need += complex(float(left) - room.left, float(top) - under_heading(room).top)  # what its equations take
@@ -140,7 +138,7 @@ def headed(
     """As the layout, with what stands over figures for as many as have room for it: on paper of the same size, none
     drawn more than so much coarser."""
     over = [plane for plane, extent in extents.items() if extent.ladder is not None]
-    area = layout.paper.width * layout.paper.height
+    area = layout.paper.enlarged.width * layout.paper.enlarged.height
     same = [paper for paper in papers if paper.width * paper.height == area]
     for planes in (over, *([plane] for plane in over if len(over) > 1)):
         own = {plane: e if plane in planes else replace(e, ladder=None) for plane, e in extents.items()}
@@ -151,11 +149,12 @@ def headed(
 
 
 def _best(
-    papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions
+    papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions
 ) -> Layout | None:
     """The first of the best divisions, None where nothing fits."""
     best, layout = -math.inf, None
-    for paper in papers:
+    for paper in (each.reduced for each in papers):
+        extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         field, strip = divided(paper, strip_height(paper))
         rooms, ends = _rooms(divisions, field, tuple(extents))
         figures = {plane: _for_figure(room, extents[plane]) for plane, room in rooms.items()}
@@ -163,7 +162,7 @@ def _best(
         wide = {plane: room.right - room.left >= _NARROWEST for plane, room in rooms.items()}
         scales = {plane: np.where(wide[plane], scale, math.nan) for plane, (_, scale) in figures.items()}
         score = _score(extents, scales, free, field.size.real * field.size.imag)
-        score = np.where(np.isnan(score), -math.inf, score)
+        score = np.where(np.isnan(score), -math.inf, score - _DEAR * _unfair(rooms, field.size))
         for first, end in pairwise(ends):
             share = first + int(np.argmax(score[first:end]))
             if score[share] > best + 1e-9:
@@ -205,6 +204,15 @@ def _score(
         total = total + 0.15 * np.log(1 + np.minimum(room.right - room.left - wide, room.bottom - room.top - high))
         inked = inked + wide * high / area
     return np.asarray(total + _INK * np.log(inked))
+
+
+def _unfair(rooms: Mapping[Plane, Rooms], whole: complex) -> Array:
+    """The parts of a field that a mechanism has too much and polygons too little of, beside one another."""
+    unfair = np.asarray(0.0)
+    for plane, room in rooms.items() if len(rooms) == 3 else ():
+        part = (room.right - room.left) * (room.bottom - room.top) / (whole.real * whole.imag)
+        unfair = unfair + np.maximum(0.0, part - _MOST if plane == "position" else _FAIR - part)
+    return unfair
 
 
 def _too_large(extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]) -> TooLargeForPaper:

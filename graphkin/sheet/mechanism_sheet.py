@@ -1,9 +1,9 @@
 """The sheet of a mechanism: its figure and its polygons, laid out and lettered.
 
 It is the cheapest of several arrangements. An arrangement is a paper and its division into rooms, by which all is
-composed; it costs the labels that find no place, then those at the end of a leader, and leaders count for more on a
-large paper. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
-smallest paper that holds all, other divisions of it, details, a larger paper.
+composed; it costs the labels that find no place, then those at the end of a leader. Arrangements are composed one after
+the other, each where it may mend a fault of the best so far: the smallest paper that holds all, other divisions of it,
+details. A larger paper is read at the size of a small one: it helps no label, and holds what a given scale asks for.
 """
 
 from __future__ import annotations
@@ -27,17 +27,15 @@ from graphkin.sheet.layout import Layout, cut_to
 from graphkin.sheet.lettering import LABEL, formula, plain
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.page import Lettered, Page, Sheet
-from graphkin.sheet.paper import LARGE, Paper, TooLargeForPaper, papers_for
+from graphkin.sheet.paper import Paper, TooLargeForPaper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
 from graphkin.sheet.text_blocks import LINE, broken
 from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import PLANES
 
-_MANY_LEADERS = 10  # with more of them a larger paper is tried
-_LARGE_PAPER = 1.2  # the weight of leaders on a large paper that nobody asked for
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
-_TRIALS = 4  # so often equations are moved into the strip, whose height leaves figures less room
+_TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
 def mechanism_sheet(
@@ -60,11 +58,11 @@ def mechanism_sheet(
     """
     if style == "given":
         drawing = Planes(method, plot, ("position",), style, lang)
-        contents = SheetContents(drawing, [] if tight else given_tables(drawing.reading({})), tight)
+        contents = SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
         return replace(cheapest(contents, paper).lettered.sheet, given=True)
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), style, lang, paths)
-    contents = SheetContents(drawing, [] if tight else tables(method, plot, lang), tight)
+    contents = SheetContents(drawing, {} if tight else tables(method, plot, lang), tight=tight)
     return cheapest(contents, paper).lettered.sheet if upto is None else next(_staged(contents, paper, [upto]))
 
 
@@ -75,7 +73,7 @@ def mechanism_step_sheets(
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), "construction", lang)
-    yield from _staged(SheetContents(drawing, [] if tight else tables(method, plot, lang), tight), paper)
+    yield from _staged(SheetContents(drawing, {} if tight else tables(method, plot, lang), tight=tight), paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -119,11 +117,6 @@ class Arrangement:
             raise error.at(contents.drawing.method.mechanism.where("scales", error.key)) from None
         return cut_to(layout, contents.planes[0], contents.extent(layout, contents.planes[0])) if self.cut else layout
 
-    @property
-    def large(self) -> bool:
-        """True where its paper is a large one."""
-        return self.layout.paper.name in [paper.name for paper in LARGE]
-
     @cached_property
     def page(self) -> Page:
         return self.contents.page(self.layout, self.stages, self.details)
@@ -145,8 +138,7 @@ class Arrangement:
         """Labels that find no place near by, and leaders; of an overfull one all labels, and by how much it is so."""
         if self.overfull > 1:
             return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
-        dear = self.large and len(self.papers) > 1
-        return self.near.lost, self.near.crowded * (_LARGE_PAPER if dear else 1.0)
+        return self.near.lost, self.near.crowded
 
     @cached_property
     def lettered(self) -> Lettered:
@@ -156,22 +148,26 @@ class Arrangement:
 
     @property
     def settled(self) -> Arrangement:
-        """With the equations in the strip for which figures, and then their letters, leave no room."""
+        """With equations and tables elsewhere for which figures, and then their letters, leave no room."""
         arrangement = self
         for _ in range(0 if self.contents.tight else _TRIALS):
             contents, layout = arrangement.contents, arrangement.layout
-            out = contents.without_room(layout) or (contents.without_head(layout) if arrangement.cost[0] else [])
-            if not out:
+            if out := contents.tableless(layout):
+                low = {*contents.low, *(plane for plane in out if plane in contents.footed)}
+                contents = replace(contents, footed={*contents.footed, *out} - low, low=low)
+            elif out := contents.without_room(layout) or (
+                contents.without_head(layout) if arrangement.cost[0] else []
+            ):
+                contents = replace(contents, in_strip={*contents.in_strip, *out})
+            else:
                 break
-            arrangement = replace(arrangement, contents=replace(contents, in_strip={*contents.in_strip, *out}))
+            arrangement = replace(arrangement, contents=contents)
         return arrangement
 
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
     best = _on(Arrangement(contents, papers_for(paper)))
-    if paper is None and not best.large and (best.cost[0] or best.cost[1] > _MANY_LEADERS):
-        best = min(best, _on(Arrangement(contents, LARGE)), key=lambda each: each.cost)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True).settled if cut else best
 

@@ -22,7 +22,7 @@ from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import LABEL, plain, width
-from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.marks import Mark, Place, Text, enlarged
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Paper, Room, written
 from graphkin.sheet.titleblock import Strip, strip
@@ -196,7 +196,7 @@ class Page:
 
     @property
     def scales(self) -> Mapping[Plane, float]:
-        return {plane: window.scale for plane, window in self.windows.items()}
+        return {plane: window.printed for plane, window in self.windows.items()}
 
     def lettered(self, far: bool = True) -> Lettered:
         """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
@@ -245,12 +245,13 @@ class Lettered:
 
     @property
     def sheet(self) -> Sheet:
-        page = self.page
-        return Sheet(
-            page.paper, tuple(self._layers()), page.scales,
-            {plane: window.origin for plane, window in page.windows.items()}, page.mechanism,
+        page, times = self.page, self.page.paper.times
+        sheet = Sheet(
+            page.paper.enlarged, tuple(self._layers()), page.scales,
+            {plane: times * window.origin for plane, window in page.windows.items()}, page.mechanism,
             tuple(float(value) for value in page.drivers), page.title or page.mechanism.headline(page.lang), page.lang,
         )  # fmt: skip
+        return sheet if times == 1 else sheet.redrawn(lambda mark: enlarged(mark, times))
 
     def _layers(self) -> Iterator[Layer]:
         """The sheet under the figures, each plane's figure, and over all of them the leaders and the letters."""

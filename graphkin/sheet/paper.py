@@ -61,11 +61,15 @@ class Rooms(NamedTuple):
     bottom: Array
 
 
+_A4 = 210.0 * 297.0  # [mm^2]
+
+
 @frozen
 class Paper:
     """A sheet of paper with a drawing frame `margin` inside its edge, `filing` where it is filed [mm].
 
     A paper without margin has no frame.
+    times  a sheet is composed on a paper so many times smaller, then enlarged
     """
 
     name: str
@@ -73,10 +77,24 @@ class Paper:
     height: float
     margin: float = 10.0
     filing: float = 20.0
+    times: float = 1.0
 
     @property
     def landscape(self) -> bool:
         return self.width > self.height
+
+    @property
+    def reduced(self) -> Paper:
+        """The paper on which its sheets are composed: one larger than A4 is read, and printed, at that size."""
+        times = max(1.0, math.sqrt(self.width * self.height / _A4))
+        sides = (side / times for side in (self.width, self.height, self.margin, self.filing))
+        return Paper(self.name, *sides, times)
+
+    @property
+    def enlarged(self) -> Paper:
+        """The paper as it is sold."""
+        sides = (round(self.times * side, 6) for side in (self.width, self.height, self.margin, self.filing))
+        return Paper(self.name, *sides)
 
     @property
     def frame(self) -> Room:
@@ -98,7 +116,6 @@ PAPERS: Mapping[str, Paper] = {
 }
 USUAL = tuple(PAPERS.values())[:4]
 """In the order in which they are tried: the smallest that fits is taken. Letter paper has to be asked for."""
-LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])  # tried, too, where a smaller one holds all but leaves it little room
 
 PenName = Literal[
     "visible", "outline", "asked", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",

@@ -51,7 +51,7 @@ class SingleFigure:
         after: Sequence[Mark] = (),
     ) -> Sheet:  # fmt: skip
         """The sheet; words: the heading, further: scales to be told beside the figure's own, after: over all else."""
-        head = heading(words, "position", self.window.scale, self.layout.rooms["position"])
+        head = heading(words, "position", self.window.printed, self.layout.rooms["position"])
         panel = Panel(figure, self.window, self.room, before=head, after=tuple(after))
         foot = Strip(self.layout.strip, self.found, further=further or {}, told=self.told)
         return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, foot).sheet()

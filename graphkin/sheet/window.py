@@ -23,13 +23,22 @@ PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 @frozen
 class Window:
-    """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns."""
+    """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns.
+
+    times  the finished drawing is enlarged so many times
+    """
 
     origin: Place
     scale: float
+    times: float = 1.0
 
     def __call__(self, value: complex) -> Place:
         return self.origin + complex(value).conjugate() / self.scale
+
+    @property
+    def printed(self) -> float:
+        """The scale of the finished drawing."""
+        return self.scale / self.times
 
     @staticmethod
     def turned(direction: complex) -> complex:
@@ -128,6 +137,10 @@ class Extent:
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
 
+    def reduced(self, times: float) -> Extent:
+        """On a paper so many times smaller: its places are drawn smaller, its signs are not."""
+        return replace(self, low=self.low / times, high=self.high / times)
+
     def scale(self, room: Room) -> float:
         """The given scale where it fits one room at that, else the finest at which it does."""
         return self.given if self.given is not None and self.fits(self.given, room) else self.finest(room)
@@ -168,7 +181,7 @@ def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tu
 
 def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:
     """The window through which what lies at one place of the paper is seen at another, so many times as large."""
-    return Window(shown + (window.origin - part) * times, window.scale / times)
+    return Window(shown + (window.origin - part) * times, window.scale / times, window.times)
 
 
 def corners(places: Sequence[complex]) -> tuple[complex, complex]:
