@@ -37,7 +37,6 @@ from graphkin.sheet.titleblock import Strip, Table, TableBlock, strip_height
 from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
-_APART = 6.0  # from a figure to its tables under it [mm]
 _COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations over it
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
@@ -160,8 +159,8 @@ class SheetContents:
     def extents(self) -> dict[Plane, Extent]:
         """With the equations of each polygon."""
         sizes = {plane: own.size for plane, own in self.ladders.items()}
-        feet = {plane: TableBlock.shapes(self.tables[plane])[0].size.imag + _APART for plane in self.footed}
-        return {plane: replace(extent, ladder=sizes.get(plane), bottom=extent.bottom + feet.get(plane, 0.0))
+        feet = {plane: tuple(block.size for block in TableBlock.shapes(self.tables[plane])) for plane in self.footed}
+        return {plane: replace(extent, ladder=sizes.get(plane), tables=feet.get(plane, ()))
                 for plane, extent in self.drawing.extents.items()}  # fmt: skip
 
     @cached_property
@@ -195,11 +194,16 @@ class SheetContents:
         """A plane's tables as low in its room as its figure and equations allow; None where they do not."""
         at = self._ladder_at(layout, plane) if plane in self.ladders else None
         free = self._free(layout, plane, () if at is None else [*self.ladders[plane].marks(at)])
-        air = complex(AIR, 0.5 * AIR) if plane in self.footed else complex(AIR, AIR)
-        for block in TableBlock.shapes(self.tables[plane]):
+        air, shapes = complex(AIR, AIR), TableBlock.shapes(self.tables[plane])
+        for block in shapes:
             if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
                 return block.marks(corner + air)
-        return None
+        room = layout.rooms[plane]
+        narrow = [block for block in shapes if block.size.real <= room.size.real - 2 * HEAD_LEFT]
+        if plane not in self.footed or not narrow:
+            return None
+        lowest = min(narrow, key=lambda block: block.size.imag)
+        return lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
 
     def tableless(self, layout: Layout) -> list[Plane]:
         """Planes whose tables have no place with them."""

@@ -27,9 +27,9 @@ HEAD_LEFT = 3.0  # from the side of a room to its heading [mm]
 _SECOND = 5.5  # its additional height where the scale stands under it, in a narrow room [mm]
 _NARROWEST = 46.0  # a heading wants at least so much [mm]
 _MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
-_INK = 2.0  # the worth of paper that is used
-_MOST, _FAIR, _DEAR = 0.37, 0.27, 40.0
-"""So much of the field the mechanism may take, so much of it each polygon has; the cost of what is not so."""
+_INK = 1.0  # the worth of paper that is used
+_FAIR, _MOST, _DEAR = 0.28, 0.41, 40.0
+"""So much of the field each of three figures has at least, and the mechanism at most; the cost of what is not so."""
 
 Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
 Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
@@ -73,7 +73,7 @@ def _under_heading(room: Rooms) -> Rooms:
 def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array]:
     """The parts of rooms that heading and equations leave, and the scales there: the equations stand over the figure
     or on its left, whichever leaves it larger."""
-    under = _under_heading(room)
+    under = _over_tables(_under_heading(room), extent.tables)
     if extent.ladder is None:
         return under, extent.scales_in(under)
     wide, high = extent.ladder.real + 2 * HEAD_LEFT, extent.ladder.imag + HEAD_LEFT
@@ -82,6 +82,16 @@ def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array]:
     scale, other = extent.scales_in(over), extent.scales_in(beside)
     better = np.isnan(scale) | (other < scale)
     return Rooms(*(np.where(better, b, a) for a, b in zip(over, beside))), np.where(better, other, scale)
+
+
+def _over_tables(room: Rooms, shapes: Sequence[complex]) -> Rooms:
+    """The parts of rooms that tables at their foot leave: in the lowest of their shapes [mm] for which they are wide
+    enough."""
+    if not shapes:
+        return room
+    wide = room.right - room.left - 2 * HEAD_LEFT
+    high = np.min([np.where(wide >= shape.real, shape.imag, np.inf) for shape in shapes], axis=0)
+    return room._replace(bottom=np.maximum(room.top, room.bottom - high - HEAD_LEFT))
 
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:
@@ -196,7 +206,7 @@ def _score(
     for plane, extent in extents.items():
         room = free[plane]
         wide, high = extent.size.real / scales[plane], extent.size.imag / scales[plane]
-        easy = 90.0 if plane == "position" else 30.0 + 2.2 * extent.labels  # it has room for its letters
+        easy = 110.0 if plane == "position" else 50.0 + 2.2 * extent.labels  # it has room for its letters
         weight = math.sqrt(extent.labels / 10) * (_MECHANISM if plane == "position" else 1)
         large = np.maximum(wide, high)
         total = total + weight * (np.log(np.clip(large, 1.0, easy)) + 0.4 * np.log(np.clip(large / easy, 1.0, 1.8)))
@@ -207,11 +217,11 @@ def _score(
 
 
 def _unfair(rooms: Mapping[Plane, Rooms], whole: complex) -> Array:
-    """The parts of a field that a mechanism has too much and polygons too little of, beside one another."""
+    """The parts of a field that a mechanism has too much and figures too little of, beside one another."""
     unfair = np.asarray(0.0)
     for plane, room in rooms.items() if len(rooms) == 3 else ():
         part = (room.right - room.left) * (room.bottom - room.top) / (whole.real * whole.imag)
-        unfair = unfair + np.maximum(0.0, part - _MOST if plane == "position" else _FAIR - part)
+        unfair = unfair + np.maximum(0.0, _FAIR - part) + np.maximum(0.0, part - _MOST if plane == "position" else 0.0)
     return unfair
 
 

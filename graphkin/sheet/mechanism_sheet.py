@@ -1,9 +1,9 @@
 """The sheet of a mechanism: its figure and its polygons, laid out and lettered.
 
 It is the cheapest of several arrangements. An arrangement is a paper and its division into rooms, by which all is
-composed; it costs the labels that find no place, then those at the end of a leader. Arrangements are composed one after
-the other, each where it may mend a fault of the best so far: the smallest paper that holds all, other divisions of it,
-details. A larger paper is read at the size of a small one: it helps no label, and holds what a given scale asks for.
+composed; it costs the labels that find no place, then those at the end of a leader, and what stands in the strip off
+its figure. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
+smallest paper that holds all, other divisions of it, details, the same paper turned, a larger paper.
 """
 
 from __future__ import annotations
@@ -31,10 +31,12 @@ from graphkin.sheet.paper import Paper, TooLargeForPaper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
 from graphkin.sheet.text_blocks import LINE, broken
-from graphkin.sheet.titleblock import tables_room
+from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
+_MANY, _STRIP = 8.0, 8.0
+"""At a higher cost other papers are tried; so high a strip costs as much as a leader [mm]."""
 _TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
@@ -138,7 +140,8 @@ class Arrangement:
         """Labels that find no place near by, and leaders; of an overfull one all labels, and by how much it is so."""
         if self.overfull > 1:
             return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
-        return self.near.lost, self.near.crowded
+        above = self.layout.strip.size.imag - FOOT  # what stands over the footer takes room, and stands off its figure
+        return self.near.lost, self.near.crowded + max(0.0, above) / _STRIP
 
     @cached_property
     def lettered(self) -> Lettered:
@@ -167,7 +170,13 @@ class Arrangement:
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
-    best = _on(Arrangement(contents, papers_for(paper)))
+    usual = papers_for(paper)
+    best = _on(Arrangement(contents, usual))
+    others = [each for each in usual if each.landscape != best.layout.paper.landscape]
+    small, large = others[:1], usual[2:]
+    for papers in filter(None, (small, large)):
+        if best.cost > (0, _MANY):
+            best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.cost)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True).settled if cut else best
 

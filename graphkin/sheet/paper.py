@@ -62,6 +62,7 @@ class Rooms(NamedTuple):
 
 
 _A4 = 210.0 * 297.0  # [mm^2]
+_READ = 1.1  # letters of A3 are so much larger: at the size of A4 labels are 1.8 mm high, the least of ISO 3098
 
 
 @frozen
@@ -85,8 +86,8 @@ class Paper:
 
     @property
     def reduced(self) -> Paper:
-        """The paper on which its sheets are composed: one larger than A4 is read, and printed, at that size."""
-        times = max(1.0, math.sqrt(self.width * self.height / _A4))
+        """The paper on which its sheets are composed: one larger than A4 may be printed as A4."""
+        times = _READ if self.width * self.height > 1.1 * _A4 else 1.0
         sides = (side / times for side in (self.width, self.height, self.margin, self.filing))
         return Paper(self.name, *sides, times)
 

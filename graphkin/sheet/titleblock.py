@@ -175,10 +175,15 @@ class TableBlock:
 
     @classmethod
     def shapes(cls, tables: Sequence[Table]) -> list[TableBlock]:
-        """From wide to narrow."""
-        blocks = [cls(arranged([*tables], wide)) for wide in _WIDTHS]
-        rows = [sum(len(table.rows) for tier in block.tiers for table in tier) for block in blocks]
-        return [block for block, count in zip(blocks, rows, strict=True) if count == rows[0]]
+        """All of them in one tier or two, each in a tier of its own, and cut to some widths."""
+        own = [*tables]
+        tiers = [[own], *([own[:k], own[k:]] for k in range(1, len(own))), [[table] for table in own]]
+        blocks = [cls(each) for each in (*tiers, *(arranged(own, wide) for wide in _WIDTHS))]
+        return [block for block in blocks if block.rows == blocks[0].rows]
+
+    @property
+    def rows(self) -> int:
+        return sum(len(table.rows) for tier in self.tiers for table in tier)
 
     @property
     def size(self) -> complex:

@@ -90,7 +90,8 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
-    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations [mm]
+    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations; tables: of the shapes
+            in which its tables stand at its foot [mm]
     """
 
     low: complex
@@ -103,6 +104,7 @@ class Extent:
     labels: int = 10
     lettering: float = 0.0
     ladder: complex | None = None
+    tables: tuple[complex, ...] = ()
 
     @classmethod
     def of(
