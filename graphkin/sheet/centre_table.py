@@ -78,7 +78,7 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
     turn = 2 * math.pi / max(1, len(order))
     nodes = {link: middle + cmath.rect(radius, turn * k - math.pi / 2) for k, link in enumerate(order)}
     title = Text(plain(_DIAGRAM[lang]), complex(room.left + 3, room.top + 5.5), LABEL)
-    marks = [title, Disc(middle, radius, "leader"), *_chord_marks(found, nodes)]
+    marks = [title, Disc(middle, radius, "thin"), *_chord_marks(found, nodes)]
     for link, at in nodes.items():
         label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
         wide, high = width(label, LABEL), 0.68 * LABEL
@@ -121,7 +121,7 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
         balls.append(at)
         label = plain(str(chord.number))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
-        ball = Disc(at, _BALL, "leader", "paper", step=chord.number)
+        ball = Disc(at, _BALL, "thin", "paper", step=chord.number)
         marks += [ball, Text(label, corner, LEAST, chord.number)]
     return marks
 

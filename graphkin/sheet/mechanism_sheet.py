@@ -137,11 +137,11 @@ class Arrangement:
 
     @cached_property
     def cost(self) -> tuple[float, float]:
-        """Labels that find no place near by, and leaders; of an overfull one all labels, and by how much it is so."""
+        """Labels that find no place near by, and the burden of all; of an overfull one all labels, and by how much."""
         if self.overfull > 1:
             return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
         above = self.layout.strip.size.imag - FOOT  # what stands over the footer takes room, and stands off its figure
-        return self.near.lost, self.near.crowded + max(0.0, above) / _STRIP
+        return self.near.lost, self.near.burden + max(0.0, above) / _STRIP
 
     @cached_property
     def lettered(self) -> Lettered:

@@ -144,7 +144,7 @@ PENS: Mapping[PenName, Pen] = {
     "centre": Pen(0.18, (6.0, 1.0, 0.6, 1.0)),
     "construction": Pen(0.13),
     "measured": Pen(0.13, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
-    "leader": Pen(0.13),
+    "leader": Pen(0.13),  # in half the colour of its plane
 }
 
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}

@@ -90,8 +90,8 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
-    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations; tables: of the shapes
-            in which its tables stand at its foot [mm]
+    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations
+    tables  the sizes in which its tables may stand under it [mm]
     """
 
     low: complex
