@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from functools import cache, cached_property, partial
 from typing import Literal
 
@@ -141,6 +141,7 @@ class SheetContents:
     given     tables of the strip; tables: with their planes
     in_strip  the planes whose equations stand there, not with their polygons
     footed    the planes whose tables have a room of their own under the figure; low: those whose tables go to the strip
+    said      room in the strip for the sentence of a single step, in place of tables [mm]; scales: that are kept then
     """
 
     drawing: Planes
@@ -150,6 +151,8 @@ class SheetContents:
     in_strip: Collection[Plane] = ()
     footed: Collection[Plane] = ()
     low: Collection[Plane] = ()
+    said: float = 0.0
+    scales: Mapping[Plane, float] = field(default_factory=dict)
 
     @property
     def planes(self) -> tuple[Plane, ...]:
@@ -160,7 +163,9 @@ class SheetContents:
         """With the equations of each polygon."""
         sizes = {plane: own.size for plane, own in self.ladders.items()}
         feet = {plane: tuple(block.size for block in TableBlock.shapes(self.tables[plane])) for plane in self.footed}
-        return {plane: replace(extent, ladder=sizes.get(plane), tables=feet.get(plane, ()))
+        feet = {} if self.said else feet
+        return {plane: replace(extent, ladder=sizes.get(plane), tables=feet.get(plane, ()),
+                               given=self.scales.get(plane, extent.given))
                 for plane, extent in self.drawing.extents.items()}  # fmt: skip
 
     @cached_property
@@ -215,6 +220,7 @@ class SheetContents:
         """The height of the strip on a paper [mm], reckoned once for each."""
         equations = [self.drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
         height = partial(strip_height, found=self._in_foot, equations=equations)
+        height = partial(strip_height, least=self.said) if self.said else height
         return cache(height) if not self.tight else lambda _: 0.0
 
     @property

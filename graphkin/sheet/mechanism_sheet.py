@@ -17,6 +17,7 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import shown
+from graphkin.planning.method import Act
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
@@ -24,10 +25,10 @@ from graphkin.say.numbers import circled
 from graphkin.sheet.composition import Planes, SheetContents, Style
 from graphkin.sheet.label_requests import CRAMMED
 from graphkin.sheet.layout import Layout, cut_to
-from graphkin.sheet.lettering import LABEL, formula, plain
-from graphkin.sheet.marks import Place, Text
+from graphkin.sheet.lettering import LABEL, Label, formula, plain
+from graphkin.sheet.marks import Text, enlarged
 from graphkin.sheet.page import Lettered, Page, Sheet
-from graphkin.sheet.paper import Paper, TooLargeForPaper, papers_for
+from graphkin.sheet.paper import PAPERS, Paper, TooLargeForPaper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
 from graphkin.sheet.text_blocks import LINE, broken
@@ -119,6 +120,19 @@ class Arrangement:
             raise error.at(contents.drawing.method.mechanism.where("scales", error.key)) from None
         return cut_to(layout, contents.planes[0], contents.extent(layout, contents.planes[0])) if self.cut else layout
 
+    @property
+    def sold(self) -> Paper:
+        """Its paper in the size in which it can be asked for."""
+        return PAPERS[self.layout.paper.name]
+
+    @property
+    def fits(self) -> bool:
+        """True where the paper holds all at the scales that are given."""
+        try:
+            return bool(self.layout.rooms)
+        except TooLargeForPaper:
+            return False
+
     @cached_property
     def page(self) -> Page:
         return self.contents.page(self.layout, self.stages, self.details)
@@ -198,24 +212,32 @@ def _on(first: Arrangement) -> Arrangement:
 
 def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    arrangement, drawing = cheapest(contents, paper), contents.drawing
-    layout, whole = arrangement.layout, replace(arrangement, stages=True).lettered.sheet
+    best, drawing = cheapest(contents, paper), contents.drawing
+    scales, wide = best.layout.scales, tables_room(best.layout.paper)
     others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
-    reading = drawing.reading({**others, **layout.scales})
+    reading = drawing.reading({**others, **scales})
     entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
     texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
-    acts, strip = [act for act in drawing.method.acts if act.plane in contents.planes], layout.strip
-    for number in numbers or range(1, len(acts) + 1):
-        act = acts[number - 1]
+    acts = [act for act in drawing.method.acts if act.plane in contents.planes]
+    lines = dict[Act, list[Label]]()
+    for number, act in enumerate(acts, 1):
+        head = plain(say("sheet.step", drawing.lang, number=number, count=len(acts)))
+        sign = f"{circled(act.number)} " if act.numbered else ""
+        lines[act] = [head, *map(formula, broken(sign + texts.get(act, ""), wide, LABEL))]
+    pitch = LINE * LABEL
+    stage = replace(best, stages=True)
+    if not contents.tight:  # the sentences stand over the footer, and all is drawn to the scales of the whole sheet
+        said = pitch * max(map(len, lines.values()))
+        stage = replace(stage, contents=replace(best.contents, said=said, scales=scales), papers=[best.sold])
+        stage = stage if stage.fits else replace(best, stages=True)
+    strip, whole = stage.layout.strip, stage.lettered.sheet
+    for act in acts if not numbers else [acts[number - 1] for number in numbers]:
         sheet = whole.upto(act.page)
         if not contents.tight:
             below, *above = sheet.layers
-            at: Place = complex(strip.left + 3, strip.top + 6)
-            marks = [Text(plain(say("sheet.step", drawing.lang, number=number, count=len(acts))), at, LABEL)]
-            sign = f"{circled(act.number)} " if act.numbered else ""
-            for line in broken(sign + texts.get(act, ""), tables_room(sheet.paper), LABEL):
-                at += 1j * LINE * LABEL
-                if at.imag < strip.bottom - 9:
-                    marks.append(Text(formula(line), at, LABEL))
-            sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *marks)), *above))
+            at = [complex(strip.left + 3, strip.top + 1 + pitch * (k + 0.8)) for k in range(len(lines[act]))]
+            marks = [Text(line, place, LABEL) for line, place in zip(lines[act], at, strict=True)
+                     if place.imag < strip.bottom - FOOT]  # fmt: skip
+            larger = [enlarged(mark, stage.layout.paper.times) for mark in marks]
+            sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *larger)), *above))
         yield sheet
