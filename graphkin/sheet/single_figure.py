@@ -63,7 +63,7 @@ def place_for(
 ) -> SingleFigure:  # fmt: skip
     """On the smallest paper where these places [m] fit; a given scale that is too fine is not kept.
 
-    plots  at which the mechanism is to be drawn; found, told: tables and sentences for the strip; least: its room for more [mm].
+    plots  at which the mechanism is to be drawn; found, told: its tables and sentences; least: room for more
     Raises UnknownPaper.
     """
 
