@@ -51,10 +51,9 @@ class Layout:
 
     def window(self, plane: Plane, extent: Extent) -> Window:
         """The figure with all its signs in the middle of its room, under its heading."""
-        times, scale = self.paper.times, self.scales[plane]
+        times = self.paper.times
         free, _ = _for_figure(_one(self.rooms[plane]), extent.reduced(times))
-        seen = extent.reduced(times).window(Room(*map(float, free)), scale)
-        return Window(seen.origin, scale * times, times)
+        return extent.reduced(times).window(Room(*map(float, free)), self.scales[plane], times)
 
 
 def under_heading(room: Room) -> Room:

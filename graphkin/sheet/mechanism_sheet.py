@@ -1,8 +1,8 @@
 """The sheet of a mechanism: its figure and its polygons, laid out and lettered.
 
 It is the cheapest of several arrangements. An arrangement is a paper and its division into rooms, by which all is
-composed; it costs the labels that find no place, then those at the end of a leader, and what stands in the strip off
-its figure. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
+composed; it costs the labels that find no place, those at the end of a leader, and what stands in the strip off its
+figure. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
 smallest paper that holds all, other divisions of it, details, the same paper turned, a larger paper.
 """
 
@@ -36,8 +36,8 @@ from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
-_MANY, _STRIP = 8.0, 8.0
-"""At a higher cost other papers are tried; so high a strip costs as much as a leader [mm]."""
+_MANY, _STRIP, _LOST = 8.0, 8.0, 3.0
+"""At a higher price other papers are tried; so high a strip costs as much as a leader [mm]; a label without a place."""
 _TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
@@ -157,6 +157,11 @@ class Arrangement:
         above = self.layout.strip.size.imag - FOOT  # what stands over the footer takes room, and stands off its figure
         return self.near.lost, self.near.burden + max(0.0, above) / _STRIP
 
+    @property
+    def price(self) -> float:
+        """Both in one, by which arrangements are compared."""
+        return _LOST * self.cost[0] + self.cost[1]
+
     @cached_property
     def lettered(self) -> Lettered:
         """Its labels as well as can be: where some find no place near by, they go farther off."""
@@ -189,8 +194,8 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     others = [each for each in usual if each.landscape != best.layout.paper.landscape]
     small, large = others[:1], usual[2:]
     for papers in filter(None, (small, large)):
-        if best.cost > (0, _MANY):
-            best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.cost)
+        if best.price > _MANY:
+            best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.price)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True).settled if cut else best
 
@@ -203,8 +208,8 @@ def _on(first: Arrangement) -> Arrangement:
             break
         crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
         other = replace(first, weights=dict.fromkeys(crowded, weight))
-        best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.cost)
-    return min(replace(best, details=True).settled, best, key=lambda each: each.cost) if any(best.cost) else best
+        best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.price)
+    return min(replace(best, details=True).settled, best, key=lambda each: each.price) if any(best.cost) else best
 
 
 # --- single steps -----------------------------------------------------------------------------------------------------

@@ -166,12 +166,12 @@ class Extent:
         whole = self.size / self.given
         return np.where(fits & (whole.real <= wide) & (whole.imag <= high), self.given, np.nan)
 
-    def window(self, room: Room, scale: float) -> Window:
-        """The window through which it is in the middle of a room with all its signs."""
+    def window(self, room: Room, scale: float, times: float = 1.0) -> Window:
+        """The window through which it is in the middle of a room with all its signs; times: as it is reduced."""
         whole = self.size / scale + self.reach
         x = (room.left + room.right - whole.real) / 2 + self.left
         y = (room.top + room.bottom - whole.imag) / 2 + self.top + self.size.imag / scale
-        return Window(complex(x, y) - self.low.conjugate() / scale, scale)
+        return Window(complex(x, y) - self.low.conjugate() / scale, scale * times, times)
 
 
 def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:

@@ -425,7 +425,7 @@ def test_widths_are_those_of_times() -> None:
     assert advance("v", italic=True) == 0.444
     assert advance("ω", italic=True) == 0.706
     assert advance("速度") == 2.0
-    assert width(point_label("b3"), 10.0) == pytest.approx(5.0 + 3.4)
+    assert width(point_label("b3"), 10.0) == pytest.approx(5.0 + 3.5)
 
 
 @pytest.mark.parametrize(
