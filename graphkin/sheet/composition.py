@@ -86,6 +86,16 @@ class Planes:
     def _drawn(self) -> dict[tuple[Plane, Window], Figure]:
         return {}
 
+    @cached_property
+    def panels(self) -> dict[tuple[object, ...], Panel]:
+        """Panels without details, by all they hang on: they are lettered once, with details and without."""
+        return {}
+
+    @cached_property
+    def tables(self) -> dict[tuple[object, ...], list[Mark] | None]:
+        """The tables of planes, by all that their place hangs on; None where there is none."""
+        return {}
+
     def skeleton(self, window: Window) -> Skeleton:
         return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
 
@@ -138,14 +148,14 @@ class SheetContents:
     """All that a mechanism's sheet shows, whatever its paper.
 
     tight     without frame, tables and title
-    given     tables of the strip; tables: with their planes
+    given     tables of the strip; tables: with their planes, in the shapes that they may have
     in_strip  the planes whose equations stand there, not with their polygons
     footed    the planes whose tables have a room of their own under the figure; low: those whose tables go to the strip
     said      room in the strip for the sentence of a single step, in place of tables [mm]; scales: that are kept then
     """
 
     drawing: Planes
-    tables: Mapping[Plane, Sequence[Table]]
+    tables: Mapping[Plane, Sequence[TableBlock]]
     given: Sequence[Table] = ()
     tight: bool = False
     in_strip: Collection[Plane] = ()
@@ -162,8 +172,7 @@ class SheetContents:
     def extents(self) -> dict[Plane, Extent]:
         """With the equations of each polygon."""
         sizes = {plane: own.size for plane, own in self.ladders.items()}
-        feet = {plane: tuple(block.size for block in TableBlock.shapes(self.tables[plane])) for plane in self.footed}
-        feet = {} if self.said else feet
+        feet = {plane: tuple(block.size for block in self.tables[plane]) for plane in self.footed if not self.said}
         return {plane: replace(extent, ladder=sizes.get(plane), tables=feet.get(plane, ()),
                                given=self.scales.get(plane, extent.given))
                 for plane, extent in self.drawing.extents.items()}  # fmt: skip
@@ -197,14 +206,19 @@ class SheetContents:
 
     def _tables_at(self, layout: Layout, plane: Plane) -> list[Mark] | None:
         """A plane's tables as low in its room as its figure and equations allow; None where they do not."""
+        place = self._place(layout, plane)
+        if place not in self.drawing.tables:
+            self.drawing.tables[place] = self._low_tables(layout, plane)
+        return self.drawing.tables[place]
+
+    def _low_tables(self, layout: Layout, plane: Plane) -> list[Mark] | None:
         at = self._ladder_at(layout, plane) if plane in self.ladders else None
         free = self._free(layout, plane, () if at is None else [*self.ladders[plane].marks(at)])
-        air, shapes = complex(AIR, AIR), TableBlock.shapes(self.tables[plane])
-        for block in shapes:
+        air, room = complex(AIR, AIR), layout.rooms[plane]
+        for block in self.tables[plane]:
             if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
                 return block.marks(corner + air)
-        room = layout.rooms[plane]
-        narrow = [block for block in shapes if block.size.real <= room.size.real - 2 * HEAD_LEFT]
+        narrow = [block for block in self.tables[plane] if block.size.real <= room.size.real - 2 * HEAD_LEFT]
         if plane not in self.footed or not narrow:
             return None
         lowest = min(narrow, key=lambda block: block.size.imag)
@@ -226,7 +240,8 @@ class SheetContents:
     @property
     def _in_foot(self) -> list[Table]:
         """The tables of the strip."""
-        return [*self.given, *(table for plane in self.planes if plane in self.low for table in self.tables[plane])]
+        low = (self.tables[plane][0] for plane in self.planes if plane in self.low)
+        return [*self.given, *(table for block in low for tier in block.tiers for table in tier)]
 
     def layout(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
         """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
@@ -265,16 +280,16 @@ class SheetContents:
 
     def _panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
         window = layout.window(plane, self.extent(layout, plane))
-        place = plane, stages, plane in layout.headed, layout.rooms[plane], window, *layout.scales.items()
-        if place not in self._panels:
-            self._panels[place] = self._plain_panel(layout, plane, stages, window)
-        panel = self._panels[place]
+        place, panels = (stages, *self._place(layout, plane), *layout.scales.items()), self.drawing.panels
+        if place not in panels:
+            panels[place] = self._plain_panel(layout, plane, stages, window)
+        panel = panels[place]
         return detailed(panel, partial(self.drawing.figure, plane), plane) if details and plane != "position" else panel
 
-    @cached_property
-    def _panels(self) -> dict[tuple[object, ...], Panel]:
-        """Panels without details, by all they hang on: they are lettered once, with details and without."""
-        return {}
+    def _place(self, layout: Layout, plane: Plane) -> tuple[object, ...]:
+        """All that equations and tables of a plane hang on."""
+        choices = (plane in planes for planes in (layout.headed, self.in_strip, self.footed, self.low))
+        return plane, layout.rooms[plane], layout.window(plane, self.extent(layout, plane)), *choices
 
     def _plain_panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:
         """One plane's figure under its heading."""

@@ -8,6 +8,7 @@ smallest paper that holds all, other divisions of it, details, the same paper tu
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -36,8 +37,9 @@ from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
-_MANY, _STRIP, _LOST = 8.0, 8.0, 3.0
-"""At a higher price other papers are tried; so high a strip costs as much as a leader [mm]; a label without a place."""
+_MANY, _FEW_MORE, _STRIP, _LOST = 8.0, 3, 8.0, 3.0
+"""At a higher price the paper is turned, unless it is so many times as high, then a larger one is tried; so high a
+strip costs as much as a leader [mm]; the price of a label without a place."""
 _TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
@@ -192,9 +194,8 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     usual = papers_for(paper)
     best = _on(Arrangement(contents, usual))
     others = [each for each in usual if each.landscape != best.layout.paper.landscape]
-    small, large = others[:1], usual[2:]
-    for papers in filter(None, (small, large)):
-        if best.price > _MANY:
+    for most, papers in ((_FEW_MORE * _MANY, others[:1]), (math.inf, usual[2:])):
+        if papers and _MANY < best.price < most:
             best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.price)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True).settled if cut else best
