@@ -25,7 +25,7 @@ from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
-from graphkin.sheet.marks import Mark, Place
+from graphkin.sheet.marks import Mark
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
@@ -38,6 +38,8 @@ from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
 _COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations over it
+_NARROW = 84.0  # half of a sheet: equations that are longer may be broken [mm]
+_LENS = 60 + 68j  # the room for a detail [mm]
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
@@ -149,7 +151,7 @@ class SheetContents:
 
     tight     without frame, tables and title
     given     tables of the strip; tables: with their planes, in the shapes that they may have
-    in_strip  the planes whose equations stand there, not with their polygons
+    in_strip  the planes whose equations stand there, not with their polygons; lensed: those with room for a detail
     footed    the planes whose tables have a room of their own under the figure; low: those whose tables go to the strip
     said      room in the strip for the sentence of a single step, in place of tables [mm]; scales: that are kept then
     """
@@ -163,6 +165,7 @@ class SheetContents:
     low: Collection[Plane] = ()
     said: float = 0.0
     scales: Mapping[Plane, float] = field(default_factory=dict)
+    lensed: Collection[Plane] = ()
 
     @property
     def planes(self) -> tuple[Plane, ...]:
@@ -170,17 +173,23 @@ class SheetContents:
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        """With the equations of each polygon."""
-        sizes = {plane: own.size for plane, own in self.ladders.items()}
-        feet = {plane: tuple(block.size for block in self.tables[plane]) for plane in self.footed if not self.said}
-        return {plane: replace(extent, ladder=sizes.get(plane), tables=feet.get(plane, ()),
-                               given=self.scales.get(plane, extent.given))
-                for plane, extent in self.drawing.extents.items()}  # fmt: skip
+        """With what stands beside each figure: its equations, a detail, its tables."""
+        extents = dict[Plane, Extent]()
+        for plane, extent in self.drawing.extents.items():
+            lens = _LENS if plane in self.lensed else 0j
+            shapes = [own.size for own in self.ladders.get(plane, ())] or [0j] * (plane in self.lensed)
+            beside = [(complex(own.real + lens.real, max(own.imag, lens.imag)),
+                       complex(max(own.real, lens.real), own.imag + lens.imag)) for own in shapes]  # fmt: skip
+            feet = [block.size for block in self.tables[plane]] if plane in self.footed and not self.said else ()
+            given = self.scales.get(plane, extent.given)
+            extents[plane] = replace(extent, beside=tuple(beside), tables=tuple(feet), given=given)
+        return extents
 
     @cached_property
-    def ladders(self) -> dict[Plane, Ladder]:
-        """The equations that stand with their polygons."""
-        return {plane: own for plane, own in self.drawing.ladders.items() if plane not in self.in_strip}
+    def ladders(self) -> dict[Plane, list[Ladder]]:
+        """The equations that stand with their polygons, whole and with long ones broken."""
+        every = ((plane, own) for plane, own in self.drawing.ladders.items() if plane not in self.in_strip)
+        return {plane: list(dict.fromkeys((own, own.within(_NARROW)))) for plane, own in every}
 
     def without_head(self, layout: Layout) -> list[Plane]:
         """Planes whose equations have no room of their own with their figure."""
@@ -188,15 +197,19 @@ class SheetContents:
 
     def without_room(self, layout: Layout) -> list[Plane]:
         """Those of them for whose equations there is no room even while nothing is lettered."""
-        return [plane for plane in self.without_head(layout) if self._ladder_at(layout, plane) is None]
+        return [plane for plane in self.without_head(layout) if not self._equations(layout, plane)]
 
-    def _ladder_at(self, layout: Layout, plane: Plane) -> Place | None:
-        """The upper left corner of a plane's equations: under its heading, else where its figure leaves room."""
-        room = layout.rooms[plane]
-        if plane in layout.headed:
-            return complex(room.left + HEAD_LEFT, under_heading(room).top)
-        corner = self._free(layout, plane, ()).corner(self.ladders[plane].size + 2 * complex(AIR, AIR))
-        return None if corner is None else corner + complex(AIR, AIR)
+    def _equations(self, layout: Layout, plane: Plane) -> list[Mark]:
+        """A plane's equations: under its heading, else where its figure leaves room; none where it does not."""
+        room, shapes = layout.rooms[plane], self.ladders.get(plane, [])
+        if plane in layout.headed and shapes:
+            at = complex(room.left + HEAD_LEFT, under_heading(room).top)
+            return [*shapes[layout.shape(plane, self.extent(layout, plane))].marks(at)]
+        free = self._free(layout, plane, ()) if shapes else None
+        for own in shapes if free is not None else ():
+            if free is not None and (corner := free.corner(own.size + 2 * complex(AIR, AIR))) is not None:
+                return [*own.marks(corner + complex(AIR, AIR))]
+        return []
 
     def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark]) -> FreeRoom:
         """The room that a plane's figure and its heading leave, and what else stands there before all letters."""
@@ -212,8 +225,7 @@ class SheetContents:
         return self.drawing.tables[place]
 
     def _low_tables(self, layout: Layout, plane: Plane) -> list[Mark] | None:
-        at = self._ladder_at(layout, plane) if plane in self.ladders else None
-        free = self._free(layout, plane, () if at is None else [*self.ladders[plane].marks(at)])
+        free = self._free(layout, plane, self._equations(layout, plane))
         air, room = complex(AIR, AIR), layout.rooms[plane]
         for block in self.tables[plane]:
             if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
@@ -249,7 +261,7 @@ class SheetContents:
         if key not in self._layouts:
             extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
             papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
-            free = {plane: replace(extent, ladder=None) for plane, extent in extents.items()}
+            free = {plane: replace(extent, beside=()) for plane, extent in extents.items()}
             bare = lay_out(free, self.height, papers)
             self._layouts[key] = headed(bare, extents, self.height, papers, _COARSER)
         return self._layouts[key]
@@ -260,7 +272,7 @@ class SheetContents:
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
         """With its equations, where they have a room of their own."""
-        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], ladder=None)
+        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], beside=())
 
     def page(self, layout: Layout, stages: bool, details: bool) -> Page:
         """Everything on a divided paper; with `stages`, over the lines of the pencil and without results."""
@@ -298,8 +310,7 @@ class SheetContents:
         corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
         if plane == "position":
             before += drawing.paths.written(corner)
-        if plane in self.ladders and (at := self._ladder_at(layout, plane)) is not None:
-            before += self.ladders[plane].marks(at)
+        before += self._equations(layout, plane)
         if plane in self.tables and plane not in self.low and not stages:
             before += self._tables_at(layout, plane) or []
         if stages and plane == "position":

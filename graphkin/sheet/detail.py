@@ -33,10 +33,10 @@ _LARGEST = 45.0  # radius of a detail [mm]
 _AROUND, _HEAD = 8.0, 4.0
 """Room for letters around a detail, and for its own heading over it [mm]."""
 _MANY = 150  # more labels than this no detail relieves
-_SAVED = 4.0  # the burden that a detail saves at least
-_LED = 1.0  # the additional burden of a leader in a detail
+SAVED = 4.0  # the burden that a detail saves at least
+_LED = 3.0  # the additional burden of a leader in a detail
 _CLEAR, _NOTHING = 9.0, 0.3  # the shortest arrow in a detail is at least so long; what is no arrow [mm]
-_SIZES = 2  # so many sizes of a detail are tried
+_SIZES = 3  # so many sizes of a detail are tried
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
 _ROUND = 1.2  # a lens is so many times as large as what it is to show
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
@@ -117,7 +117,7 @@ class _DetailDrawing:
 
     def relieved(self) -> _DetailDrawing | None:
         """With the one more detail that relieves it most, None where none does."""
-        if burden(self.burdens) < _SAVED:
+        if burden(self.burdens) < SAVED:
             return None
         free, best = FreeRoom(self.panel.scene), self
         for knot in _knots(self.panel.figure.wanted, self.burdens):
@@ -125,7 +125,7 @@ class _DetailDrawing:
                 own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
                 if min(own) >= _OWN and (best is self or burden(other.burdens) < burden(best.burdens)):
                     best = other  # no detail loses its own letters to another
-        return best if burden(best.burdens) + _SAVED <= burden(self.burdens) else None
+        return best if burden(best.burdens) + SAVED <= burden(self.burdens) else None
 
     @property
     def burdens(self) -> Array:
@@ -186,7 +186,7 @@ def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> Iterator[_DetailCi
     for radius in _RADII:
         centres = _middles(far <= radius + _ON, about, start, end)
         held = (_farthest(centres, start, end) <= radius + _ON) @ burdens
-        if held.max() >= _SAVED:
+        if held.max() >= SAVED:
             yield _DetailCircle(complex(centres[held.argmax()]), radius)
 
 

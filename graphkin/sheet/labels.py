@@ -252,13 +252,15 @@ class Settled(NamedTuple):
 
     def burdens(self, count: int) -> Array:
         """The burden of each of so many labels on the eye."""
-        led, *bad = (np.bincount([*each], minlength=count) for each in (self.led, self.unclear, self.clashing))
-        return np.asarray(led + _UNCLEAR * np.sum(bad, axis=0))
+        burdens = np.zeros(count)
+        for labels, weight in ((self.led, 1.0), (self.unclear, _UNCLEAR), (self.clashing, _UNCLEAR)):
+            burdens[[*labels]] += weight
+        return burdens
 
 
 def burden(each: Array) -> float:
     """The burden of labels together: more than a few are heavier."""
-    return float(each.sum() + _MORE * max(0, np.count_nonzero(each) - _EASY))
+    return float(each.sum() + _MORE * max(0, int(np.count_nonzero(each)) - _EASY))
 
 
 def settle(scene: LabelScene, far: bool = False) -> Settled:

@@ -24,7 +24,9 @@ from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.sheet.composition import Planes, SheetContents, Style
+from graphkin.sheet.detail import SAVED
 from graphkin.sheet.label_requests import CRAMMED
+from graphkin.sheet.labels import burden
 from graphkin.sheet.layout import Layout, cut_to
 from graphkin.sheet.lettering import LABEL, Label, formula, plain
 from graphkin.sheet.marks import Text, enlarged
@@ -164,6 +166,12 @@ class Arrangement:
         """Both in one, by which arrangements are compared."""
         return _LOST * self.cost[0] + self.cost[1]
 
+    @property
+    def knotted(self) -> list[Plane]:
+        """Planes whose labels would be worth a detail."""
+        panels = zip(self.contents.planes, self.page.panels, strict=True)
+        return [plane for plane, panel in panels if plane != "position" and burden(panel.burdens) >= SAVED]
+
     @cached_property
     def lettered(self) -> Lettered:
         """Its labels as well as can be: where some find no place near by, they go farther off."""
@@ -204,13 +212,16 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
 def _on(first: Arrangement) -> Arrangement:
     """The cheapest on the papers of an arrangement."""
     best = first.settled
+    if knots := best.knotted:
+        first = replace(first, details=True, contents=replace(first.contents, lensed=knots))
+        best = min(best, first.settled, key=lambda each: each.price)
     for weight in _WEIGHTS:
         if not best.cost[0] or best.overfull > 1:
             break
         crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
         other = replace(first, weights=dict.fromkeys(crowded, weight))
         best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.price)
-    return min(replace(best, details=True).settled, best, key=lambda each: each.price) if any(best.cost) else best
+    return best
 
 
 # --- single steps -----------------------------------------------------------------------------------------------------

@@ -90,7 +90,8 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
-    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations
+    labels  their number; lettering: the room that they take [mm^2]
+    beside  the sizes of its equations and its detail, over it and on its left, in each of their shapes [mm]
     tables  the sizes in which its tables may stand under it [mm]
     """
 
@@ -103,7 +104,7 @@ class Extent:
     given: float | None = None
     labels: int = 10
     lettering: float = 0.0
-    ladder: complex | None = None
+    beside: tuple[tuple[complex, complex], ...] = ()
     tables: tuple[complex, ...] = ()
 
     @classmethod
