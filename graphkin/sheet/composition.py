@@ -90,7 +90,7 @@ class Planes:
 
     @cached_property
     def panels(self) -> dict[tuple[object, ...], Panel]:
-        """Panels without details, by all they hang on: they are lettered once, with details and without."""
+        """Panels, by all they hang on: they are lettered once, with details and without."""
         return {}
 
     @cached_property
@@ -291,12 +291,15 @@ class SheetContents:
         return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
 
     def _panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
-        window = layout.window(plane, self.extent(layout, plane))
-        place, panels = (stages, *self._place(layout, plane), *layout.scales.items()), self.drawing.panels
-        if place not in panels:
+        panels, detail = self.drawing.panels, details and plane != "position"
+        place = detail, stages, *self._place(layout, plane), *layout.scales.items()
+        if place not in panels and detail:
+            plain_one = self._panel(layout, plane, stages, details=False)
+            panels[place] = detailed(plain_one, partial(self.drawing.figure, plane), plane)
+        elif place not in panels:
+            window = layout.window(plane, self.extent(layout, plane))
             panels[place] = self._plain_panel(layout, plane, stages, window)
-        panel = panels[place]
-        return detailed(panel, partial(self.drawing.figure, plane), plane) if details and plane != "position" else panel
+        return panels[place]
 
     def _place(self, layout: Layout, plane: Plane) -> tuple[object, ...]:
         """All that equations and tables of a plane hang on."""
