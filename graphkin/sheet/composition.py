@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from functools import cache, cached_property, partial
 from typing import Literal
 
@@ -25,7 +25,7 @@ from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
-from graphkin.sheet.marks import Place
+from graphkin.sheet.marks import Mark
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
@@ -33,11 +33,12 @@ from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.text_blocks import AIR, Ladder, ladder
-from graphkin.sheet.titleblock import Strip, Table, strip_height
+from graphkin.sheet.titleblock import Strip, Table, TableBlock, strip_height
 from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
 _COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations over it
+_NARROW = 84.0  # half of a sheet: equations that are longer may be broken [mm]
 _LENS = 60 + 68j  # the room for a detail [mm]
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
@@ -85,6 +86,16 @@ class Planes:
 
     @cached_property
     def _drawn(self) -> dict[tuple[Plane, Window], Figure]:
+        return {}
+
+    @cached_property
+    def panels(self) -> dict[tuple[object, ...], Panel]:
+        """Panels, by all they hang on: they are lettered once, with details and without."""
+        return {}
+
+    @cached_property
+    def tables(self) -> dict[tuple[object, ...], list[Mark] | None]:
+        """The tables of planes, by all that their place hangs on; None where there is none."""
         return {}
 
     def skeleton(self, window: Window) -> Skeleton:
@@ -139,13 +150,21 @@ class SheetContents:
     """All that a mechanism's sheet shows, whatever its paper.
 
     tight     without frame, tables and title
+    given     tables of the strip; tables: with their planes, in the shapes that they may have
     in_strip  the planes whose equations stand there, not with their polygons; lensed: those with room for a detail
+    footed    the planes whose tables have a room of their own under the figure; low: those whose tables go to the strip
+    said      room in the strip for the sentence of a single step, in place of tables [mm]; scales: that are kept then
     """
 
     drawing: Planes
-    tables: Sequence[Table]
+    tables: Mapping[Plane, Sequence[TableBlock]]
+    given: Sequence[Table] = ()
     tight: bool = False
     in_strip: Collection[Plane] = ()
+    footed: Collection[Plane] = ()
+    low: Collection[Plane] = ()
+    said: float = 0.0
+    scales: Mapping[Plane, float] = field(default_factory=dict)
     lensed: Collection[Plane] = ()
 
     @property
@@ -154,20 +173,23 @@ class SheetContents:
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        """With the equations and the detail of each polygon."""
-        extents = dict(self.drawing.extents)
-        for plane in {*self.ladders, *self.lensed}:
-            own = self.ladders[plane].size if plane in self.ladders else 0j
+        """With what stands beside each figure: its equations, a detail, its tables."""
+        extents = dict[Plane, Extent]()
+        for plane, extent in self.drawing.extents.items():
             lens = _LENS if plane in self.lensed else 0j
-            over = complex(own.real + lens.real, max(own.imag, lens.imag))
-            beside = complex(max(own.real, lens.real), own.imag + lens.imag)
-            extents[plane] = replace(extents[plane], beside=(over, beside))
+            shapes = [own.size for own in self.ladders.get(plane, ())] or [0j] * (plane in self.lensed)
+            beside = [(complex(own.real + lens.real, max(own.imag, lens.imag)),
+                       complex(max(own.real, lens.real), own.imag + lens.imag)) for own in shapes]  # fmt: skip
+            feet = [block.size for block in self.tables[plane]] if plane in self.footed and not self.said else ()
+            given = self.scales.get(plane, extent.given)
+            extents[plane] = replace(extent, beside=tuple(beside), tables=tuple(feet), given=given)
         return extents
 
     @cached_property
-    def ladders(self) -> dict[Plane, Ladder]:
-        """The equations that stand with their polygons."""
-        return {plane: own for plane, own in self.drawing.ladders.items() if plane not in self.in_strip}
+    def ladders(self) -> dict[Plane, list[Ladder]]:
+        """The equations that stand with their polygons, whole and with long ones broken."""
+        every = ((plane, own) for plane, own in self.drawing.ladders.items() if plane not in self.in_strip)
+        return {plane: list(dict.fromkeys((own, own.within(_NARROW)))) for plane, own in every}
 
     def without_head(self, layout: Layout) -> list[Plane]:
         """Planes whose equations have no room of their own with their figure."""
@@ -175,25 +197,63 @@ class SheetContents:
 
     def without_room(self, layout: Layout) -> list[Plane]:
         """Those of them for whose equations there is no room even while nothing is lettered."""
-        return [plane for plane in self.without_head(layout) if self._ladder_at(layout, plane) is None]
+        return [plane for plane in self.without_head(layout) if not self._equations(layout, plane)]
 
-    def _ladder_at(self, layout: Layout, plane: Plane) -> Place | None:
-        """The upper left corner of a plane's equations: under its heading, else where its figure leaves room."""
-        room = layout.rooms[plane]
-        if plane in layout.headed:
-            return complex(room.left + HEAD_LEFT, under_heading(room).top)
-        window = layout.window(plane, self.extent(layout, plane))
-        marks = [*heading(HEADINGS[self.drawing.lang][plane], plane, window.scale, room)]
-        free = FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1)))
-        corner = free.corner(self.ladders[plane].size + 2 * complex(AIR, AIR))
-        return None if corner is None else corner + complex(AIR, AIR)
+    def _equations(self, layout: Layout, plane: Plane) -> list[Mark]:
+        """A plane's equations: under its heading, else where its figure leaves room; none where it does not."""
+        room, shapes = layout.rooms[plane], self.ladders.get(plane, [])
+        if plane in layout.headed and shapes:
+            at = complex(room.left + HEAD_LEFT, under_heading(room).top)
+            return [*shapes[layout.shape(plane, self.extent(layout, plane))].marks(at)]
+        free = self._free(layout, plane, ()) if shapes else None
+        for own in shapes if free is not None else ():
+            if free is not None and (corner := free.corner(own.size + 2 * complex(AIR, AIR))) is not None:
+                return [*own.marks(corner + complex(AIR, AIR))]
+        return []
+
+    def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark]) -> FreeRoom:
+        """The room that a plane's figure and its heading leave, and what else stands there before all letters."""
+        room, window = layout.rooms[plane], layout.window(plane, self.extent(layout, plane))
+        marks = [*heading(HEADINGS[self.drawing.lang][plane], plane, window.printed, room), *before]
+        return FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1)))
+
+    def _tables_at(self, layout: Layout, plane: Plane) -> list[Mark] | None:
+        """A plane's tables as low in its room as its figure and equations allow; None where they do not."""
+        place = self._place(layout, plane)
+        if place not in self.drawing.tables:
+            self.drawing.tables[place] = self._low_tables(layout, plane)
+        return self.drawing.tables[place]
+
+    def _low_tables(self, layout: Layout, plane: Plane) -> list[Mark] | None:
+        free = self._free(layout, plane, self._equations(layout, plane))
+        air, room = complex(AIR, AIR), layout.rooms[plane]
+        for block in self.tables[plane]:
+            if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
+                return block.marks(corner + air)
+        narrow = [block for block in self.tables[plane] if block.size.real <= room.size.real - 2 * HEAD_LEFT]
+        if plane not in self.footed or not narrow:
+            return None
+        lowest = min(narrow, key=lambda block: block.size.imag)
+        return lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
+
+    def tableless(self, layout: Layout) -> list[Plane]:
+        """Planes whose tables have no place with them."""
+        planes = (plane for plane in self.tables if plane in self.planes and plane not in self.low)
+        return [plane for plane in planes if self._tables_at(layout, plane) is None]
 
     @cached_property
     def height(self) -> Height:
         """The height of the strip on a paper [mm], reckoned once for each."""
         equations = [self.drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
-        height = partial(strip_height, found=self.tables, equations=equations)
+        height = partial(strip_height, found=self._in_foot, equations=equations)
+        height = partial(strip_height, least=self.said) if self.said else height
         return cache(height) if not self.tight else lambda _: 0.0
+
+    @property
+    def _in_foot(self) -> list[Table]:
+        """The tables of the strip."""
+        low = (self.tables[plane][0] for plane in self.planes if plane in self.low)
+        return [*self.given, *(table for block in low for tier in block.tiers for table in tier)]
 
     def layout(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
         """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
@@ -201,7 +261,7 @@ class SheetContents:
         if key not in self._layouts:
             extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
             papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
-            free = {plane: replace(extent, beside=None) for plane, extent in extents.items()}
+            free = {plane: replace(extent, beside=()) for plane, extent in extents.items()}
             bare = lay_out(free, self.height, papers)
             self._layouts[key] = headed(bare, extents, self.height, papers, _COARSER)
         return self._layouts[key]
@@ -212,7 +272,7 @@ class SheetContents:
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
         """With its equations, where they have a room of their own."""
-        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], beside=None)
+        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], beside=())
 
     def page(self, layout: Layout, stages: bool, details: bool) -> Page:
         """Everything on a divided paper; with `stages`, over the lines of the pencil and without results."""
@@ -226,32 +286,36 @@ class SheetContents:
             elif any(isinstance(step, Simultaneous) for step in steps):
                 notes[plane] = plain(_TOGETHER[drawing.lang])
         ladders = [drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
-        tables, equations = ([], []) if stages else (self.tables, ladders)
+        tables, equations = ([], []) if stages else (self._in_foot, ladders)
         strip = None if self.tight else Strip(layout.strip, tables, notes, equations=equations)
         return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
 
     def _panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
-        window = layout.window(plane, self.extent(layout, plane))
-        place = plane, stages, plane in layout.headed, layout.rooms[plane], window, *layout.scales.items()
-        if place not in self._panels:
-            self._panels[place] = self._plain_panel(layout, plane, stages, window)
-        panel = self._panels[place]
-        return detailed(panel, partial(self.drawing.figure, plane), plane) if details and plane != "position" else panel
+        panels, detail = self.drawing.panels, details and plane != "position"
+        place = detail, stages, *self._place(layout, plane), *layout.scales.items()
+        if place not in panels and detail:
+            plain_one = self._panel(layout, plane, stages, details=False)
+            panels[place] = detailed(plain_one, partial(self.drawing.figure, plane), plane)
+        elif place not in panels:
+            window = layout.window(plane, self.extent(layout, plane))
+            panels[place] = self._plain_panel(layout, plane, stages, window)
+        return panels[place]
 
-    @cached_property
-    def _panels(self) -> dict[tuple[object, ...], Panel]:
-        """Panels without details, by all they hang on: they are lettered once, with details and without."""
-        return {}
+    def _place(self, layout: Layout, plane: Plane) -> tuple[object, ...]:
+        """All that equations and tables of a plane hang on."""
+        choices = (plane in planes for planes in (layout.headed, self.in_strip, self.footed, self.low))
+        return plane, layout.rooms[plane], layout.window(plane, self.extent(layout, plane)), *choices
 
     def _plain_panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:
         """One plane's figure under its heading."""
         drawing, room = self.drawing, layout.rooms[plane]
-        before = [*heading(HEADINGS[drawing.lang][plane], plane, window.scale, room)]
+        before = [*heading(HEADINGS[drawing.lang][plane], plane, window.printed, room)]
         corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
         if plane == "position":
             before += drawing.paths.written(corner)
-        if plane in self.ladders and (at := self._ladder_at(layout, plane)) is not None:
-            before += self.ladders[plane].marks(at)
+        before += self._equations(layout, plane)
+        if plane in self.tables and plane not in self.low and not stages:
+            before += self._tables_at(layout, plane) or []
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more: Last | None = None

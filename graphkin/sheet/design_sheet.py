@@ -70,7 +70,8 @@ def _page(one: Solution, method: Method, plot: Plot, paper: str | None) -> Singl
         sides = [centre + radius * side for side in (1, 1j, -1, -1j)]
         wider = enlarged(values, sides, _MOST)
         values = wider if all(place in wider for place in sides) else values
-    return place_for(method, [plot], values, paper)
+    rows = -(-len([*_sizes(one)]) // 2)
+    return place_for(method, [plot], values, paper, least=_LINE * rows)
 
 
 def _sizes(one: Solution) -> Iterator[Label]:

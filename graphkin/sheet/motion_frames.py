@@ -104,7 +104,7 @@ class _Frames:
             layout = lay_out(free, strip_height, papers_for(paper))
         windows = {plane: layout.window(plane, self._extents[plane]) for plane in self.planes}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
-        heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].scale, layout.rooms[plane])
+        heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].printed, layout.rooms[plane])
                  for plane in self.planes}  # fmt: skip
         drawn: dict[Plane, list[list[Mark]]] = {}
         for plane, shown in self._shown.items():

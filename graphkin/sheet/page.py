@@ -26,7 +26,7 @@ from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import tangled
 from graphkin.sheet.labels import Settled, burden, settle
 from graphkin.sheet.lettering import LABEL, plain, width
-from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.marks import Mark, Place, Stroke, Text, enlarged
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Paper, Room, written
 from graphkin.sheet.titleblock import Strip, strip
@@ -209,7 +209,7 @@ class Page:
 
     @property
     def scales(self) -> Mapping[Plane, float]:
-        return {plane: window.scale for plane, window in self.windows.items()}
+        return {plane: window.printed for plane, window in self.windows.items()}
 
     def lettered(self, far: bool = True) -> Lettered:
         """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
@@ -263,12 +263,13 @@ class Lettered:
 
     @property
     def sheet(self) -> Sheet:
-        page = self.page
-        return Sheet(
-            page.paper, tuple(self._layers()), page.scales,
-            {plane: window.origin for plane, window in page.windows.items()}, page.mechanism,
+        page, times = self.page, self.page.paper.times
+        sheet = Sheet(
+            page.paper.enlarged, tuple(self._layers()), page.scales,
+            {plane: times * window.origin for plane, window in page.windows.items()}, page.mechanism,
             tuple(float(value) for value in page.drivers), page.title or page.mechanism.headline(page.lang), page.lang,
         )  # fmt: skip
+        return sheet if times == 1 else sheet.redrawn(lambda mark: enlarged(mark, times))
 
     def _layers(self) -> Iterator[Layer]:
         """The sheet under the figures, each plane's figure, and over all of them the leaders and the letters."""

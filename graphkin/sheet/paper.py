@@ -61,11 +61,16 @@ class Rooms(NamedTuple):
     bottom: Array
 
 
+_A4 = 210.0 * 297.0  # [mm^2]
+_READ = 1.1  # letters of A3 are so much larger: at the size of A4 labels are 1.8 mm high, the least of ISO 3098
+
+
 @frozen
 class Paper:
     """A sheet of paper with a drawing frame `margin` inside its edge, `filing` where it is filed [mm].
 
     A paper without margin has no frame.
+    times  a sheet is composed on a paper so many times smaller, then enlarged
     """
 
     name: str
@@ -73,10 +78,26 @@ class Paper:
     height: float
     margin: float = 10.0
     filing: float = 20.0
+    times: float = 1.0
 
     @property
     def landscape(self) -> bool:
         return self.width > self.height
+
+    @property
+    def reduced(self) -> Paper:
+        """The paper on which its sheets are composed: one larger than A4 may be printed as A4."""
+        times = _READ if self.width * self.height > 1.1 * _A4 else 1.0
+        return self._sized(1 / times, times)
+
+    @property
+    def enlarged(self) -> Paper:
+        """The paper as it is sold."""
+        return self._sized(self.times, 1.0)
+
+    def _sized(self, by: float, times: float) -> Paper:
+        width, height, margin, filing = (round(by * s, 9) for s in (self.width, self.height, self.margin, self.filing))
+        return Paper(self.name, width, height, margin, filing, times)
 
     @property
     def frame(self) -> Room:
@@ -98,7 +119,6 @@ PAPERS: Mapping[str, Paper] = {
 }
 USUAL = tuple(PAPERS.values())[:4]
 """In the order in which they are tried: the smallest that fits is taken. Letter paper has to be asked for."""
-LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])  # tried, too, where a smaller one holds all but leaves it little room
 
 PenName = Literal[
     "visible", "outline", "asked", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",

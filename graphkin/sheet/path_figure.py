@@ -101,7 +101,7 @@ class Paths:
                 value = plain(curve.shown(tick.value))
                 yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LEAST, spare=True)
             if self.arrows:
-                yield from arrow(at, at + window.turned(tick.velocity) / self.scale, "velocity")
+                yield from arrow(at, at + window.turned(tick.velocity) / (self.scale * window.times), "velocity")
 
     @property
     def lines(self) -> list[Label]:

@@ -51,7 +51,7 @@ class SingleFigure:
         after: Sequence[Mark] = (),
     ) -> Sheet:  # fmt: skip
         """The sheet; words: the heading, further: scales to be told beside the figure's own, after: over all else."""
-        head = heading(words, "position", self.window.scale, self.layout.rooms["position"])
+        head = heading(words, "position", self.window.printed, self.layout.rooms["position"])
         panel = Panel(figure, self.window, self.room, before=head, after=tuple(after))
         foot = Strip(self.layout.strip, self.found, further=further or {}, told=self.told)
         return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, foot).sheet()
@@ -59,11 +59,11 @@ class SingleFigure:
 
 def place_for(
     method: Method, plots: Sequence[Plot], places: Sequence[complex], paper: str | None,
-    found: Sequence[Table] = (), told: Sequence[str] = (),
+    found: Sequence[Table] = (), told: Sequence[str] = (), least: float = 0.0,
 ) -> SingleFigure:  # fmt: skip
     """On the smallest paper where these places [m] fit; a given scale that is too fine is not kept.
 
-    plots  at which the mechanism is to be drawn; found, told: tables and sentences for the strip.
+    plots  at which the mechanism is to be drawn; found, told: its tables and sentences; least: room for more
     Raises UnknownPaper.
     """
 
@@ -71,7 +71,7 @@ def place_for(
         return sum((plain_mechanism(method, plot, window) for plot in plots), Figure())
 
     extent = replace(Extent.of(places, drawn), given=method.mechanism.scales.get("length"), labels=_LABELS)
-    layout = alone(extent, partial(strip_height, found=found, told=told), paper)
+    layout = alone(extent, partial(strip_height, found=found, told=told, least=least), paper)
     return SingleFigure(method, layout, layout.window("position", extent), found, told)
 
 
@@ -161,7 +161,7 @@ class SheetGrid:
         cls, paper: Paper, tables: Sequence[Table] = (), told: Sequence[str] = (), least: float = 0.0
     ) -> SheetGrid:
         """Over a strip as high as its tables and sentences need; least: at least so high [mm]."""
-        field, foot = divided(paper, max(least, strip_height(paper, tables, told=told)))
+        field, foot = divided(paper, strip_height(paper, tables, told=told, least=least))
         return cls(paper, field, Strip(foot, tables, told=told))
 
     def page(

@@ -23,13 +23,22 @@ PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 @frozen
 class Window:
-    """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns."""
+    """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns.
+
+    times  the finished drawing is enlarged so many times
+    """
 
     origin: Place
     scale: float
+    times: float = 1.0
 
     def __call__(self, value: complex) -> Place:
         return self.origin + complex(value).conjugate() / self.scale
+
+    @property
+    def printed(self) -> float:
+        """The scale of the finished drawing."""
+        return self.scale / self.times
 
     @staticmethod
     def turned(direction: complex) -> complex:
@@ -82,7 +91,8 @@ class Extent:
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
     labels  their number; lettering: the room that they take [mm^2]
-    beside  the sizes of its equations and its detail, over it and on its left [mm]
+    beside  the sizes of its equations and its detail, over it and on its left, in each of their shapes [mm]
+    tables  the sizes in which its tables may stand under it [mm]
     """
 
     low: complex
@@ -94,7 +104,8 @@ class Extent:
     given: float | None = None
     labels: int = 10
     lettering: float = 0.0
-    beside: tuple[complex, complex] | None = None
+    beside: tuple[tuple[complex, complex], ...] = ()
+    tables: tuple[complex, ...] = ()
 
     @classmethod
     def of(
@@ -129,6 +140,10 @@ class Extent:
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
 
+    def reduced(self, times: float) -> Extent:
+        """On a paper so many times smaller: its places are drawn smaller, its signs are not."""
+        return replace(self, low=self.low / times, high=self.high / times)
+
     def scale(self, room: Room) -> float:
         """The given scale where it fits one room at that, else the finest at which it does."""
         return self.given if self.given is not None and self.fits(self.given, room) else self.finest(room)
@@ -152,12 +167,12 @@ class Extent:
         whole = self.size / self.given
         return np.where(fits & (whole.real <= wide) & (whole.imag <= high), self.given, np.nan)
 
-    def window(self, room: Room, scale: float) -> Window:
-        """The window through which it is in the middle of a room with all its signs."""
+    def window(self, room: Room, scale: float, times: float = 1.0) -> Window:
+        """The window through which it is in the middle of a room with all its signs; times: as it is reduced."""
         whole = self.size / scale + self.reach
         x = (room.left + room.right - whole.real) / 2 + self.left
         y = (room.top + room.bottom - whole.imag) / 2 + self.top + self.size.imag / scale
-        return Window(complex(x, y) - self.low.conjugate() / scale, scale)
+        return Window(complex(x, y) - self.low.conjugate() / scale, scale * times, times)
 
 
 def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:
@@ -169,7 +184,7 @@ def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tu
 
 def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:
     """The window through which what lies at one place of the paper is seen at another, so many times as large."""
-    return Window(shown + (window.origin - part) * times, window.scale / times)
+    return Window(shown + (window.origin - part) * times, window.scale / times, window.times)
 
 
 def corners(places: Sequence[complex]) -> tuple[complex, complex]:
