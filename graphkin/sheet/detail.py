@@ -28,9 +28,9 @@ from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window, magnified
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
-_TIMES = (2.5, 3.0, 4.0, 5.0, 10.0, 20.0)
+_TIMES = (2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0, 20.0)
 _LARGEST = 45.0  # radius of a detail [mm]
-_AROUND, _HEAD = 8.0, 4.0
+_AROUND, _HEAD = 6.0, 4.0
 """Room for letters around a detail, and for its own heading over it [mm]."""
 _MANY = 150  # more labels than this no detail relieves
 SAVED = 4.0  # the burden that a detail saves at least
@@ -39,6 +39,7 @@ _CLEAR, _NOTHING = 9.0, 0.3  # the shortest arrow in a detail is at least so lon
 _SIZES = 3  # so many sizes of a detail are tried
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
 _ROUND = 1.2  # a lens is so many times as large as what it is to show
+_RIM = 1.1  # a circle about a knot is so many times as large as the knot
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
 _NUMERALS = ("I", "II")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -187,7 +188,7 @@ def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> Iterator[_DetailCi
         centres = _middles(far <= radius + _ON, about, start, end)
         held = (_farthest(centres, start, end) <= radius + _ON) @ burdens
         if held.max() >= SAVED:
-            yield _DetailCircle(complex(centres[held.argmax()]), radius)
+            yield _DetailCircle(complex(centres[held.argmax()]), _RIM * radius)
 
 
 def _farthest(centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
