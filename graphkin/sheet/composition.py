@@ -205,17 +205,18 @@ class SheetContents:
         if plane in layout.headed and shapes:
             at = complex(room.left + HEAD_LEFT, under_heading(room).top)
             return [*shapes[layout.shape(plane, self.extent(layout, plane))].marks(at)]
-        free = self._free(layout, plane, ()) if shapes else None
+        foot = min(block.size.imag for block in self.tables[plane]) + AIR if plane in self.footed else 0.0
+        free = self._free(layout, plane, (), foot) if shapes else None
         for own in shapes if free is not None else ():
             if free is not None and (corner := free.corner(own.size + 2 * complex(AIR, AIR))) is not None:
                 return [*own.marks(corner + complex(AIR, AIR))]
         return []
 
-    def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark]) -> FreeRoom:
-        """The room that a plane's figure and its heading leave, and what else stands there before all letters."""
+    def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark], foot: float = 0.0) -> FreeRoom:
+        """The room over its foot that a plane's figure and heading leave, and what else stands there before letters."""
         room, window = layout.rooms[plane], layout.window(plane, self.extent(layout, plane))
         marks = [*heading(HEADINGS[self.drawing.lang][plane], plane, window.printed, room), *before]
-        return FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1)))
+        return FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1 + foot)))
 
     def _tables_at(self, layout: Layout, plane: Plane) -> list[Mark] | None:
         """A plane's tables as low in its room as its figure and equations allow; None where they do not."""

@@ -90,7 +90,7 @@ def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array, Array]:
 
     def chosen(values: Sequence[Array]) -> Array:
         every = np.array([np.broadcast_to(value, best.shape) for value in values])
-        return np.take_along_axis(every, best[None], axis=0)[0]
+        return np.asarray(np.take_along_axis(every, best[None], axis=0)[0])
 
     return Rooms(*map(chosen, zip(*free, strict=True))), chosen([*scales]), best
 

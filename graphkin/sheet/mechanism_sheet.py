@@ -39,9 +39,10 @@ from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
-_MANY, _FEW_MORE, _STRIP, _LOST = 8.0, 3, 8.0, 3.0
-"""At a higher price the paper is turned, unless it is so many times as high, then a larger one is tried; so high a
-strip costs as much as a leader [mm]; the price of a label without a place."""
+_MANY, _BAD, _WORST = 8.0, 24.0, 80.0
+"""At a higher price a larger paper is tried, before it up to the second the same one turned, from the third on either
+way of a large one."""
+_STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 _TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
@@ -201,9 +202,10 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
     usual = papers_for(paper)
     best = _on(Arrangement(contents, usual))
-    others = [each for each in usual if each.landscape != best.layout.paper.landscape]
-    for most, papers in ((_FEW_MORE * _MANY, others[:1]), (math.inf, usual[2:])):
-        if papers and _MANY < best.price < most:
+    turned = [each for each in usual[:2] if each.landscape != best.layout.paper.landscape]
+    large = ((_MANY, usual[2:]), (_WORST, usual[2:3]), (_WORST, usual[3:]))
+    for least, most, papers in ((_MANY, _BAD, turned), *((least, math.inf, papers) for least, papers in large)):
+        if papers and least < best.price < most and papers != [best.sold]:
             best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.price)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True).settled if cut else best
