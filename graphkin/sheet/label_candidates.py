@@ -28,8 +28,8 @@ _OWN, _SAME = 2.0, 0.15
 """A leader ends so far from what is not its own at least; closer than the second, points are one [mm]."""
 _ASIDE, _PARALLEL = 0.9, 0.05  # so far apart arrows on one line are told apart [mm]; the sine of their angle
 
-NEAR, LED = range(2)
-"""Places at what a label names, and on a leader about that."""
+NEAR, WIDE, LED, FAR = range(4)
+"""Places at what a label names, a little farther off, on a leader about that, and on a longer one."""
 MANY = 150  # more labels than this are a crowd that no care relieves
 _FEWER = 6  # of the places of a crowd beyond help one in so many is rated
 _CELL = 1.0  # the size of the squares that surely hold something [mm]
@@ -188,7 +188,7 @@ class LabelScene:
         labels = list(labels)
         for each in range(tier + 1):
             self._see([label for label in labels if (label, each) not in self._seen], each)
-            if lines and each != NEAR:
+            if lines and each >= LED:
                 self._cross([label for label in labels if (label, each) not in self._crossing], each)
         every = [Rated.joined([self._seen[label, each] for each in range(tier + 1)]) for label in labels]
         # those in the room, where there are such
@@ -230,7 +230,7 @@ class LabelScene:
         Farther off, none that surely lies on something, where it has others."""
         spots, thinned = list[LabelCandidates](), slice(None, None, _FEWER if self.beyond_help else 1)
         for want, half in ((self.wanted[label], complex(self.halves[label])) for label in labels):
-            each = want.near(half) if tier == NEAR else want.led(half)
+            each = want.led(half, tier == FAR) if tier >= LED else want.near(half, tier == WIDE)
             spots.append(LabelCandidates(*(part[thinned] for part in each)))
         owner, every = np.repeat(labels, [len(each.cost) for each in spots]), LabelCandidates.joined(spots)
         boxes = Boxes.of(every, self.halves[owner])
@@ -241,8 +241,9 @@ class LabelScene:
         near, hits = self.known.around(boxes.low, boxes.high, (_EASY, _CLEAR))
         free = np.flatnonzero(inside & (hits == 0))
         strange, lettered = np.zeros(len(rows), dtype=bool), np.zeros(len(rows), dtype=bool)
-        if tier == NEAR:
-            strange[free] = self.arrows.strange(self.wanted, owner[free], boxes.low[:, free].T, boxes.high[:, free].T)
+        if tier < LED:
+            corners = boxes.low[:, free].T, boxes.high[:, free].T
+            strange[free] = self.arrows.strange(self.wanted, owner[free], *corners, points=tier == WIDE)
         else:
             start, end = boxes.leader.take(free, axis=2).swapaxes(1, 2)
             lettered[free[self.letters.crossed(start, end)]] = True
@@ -274,16 +275,23 @@ class Arrows:
         part = np.clip(((places[:, None] - self.start) / along).real, 0, 1)
         return np.asarray((np.abs(self.start + part * along - places[:, None]) < _SHORTEST).all(axis=0))
 
-    def strange(self, wanted: Sequence[LabelRequest], owner: Array, low: Array, high: Array) -> Array:
-        """Boxes low..high of labels that stand nearer to an arrow that is not their owner's."""
+    def strange(
+        self, wanted: Sequence[LabelRequest], owner: Array, low: Array, high: Array, points: bool = False
+    ) -> Array:
+        """Boxes low..high of labels that stand nearer to an arrow (points: to any point) that is not their owner's."""
         strange = np.zeros(len(owner), dtype=bool)
-        for k, want in enumerate(wanted if len(self.names) > 1 else ()):
+        for k in sorted(set(owner.tolist())):
+            want, rows = wanted[k], np.flatnonzero(owner == k)
             own = self.names == want.of
             if want.of and own.any():
                 own |= self._hold(want)  # arrows that lie on one another are one line
-                rows = np.flatnonzero(owner == k)
                 apart = self._apart(low[rows, None], high[rows, None])
                 strange[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER
+            elif points and want.end is None:
+                places = np.array([want.start, *self.points[np.abs(self.points - want.start) > _SAME]])
+                off = np.maximum(low[rows, None] - xy(places).T, xy(places).T - high[rows, None])
+                apart = np.hypot(*np.maximum(off, 0.0).transpose(2, 0, 1))
+                strange[rows] = apart[:, 0] > apart[:, 1:].min(axis=1, initial=np.inf) - _NEARER
         return strange
 
     def unclear(self, wanted: Sequence[LabelRequest], owner: Array, start: Array, end: Array) -> Array:

@@ -30,8 +30,12 @@ _LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
 _NOWHERE = complex("nan")
 _LEADER, _FARTHER = 6.0, 1.6
 """The cost of a leader, and of each millimetre from the sign."""
-LEAST = _LEADER + _FARTHER * float(_LED[0])
-"""No place on a leader costs less."""
+_WIDE, _OFF_WIDE = np.array([3.5, 5.0]), np.array([2.6, 3.6])[:, None]
+"""Distances at which a label, if nothing is nearer to it, needs no leader yet [mm]."""
+_FAR = np.array([13.0, 17.5, 22.5, 28.0, 35.0, 44.0, 54.0])
+"""Distances of labels of a crowd if nothing nearer is free [mm]."""
+LEAST = (0.0, 1.2 * float(_OFF_WIDE[0, 0]), *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR)))
+"""No place of the tiers costs less: near, wide, led, far."""
 _LED_ALONG = (0.5, 0.35, 0.65, 0.2, 0.8)  # places along a line for the end of a leader
 _OFF_MIDDLE = 1.5  # the cost of the whole length off the middle
 _UPRIGHT = math.sin(math.radians(61))  # of the angle at which a leader meets its line at least
@@ -100,33 +104,36 @@ class LabelRequest:
         """The point or line that it names, as one point."""
         return self.start if self.end is None else (self.start + self.end) / 2
 
-    def near(self, half: complex) -> LabelCandidates:
-        """Its places at what it names; half: of the width and height of its box [mm]."""
+    def near(self, half: complex, wide: bool = False) -> LabelCandidates:
+        """Its places at what it names, or a little farther off; half: of the width and height of its box [mm]."""
         if self.end is None or abs(self.end - self.start) <= _POINT:
-            return _around(self.start, half, self, _RINGS)
+            return _around(self.start, half, self, _WIDE if wide else _RINGS)
+        far = _OFF_WIDE if wide else _OFF
         along = self.end - self.start  # both sides of the line, at several places along it
         away = self.away / abs(self.away) if self.away else 0j
         normal = np.array([along / abs(along) * -1j, along / abs(along) * 1j])[:, None, None]
         support = np.abs(normal.real) * half.real + np.abs(normal.imag) * half.imag
         liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else np.where(normal.imag <= 0, 0.0, 0.1)
-        middle = self.start + along * _ALONG + normal * (support + self.gap + _OFF)
-        cost = 1.2 * _OFF + 2.5 * np.abs(_ALONG - 0.5) + liking
+        middle = self.start + along * _ALONG + normal * (support + self.gap + far)
+        cost = 1.2 * far + 2.5 * np.abs(_ALONG - 0.5) + liking
         return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, _NOWHERE))
 
-    def led(self, half: complex) -> LabelCandidates:
-        """Its places on a leader about what it names."""
+    def led(self, half: complex, far: bool = False) -> LabelCandidates:
+        """Its places on a leader about what it names, or on a longer one."""
+        rings = _FAR if far else _LED
         start, end = self.start, self.end
         if end is None or abs(end - start) <= _POINT:
-            return _around(start, half, self, _LED)
-        every = LabelCandidates.joined(_around(start + (end - start) * t, half, self, _LED) for t in _LED_ALONG)
+            return _around(start, half, self, rings, led=True)
+        anchors = [start + (end - start) * t for t in _LED_ALONG]
+        every = LabelCandidates.joined(_around(anchor, half, self, rings, led=True) for anchor in anchors)
         off, along = every.middle - every.anchor, (end - start) / abs(end - start)
         off = np.maximum(np.abs(off.real) - half.real, 0) * np.sign(off.real) + 1j * (
             np.maximum(np.abs(off.imag) - half.imag, 0) * np.sign(off.imag)
         )  # from what it names to the near side of its box
-        upright = np.abs((off * along.conjugate()).imag) >= _UPRIGHT * np.abs(off)
+        upright = far | (np.abs((off * along.conjugate()).imag) >= _UPRIGHT * np.abs(off))
         aside = np.repeat(np.abs(np.array(_LED_ALONG) - 0.5), len(off) // len(_LED_ALONG))
         every = every._replace(cost=every.cost + _OFF_MIDDLE * aside)
-        return LabelCandidates(*(part[upright & (np.abs(off) <= LONGEST)] for part in every))
+        return LabelCandidates(*(part[upright] for part in every))
 
 
 def lettering(wanted: Iterable[LabelRequest]) -> float:
@@ -143,13 +150,13 @@ def tangled(wanted: Sequence[LabelRequest]) -> Array:
     return np.asarray(near.sum(axis=1) >= _THREE)
 
 
-def _around(point: Place, half: complex, want: LabelRequest, rings: Array) -> LabelCandidates:
+def _around(point: Place, half: complex, want: LabelRequest, rings: Array, led: bool = False) -> LabelCandidates:
     """Rings about a point; a box touches the ring with its near side or corner."""
     away = want.away.conjugate() / abs(want.away) if want.away else 0j
     liking = 0.8 * (1 - (_TURNS * away).real) if away else _LITTLE
     middle = point + (want.gap + 0.6 + rings[:, None]) * _TURNS + _sides(_LEANING, half)
-    cost = _FARTHER * rings[:, None] + (_LEADER if rings is _LED else 0.0) + liking
-    return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if rings is _LED else _NOWHERE))
+    cost = _FARTHER * rings[:, None] + _LEADER * led + liking
+    return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if led else _NOWHERE))
 
 
 def _sides(leaning: Array, half: complex) -> Array:

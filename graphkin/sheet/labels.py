@@ -15,7 +15,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import overlap
-from graphkin.sheet.label_candidates import LED, MANY, NEAR, Boxes, LabelScene
+from graphkin.sheet.label_candidates import FAR, LED, MANY, NEAR, Boxes, LabelScene
 from graphkin.sheet.label_costs import CROWDED, NEARBY, LabelChoice, LabelTable, Prices, under
 from graphkin.sheet.label_requests import LEAST, LabelRequest
 from graphkin.sheet.lettering import box
@@ -83,7 +83,7 @@ class LabelPlacing:
 
     def _enough(self) -> Array:
         """The cost of each label above which it looks for farther places."""
-        return np.where(self._tier < self._last, LEAST, np.inf)
+        return np.where(self._tier < self._last, np.array([*LEAST, np.inf])[self._tier + 1], np.inf)
 
     def _look_on(self, waiting: Sequence[int]) -> None:
         """For those that have found no good place."""
@@ -273,7 +273,8 @@ def settle(scene: LabelScene, crowd: bool = False) -> Settled:
     those that say nothing new left out for that."""
     if not scene.wanted:
         return Settled([], ())
-    places = LabelPlacing(scene, NEAR if scene.beyond_help else LED, CROWDED if crowd else NEARBY)
+    last = NEAR if scene.beyond_help else FAR if crowd and len(scene.wanted) <= MANY else LED
+    places = LabelPlacing(scene, last, CROWDED if crowd else NEARBY)
     clashing, unclear = places.clashing(), places.unclear()
     for _ in range(_ROUNDS if crowd else 0):
         if not (out := _left_out(scene.wanted, places.stands, [*clashing, *unclear])):
