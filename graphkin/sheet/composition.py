@@ -205,8 +205,8 @@ class SheetContents:
         if plane in layout.headed and shapes:
             at = complex(room.left + HEAD_LEFT, under_heading(room).top)
             return [*shapes[layout.shape(plane, self.extent(layout, plane))].marks(at)]
-        foot = min(block.size.imag for block in self.tables[plane]) + AIR if plane in self.footed else 0.0
-        free = self._free(layout, plane, (), foot) if shapes else None
+        lowest = self._lowest(layout, plane)
+        free = self._free(layout, plane, (), lowest.size.imag + AIR if lowest else 0.0) if shapes else None
         for own in shapes if free is not None else ():
             if free is not None and (corner := free.corner(own.size + 2 * complex(AIR, AIR))) is not None:
                 return [*own.marks(corner + complex(AIR, AIR))]
@@ -231,11 +231,14 @@ class SheetContents:
         for block in self.tables[plane]:
             if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
                 return block.marks(corner + air)
-        narrow = [block for block in self.tables[plane] if block.size.real <= room.size.real - 2 * HEAD_LEFT]
-        if plane not in self.footed or not narrow:
-            return None
-        lowest = min(narrow, key=lambda block: block.size.imag)
-        return lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
+        lowest = self._lowest(layout, plane)
+        return lowest and lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
+
+    def _lowest(self, layout: Layout, plane: Plane) -> TableBlock | None:
+        """A plane's tables in the lowest shape for which its room is wide enough, where they stand at its foot."""
+        wide = layout.rooms[plane].size.real - 2 * HEAD_LEFT
+        narrow = [block for block in self.tables.get(plane, ()) if block.size.real <= wide and plane in self.footed]
+        return min(narrow, key=lambda block: block.size.imag, default=None)
 
     def tableless(self, layout: Layout) -> list[Plane]:
         """Planes whose tables have no place with them."""
@@ -304,7 +307,7 @@ class SheetContents:
 
     def _place(self, layout: Layout, plane: Plane) -> tuple[object, ...]:
         """All that equations and tables of a plane hang on."""
-        choices = (plane in planes for planes in (layout.headed, self.in_strip, self.footed, self.low))
+        choices = (plane in planes for planes in (layout.headed, self.in_strip, self.footed, self.low, self.lensed))
         return plane, layout.rooms[plane], layout.window(plane, self.extent(layout, plane)), *choices
 
     def _plain_panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:
