@@ -175,8 +175,8 @@ class Arrangement:
 
     @cached_property
     def lettered(self) -> Lettered:
-        """Its labels as well as can be: where some find no place near by, they go farther off."""
-        lettered = self.page.lettered(far=True) if self.cost[0] else self.near
+        """Its labels as well as can be: some are left out where others find no good place."""
+        lettered = self.page.lettered(far=True)
         return lettered.trimmed if self.contents.tight else lettered
 
     @property

@@ -156,14 +156,14 @@ class EquationBlock:
             pen += wide + _GAP
 
     def within(self, room: float) -> Iterator[EquationBlock]:
-        """In two before its last equals sign where it is wider than that [mm]."""
+        """As two, each with the motion sought, where it is wider than that [mm]."""
         head, *columns = self.columns
         cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
-        if self.wide <= room or not cut:
+        if self.wide <= room or cut < 2:
             yield self
         else:
             yield replace(self, columns=(head, *columns[:cut]))
-            yield replace(self, columns=(head, *columns[cut:]), numbers="")
+            yield replace(self, columns=(head, (columns[0][0], (), ()), *columns[cut:]))
 
 
 @frozen
