@@ -89,8 +89,11 @@ class _DxfPage:
                 self.space.add_circle(self._xy(mark.at), mark.radius, dxfattribs=self._look("outline", mark.plane))
             case Text():
                 (x, y), (_, _, depth) = self._xy(mark.at), box(mark.label, mark.size)
+                foot = complex(x, y) - 1j * depth * cmath.rect(1, -mark.turn)
                 look = {"layer": "labels", "style": "letters", "char_height": mark.size * _CAP, "attachment_point": 7}
-                self.space.add_mtext(stacked(mark.label), dxfattribs=look | {"insert": (x, y - depth)})
+                look |= {"insert": (foot.real, foot.imag)}
+                look |= {"rotation": -math.degrees(mark.turn)} if mark.turn else {}
+                self.space.add_mtext(stacked(mark.label), dxfattribs=look)
             case _:
                 assert_never(mark)
 

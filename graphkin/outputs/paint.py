@@ -13,7 +13,7 @@ from graphkin.sheet.page import Layer
 from graphkin.sheet.paper import PENS
 
 _INK, _NEW, _PALE = "#000000", "#c00000", "#777777"
-_ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d"}
+_ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d", "grey": _PALE}
 """Dark in print without colours; widths, not colours, tell what is what."""
 Ink = Literal["accent", "black"]
 

@@ -15,16 +15,20 @@ from graphkin.planning.at_rest import at_rest, held_labels
 from graphkin.planning.method import births, pages
 from graphkin.planning.needed import Fact
 from graphkin.say.catalogue import say
+from graphkin.say.dimensions import sizes
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
+from graphkin.say.sizes import Size
 from graphkin.sheet.arrows import heads_apart, side_by_side
-from graphkin.sheet.construction_lines import MechanismNotes, PolygonConstruction, pencil_lines
+from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
 from graphkin.sheet.detail import detailed
+from graphkin.sheet.dimension_lines import angles
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
+from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
 from graphkin.sheet.path_figure import NONE, Paths
@@ -72,13 +76,23 @@ class Planes:
         if (plane, window) not in self._drawn:
             if plane != "position":
                 figure = heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
-            elif self.style == "given":
-                figure = bare_figure(self.method, self.skeleton(window))
             else:
-                machine = mechanism_figure(self.skeleton(window), self.method, self.values(plane))
-                figure = self.paths.figure(window) + machine
+                skeleton, draw = self.skeleton(window), bare_figure if self.style == "given" else self.machine
+                figure = draw(self.method, skeleton)
+                if self.style != "result":
+                    figure = angles(self.sizes, skeleton, figure.marks) + figure
+                figure = self.paths.figure(window) + figure
             self._drawn[plane, window] = figure
         return self._drawn[plane, window]
+
+    def machine(self, method: Method, skeleton: Skeleton) -> Figure:
+        """The mechanism with what its solution adds."""
+        return mechanism_figure(skeleton, method, self.values("position"))
+
+    @cached_property
+    def sizes(self) -> list[Size]:
+        """What is given of the mechanism."""
+        return sizes(self.reading({}))
 
     @cached_property
     def _drawn(self) -> dict[tuple[Plane, Window], Figure]:

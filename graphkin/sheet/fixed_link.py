@@ -149,11 +149,11 @@ def drives(skeleton: Skeleton) -> Figure:
             continue
         if driver.kind == "slide":
             _slide_arrow(skeleton, driver, figure)
-        elif driver.vector is not None:  # about the vector's tail, starting at the link in the sense of its rotation
+        elif driver.vector is not None:  # about the vector's tail, across the link
             at, tip = (skeleton.at(point) for point in driver.vector)
             if abs(tip - at) >= 1:
                 towards, radius = (tip - at) / abs(tip - at), min(9.0, max(6.0, 0.45 * abs(tip - at)))
-                starts = [towards * cmath.rect(1, math.radians(turn)) for turn in (-14, 76, -149)]
+                starts = [towards * cmath.rect(1, math.radians(turn)) for turn in (14, 31, 48)]  # across the link
                 mirrored = [towards**2 * start.conjugate() for start in starts]
                 _arcs(skeleton, driver, figure, driver.vector, radius, {1: starts, -1: mirrored})
         elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
@@ -182,8 +182,8 @@ def _arcs(
     called = between([skeleton.mechanism.called(link) for link in links])
     for sense, text in letters.items():
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
-        room = [_room(skeleton, at + start * half * radius) for start in starts[sense]]  # about the middle of each arc
-        start = starts[sense][room.index(max(room))]
+        rooms = [clearance(skeleton, at + start * half * radius) for start in starts[sense]]  # about their middles
+        start = starts[sense][rooms.index(max(rooms))]
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
         figure.marks += marks
@@ -192,7 +192,7 @@ def _arcs(
         radius += _APART
 
 
-def _room(skeleton: Skeleton, place: Place) -> float:
+def clearance(skeleton: Skeleton, place: Place) -> float:
     """Distance of a place from the nearest link, as far as it matters to the eye [mm]."""
     stretches = [*skeleton.segments()]
     for point in skeleton.points:
@@ -217,7 +217,7 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
             at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
     out = 5.2 + max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0)
     out -= 1.5 if out > 6 else 0.0
-    across = max((up, -up), key=lambda side: min(_room(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
+    across = max((up, -up), key=lambda side: min(clearance(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
     start = at + across * out - along * 4
     marks = symbols.push(start, along, Shows(line.link, "push", line=driver.link), skeleton.step(point))
     figure.marks += marks

@@ -101,11 +101,15 @@ class Skeleton:
     def segments(self) -> Iterator[tuple[Place, Place]]:
         """Every bar of the moving links."""
         for link in self.mechanism.moving:
-            places = [self.at(p) for p in self.named(link)]
-            yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
-            for slide in self.guides(link):
-                cylinder = self.is_cylinder(slide)
-                yield (self.at(slide.line.origin), self.at(slide.point)) if cylinder else self.guide_bar(slide)
+            yield from self.bars(link)
+
+    def bars(self, link: str) -> Iterator[tuple[Place, Place]]:
+        """The bars of a moving link."""
+        places = [self.at(p) for p in self.named(link)]
+        yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
+        for slide in self.guides(link):
+            cylinder = self.is_cylinder(slide)
+            yield (self.at(slide.line.origin), self.at(slide.point)) if cylinder else self.guide_bar(slide)
 
     def directions(self, point: str) -> Iterator[complex]:
         """Directions in which lines leave a point, on paper."""
