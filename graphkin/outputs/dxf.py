@@ -59,6 +59,8 @@ class _DxfPage:
 
     def add(self, mark: Mark) -> None:
         match mark:
+            case Stroke(pen="gap"):
+                pass  # nothing is white in such a file
             case Stroke():
                 corners = [self._xy(place) for place in mark.places]
                 if mark.fill == "ink" and len(corners) > 2:

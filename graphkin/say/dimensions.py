@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations, permutations
 from math import degrees, fmod, isclose, pi, tau
-from typing import Literal
 
 from graphkin.base.geometry import cross
 from graphkin.base.value import frozen
@@ -224,9 +223,9 @@ def radii(reading: Reading, pair: Pair) -> list[Size]:
 def _radius(reading: Reading, pair: Pair, link: str, centre: str, size: float, path: KeyPath) -> Size:
     symbol = reading.radius(link, size) if pair.rolling is not None else reading.circle(centre, size)
     at = reading.at(centre) if centre in reading.plot.position else None
-    form: Literal["radius", "apart"] = "apart" if isinstance(pair, CircularSlot) else "radius"
     end = reading.at(pair.point) if isinstance(pair, CircularSlot) else (at or 0j) + size
-    shape = None if at is None else Span(at, end, _unit(end - at), (centre,), form)
+    points = (centre, pair.point) if isinstance(pair, CircularSlot) else (centre,)
+    shape = None if at is None else Span(at, end, _unit(end - at), points, "radius")
     return sized(reading, symbol, size, "length", path, shape=shape)
 
 
@@ -301,7 +300,14 @@ def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
             first, second = sorted(lever)
             if reading.named(first) and reading.named(second) and reading.distance(first, second):
                 levers[first, second] = None
-    return [ends for ends in levers if not {*owners.get(ends[0], ())} & {*owners.get(ends[1], ())}]
+    stated = [size for pair in reading.mechanism.pairs for size in radii(reading, pair)]
+    known = {(size.shape.points[0], round(size.value, 6)) for size in stated if size.shape is not None}
+    # what two points of a link are apart is given, and how far from a centre its rim lies
+    return [
+        ends for ends in levers
+        if not {*owners.get(ends[0], ())} & {*owners.get(ends[1], ())}
+        and not any((end, round(1000 * reading.distance(*ends), 6)) in known for end in ends)
+    ]  # fmt: skip
 
 
 def length_size(reading: Reading, one: str, other: str) -> Size:

@@ -21,13 +21,12 @@ from graphkin.sheet.marks import Accent, ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.symbols import HINGE, arrow_head
+from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
 from graphkin.sheet.window import Figure
 
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
 _GAPS = (1.1, 1.9)  # between a line and its letters [mm]
 _OFFSETS = (7.5, 10.5, 14.0, 18.0, 23.0)  # of a dimension line from what it measures [mm]
-_PAST, _HEAD = 1.5, 2.2  # an extension line goes on past the dimension line; length of arrow heads [mm]
 _RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
@@ -99,9 +98,12 @@ class DimensionLines:
                 yield _Trial([self._text(label, start + (end - start) * t, end - start, side * gap, step)])
 
     def _measured(self, start: Place, end: Place, label: Label, step: int | None) -> Iterator[_Trial]:
-        """A dashed line between two points, with letters along it."""
+        """A dashed line between two points, where no bar is, with letters along it."""
         if abs(end - start) > box(label, LABEL)[0] + 6 * HINGE:
-            lines = [Stroke(piece, "measured", step=step) for piece in self.free.pieces(start, end)]
+            along = (end - start) / abs(end - start)
+            on_bar = any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in self.skeleton.segments())
+            pieces = [] if on_bar else self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
+            lines = [Stroke(piece, "measured", step=step) for piece in pieces]
             for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
                 text = self._text(label, start + (end - start) * t, end - start, side * gap, step)
                 yield _Trial([text], touching=lines)
@@ -113,25 +115,12 @@ class DimensionLines:
         if abs(end - start) < 0.5:
             return
         along *= math.copysign(1, ((end - start) / along).real)
-        wide = box(label, LABEL)[0]
+        wide, long = box(label, LABEL)[0], ((end - start) / along).real
         for crossing, offset, across in product((False, True), _OFFSETS, (1j * along, -1j * along)):
-            feet = [(point / across).real for point in (start, end)]
-            level = max(feet) + offset
-            tips = [point + across * (level - foot) for point, foot in zip((start, end), feet, strict=True)]
-            clear = min(2 * HINGE, offset / 2)
-            both = [
-                Stroke((point + across * clear, tip + across * _PAST), "thin", step=step)
-                for point, tip in zip((start, end), tips, strict=True)
-            ]
-            inside = abs(tips[1] - tips[0]) >= 2 * _HEAD + 1.5
-            ways = (-along, along) if inside else (along, -along)
-            heads = [arrow_head(tip, way, step, _HEAD) for tip, way in zip(tips, ways, strict=True)]
-            if wide + 1 <= abs(tips[1] - tips[0]):
-                line = Stroke((tips[0], tips[1]), "thin", step=step)
-                text = self._text(label, sum(tips) / 2, along, 0.8, step)
-            else:
-                line = Stroke((tips[0] - along * 5 * (not inside), tips[1] + along * (wide + 5)), "thin", step=step)
-                text = self._text(label, tips[1] + along * (wide / 2 + 4), along, 0.8, step)
+            past = 0.0 if wide + 1 <= long else wide + 5
+            line, both, heads = dimension_line((start, end), across, offset, past, step)
+            middle = line.places[1] - along * (past - wide / 2 - 4 if past else long / 2)
+            text = self._text(label, middle, along, 0.8, step)
             yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
 
     def _radius(self, span: Span, label: Label) -> Iterator[_Trial]:
@@ -143,19 +132,19 @@ class DimensionLines:
             ways = [cmath.rect(1, math.radians(turn)) for turn in range(-45, 315, 15)]
         for way, side in product(ways, (1, -1)):
             tip = centre + way * radius
-            inner, from_rim = centre + way * 2 * HINGE, tip - way * _HEAD
-            head = arrow_head(tip, way, step, _HEAD)
-            if radius > wide + 2 * HINGE + _HEAD + 1:
+            inner, from_rim = centre + way * 2 * HINGE, tip - way * THIN_HEAD
+            head = arrow_head(tip, way, step, THIN_HEAD)
+            if radius > wide + 2 * HINGE + THIN_HEAD + 1:
                 middle = (inner + from_rim) / 2
                 text = self._text(label, middle, way, side * 0.8, step)
                 yield _Trial([Stroke((inner, from_rim), "thin", step=step), text], touching=[head])
-                if len(span.points) > 1:
-                    yield _Trial([text])
+                if len(span.points) > 1:  # on a line that is there
+                    yield _Trial([self._text(label, middle, way, side * _GAPS[0], step)])
             else:
                 far = tip + way * (wide + 3)
                 text = self._text(label, tip + way * (wide / 2 + 2), way, side * 0.8, step)
                 line = Stroke((tip + way, far), "thin", step=step)
-                yield _Trial([line, text], touching=[head, Stroke((inner, tip + way), "thin", step=step)])
+                yield _Trial([line, text], [Stroke((inner, tip - way), "thin", step=step)], [head])
 
 
 def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Figure:
@@ -178,18 +167,21 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
 
 @frozen
 class _Angle:
-    """An angle on paper: its corner, the unit vector of its first arm, and how far on its second lies [rad]."""
+    """An angle on paper: its corner, the unit vector of its first arm, and how far on its second lies [rad].
+
+    axis  the first arm is the x axis at a driven link
+    """
 
     at: Place
     first: complex
     sweep: float
-    level: bool
+    axis: bool
     step: int | None
 
     @classmethod
     def of(cls, corner: Corner, skeleton: Skeleton) -> _Angle:
-        first, level = skeleton.window.turned(corner.start), abs(corner.start - 1) < 1e-9
-        return cls(skeleton.window(corner.at), first, -corner.turn, level, skeleton.step(*corner.points))
+        first, axis = skeleton.window.turned(corner.start), abs(corner.start - 1) < 1e-9 and len(corner.points) > 1
+        return cls(skeleton.window(corner.at), first, -corner.turn, axis, skeleton.step(*corner.points))
 
     @property
     def last(self) -> complex:
@@ -208,12 +200,7 @@ class _Angle:
         return min([clearance(skeleton, place) for place in on] + apart)
 
     def marks(self, skeleton: Skeleton, radius: float) -> list[Mark]:
-        marks: list[Mark] = [ArcMark(self.at, radius, cmath.phase(self.first), self.sweep, "thin", self.step)]
-        if abs(self.sweep) * radius >= 3 * _HEAD:
-            back, turned = _HEAD / 2 / radius, 1j * math.copysign(1, self.sweep)
-            for arm, sense in ((self.first, -1), (self.last, 1)):
-                way = sense * turned * arm * cmath.rect(1, -sense * math.copysign(back, self.sweep))
-                marks.append(arrow_head(self.at + arm * radius, way, self.step, _HEAD))
+        marks = angle_arc(self.at, radius, self.first, self.sweep, self.step)
         for arm in self._open(skeleton):
             ends = self.at + arm * 2 * HINGE, self.at + arm * (radius + _BEYOND)
             marks.append(Stroke(ends, "thin", step=self.step))
@@ -223,7 +210,7 @@ class _Angle:
         """Its value; the x beside its first arm."""
         out = self.first * cmath.rect(1, self.sweep / 2)
         yield LabelRequest(angle_label(size), self.at + out * radius, gap=0.5, away=out, step=self.step)
-        if self.level and any(abs(arm - self.first) < 1e-9 for arm in self._open(skeleton)):
+        if self.axis and any(abs(arm - self.first) < 1e-9 for arm in self._open(skeleton)):
             end = self.at + self.first * (radius + _BEYOND)
             yield LabelRequest(plain("x", italic=True), end, gap=0.3, away=self.first, step=self.step, spare=True)
 

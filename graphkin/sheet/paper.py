@@ -102,7 +102,7 @@ LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])  # tried, too, where a smaller on
 
 PenName = Literal[
     "visible", "outline", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",
-    "leader",
+    "leader", "gap",
 ]  # fmt: skip
 
 
@@ -126,6 +126,7 @@ PENS: Mapping[PenName, Pen] = {
     "construction": Pen(0.18),
     "measured": Pen(0.18, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
     "leader": Pen(0.18),
+    "gap": Pen(2.7),  # white, under a link that crosses another: 1 mm on each side
 }
 
 TITLE = 4.5  # size of the title's letters [mm]: the em of the font

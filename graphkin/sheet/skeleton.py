@@ -132,6 +132,16 @@ def off_stretch(at: Place, start: Place, end: Place) -> float:
     return abs(at - start - along * max(0.0, min(1.0, t)))
 
 
+def crossing(start: Place, end: Place, one: Place, other: Place) -> Place | None:
+    """Where two stretches of lines cross inside; None where they do not."""
+    along, off, way = end - start, one - start, other - one
+    turn = (along.conjugate() * way).imag
+    if abs(turn) < 1e-9:
+        return None
+    t, u = (off.conjugate() * way).imag / turn, (off.conjugate() * along).imag / turn
+    return start + t * along if 0 < t < 1 and 0 < u < 1 else None
+
+
 def in_line(places: list[Place]) -> tuple[int, int] | None:
     """The two ends of points that lie on one line (within 0.05 mm), else None."""
     first, last = max(
