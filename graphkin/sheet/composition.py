@@ -74,20 +74,20 @@ class Planes:
     def figure(self, plane: Plane, window: Window) -> Figure:
         """Drawn once through each window: many divisions of a paper show one figure alike."""
         if (plane, window) not in self._drawn:
-            if plane != "position":
-                figure = heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
-            else:
-                skeleton, draw = self.skeleton(window), bare_figure if self.style == "given" else self.machine
-                figure = draw(self.method, skeleton)
-                if self.style != "result":
-                    figure = angles(self.sizes, skeleton, figure.marks) + figure
-                figure = self.paths.figure(window) + figure
+            figure = self._outline(plane, window)
+            if plane == "position" and self.style != "result":
+                figure = angles(self.sizes, self.skeleton(window), figure.marks) + figure
             self._drawn[plane, window] = figure
         return self._drawn[plane, window]
 
-    def machine(self, method: Method, skeleton: Skeleton) -> Figure:
-        """The mechanism with what its solution adds."""
-        return mechanism_figure(skeleton, method, self.values("position"))
+    def _outline(self, plane: Plane, window: Window) -> Figure:
+        """Without the arcs of given angles, for which there is room beside links."""
+        if plane != "position":
+            return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
+        skeleton = self.skeleton(window)
+        if self.style == "given":
+            return bare_figure(self.method, skeleton)
+        return self.paths.figure(window) + mechanism_figure(skeleton, self.method, self.values(plane))
 
     @cached_property
     def sizes(self) -> list[Size]:
@@ -119,7 +119,7 @@ class Planes:
         """The size of each plane's points, and the reach of its signs beyond them."""
         given, extents = self.method.mechanism.scales, dict[Plane, Extent]()
         for plane in self.planes:
-            extent = Extent.of(self.values(plane), partial(self.figure, plane), given.get(KEYS[plane]))
+            extent = Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane]))
             over = self.paths.height if plane == "position" else 0.0
             extents[plane] = replace(extent, top=extent.top + over)
         return extents
