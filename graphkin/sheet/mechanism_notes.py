@@ -21,7 +21,7 @@ from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, formula, quantity_label
 from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import LABEL
+from graphkin.sheet.paper import LABEL, LEAST
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import EquationBlock, WrittenLines
@@ -63,16 +63,17 @@ class MechanismNotes:
                 added.over.extend(self._arc(half, free))
         given, unsaid = DimensionLines(self.skeleton, free), list[Label]()
         lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
-        for size in sizes(self.reading):
-            marks = given.draw(size)
+        for datum in sizes(self.reading):
+            marks = given.draw(datum)
             added.over.extend(marks)
-            if not marks and not (isinstance(size.shape, Corner) and angle_label(size) in lettered):
-                unsaid.append(formula(size.text))
+            if not marks and not (isinstance(datum.shape, Corner) and angle_label(datum) in lettered):
+                unsaid.append(formula(datum.text))
         for one, other in measured_lengths(self.reading) if self.planes else ():
             if abs(self.skeleton.at(one) - self.skeleton.at(other)) >= _TOLD:
                 added.over.extend(replace(given, accent="grey").draw(length_size(self.reading, one, other)))
-        for wide in (free.room.size.real - 8, *_NARROWER) if self.planes else ():
-            lines = WrittenLines.of(unsaid, wide, LABEL)
+        widths = (free.room.size.real - 8, *_NARROWER)
+        for size, wide in product((LABEL, LEAST), widths) if self.planes else ():
+            lines = WrittenLines.of(unsaid, wide, size)
             if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
                 marks = [*lines.marks(corner)]
                 free.add(marks)
