@@ -15,18 +15,22 @@ from graphkin.planning.at_rest import at_rest, held_labels
 from graphkin.planning.method import births, pages
 from graphkin.planning.needed import Fact
 from graphkin.say.catalogue import say
+from graphkin.say.dimensions import sizes
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
+from graphkin.say.sizes import Size
 from graphkin.sheet.arrows import heads_apart, named_apart
-from graphkin.sheet.construction_lines import MechanismNotes, PolygonConstruction, pencil_lines
+from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
 from graphkin.sheet.detail import detailed
+from graphkin.sheet.dimension_lines import angles
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.marks import Mark
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
+from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
 from graphkin.sheet.path_figure import NONE, Paths
@@ -74,15 +78,25 @@ class Planes:
     def figure(self, plane: Plane, window: Window) -> Figure:
         """Drawn once through each window: many divisions of a paper show one figure alike."""
         if (plane, window) not in self._drawn:
-            if plane != "position":
-                figure = heads_apart(named_apart(polygon_figure(self.polygon(plane, window))))
-            elif self.style == "given":
-                figure = bare_figure(self.method, self.skeleton(window))
-            else:
-                machine = mechanism_figure(self.skeleton(window), self.method, self.values(plane))
-                figure = self.paths.figure(window) + machine
+            figure = self._outline(plane, window)
+            if plane == "position" and self.style != "result":
+                figure = angles(self.sizes, self.skeleton(window), figure.marks) + figure
             self._drawn[plane, window] = figure
         return self._drawn[plane, window]
+
+    def _outline(self, plane: Plane, window: Window) -> Figure:
+        """Without the arcs of given angles, for which there is room beside links."""
+        if plane != "position":
+            return heads_apart(named_apart(polygon_figure(self.polygon(plane, window))))
+        skeleton = self.skeleton(window)
+        if self.style == "given":
+            return bare_figure(self.method, skeleton)
+        return self.paths.figure(window) + mechanism_figure(skeleton, self.method, self.values(plane))
+
+    @cached_property
+    def sizes(self) -> list[Size]:
+        """What is given of the mechanism."""
+        return sizes(self.reading({}))
 
     @cached_property
     def _drawn(self) -> dict[tuple[Plane, Window], Figure]:
@@ -119,7 +133,7 @@ class Planes:
         """The size of each plane's points, and the reach of its signs beyond them."""
         given, extents = self.method.mechanism.scales, dict[Plane, Extent]()
         for plane in self.planes:
-            extent = Extent.of(self.values(plane), partial(self.figure, plane), given.get(KEYS[plane]))
+            extent = Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane]))
             over = self.paths.height if plane == "position" else 0.0
             extents[plane] = replace(extent, top=extent.top + over)
         return extents
@@ -205,8 +219,8 @@ class SheetContents:
         if plane in layout.headed and shapes:
             at = complex(room.left + HEAD_LEFT, under_heading(room).top)
             return [*shapes[layout.shape(plane, self.extent(layout, plane))].marks(at)]
-        foot = min(block.size.imag for block in self.tables[plane]) + AIR if plane in self.footed else 0.0
-        free = self._free(layout, plane, (), foot) if shapes else None
+        lowest = self._lowest(layout, plane)
+        free = self._free(layout, plane, (), lowest.size.imag + AIR if lowest else 0.0) if shapes else None
         for own in shapes if free is not None else ():
             if free is not None and (corner := free.corner(own.size + 2 * complex(AIR, AIR))) is not None:
                 return [*own.marks(corner + complex(AIR, AIR))]
@@ -231,11 +245,14 @@ class SheetContents:
         for block in self.tables[plane]:
             if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
                 return block.marks(corner + air)
-        narrow = [block for block in self.tables[plane] if block.size.real <= room.size.real - 2 * HEAD_LEFT]
-        if plane not in self.footed or not narrow:
-            return None
-        lowest = min(narrow, key=lambda block: block.size.imag)
-        return lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
+        lowest = self._lowest(layout, plane)
+        return None if lowest is None else lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
+
+    def _lowest(self, layout: Layout, plane: Plane) -> TableBlock | None:
+        """A plane's tables in the lowest shape for which its room is wide enough, where they stand at its foot."""
+        wide = layout.rooms[plane].size.real - 2 * HEAD_LEFT
+        narrow = [block for block in self.tables.get(plane, ()) if block.size.real <= wide and plane in self.footed]
+        return min(narrow, key=lambda block: block.size.imag, default=None)
 
     def tableless(self, layout: Layout) -> list[Plane]:
         """Planes whose tables have no place with them."""
@@ -304,7 +321,7 @@ class SheetContents:
 
     def _place(self, layout: Layout, plane: Plane) -> tuple[object, ...]:
         """All that equations and tables of a plane hang on."""
-        choices = (plane in planes for planes in (layout.headed, self.in_strip, self.footed, self.low))
+        choices = (plane in planes for planes in (layout.headed, self.in_strip, self.footed, self.low, self.lensed))
         return plane, layout.rooms[plane], layout.window(plane, self.extent(layout, plane)), *choices
 
     def _plain_panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import re
 import time
 from functools import cache
@@ -9,6 +10,7 @@ from itertools import combinations
 
 import book
 import pytest
+import shapely
 from large_mechanisms import dyads
 
 from graphkin import Drawing
@@ -132,35 +134,30 @@ def test_everything_is_inside_the_drawing_frame(name: str) -> None:
     assert bottom <= page.paper.height - margin
 
 
-def boxes(page: Sheet) -> list[tuple[str, float, float, float, float]]:
-    found = []
-    for mark in page.marks:
-        if isinstance(mark, Text):
-            wide, up, down = box(mark.label, mark.size)
-            x, y = mark.at.real, mark.at.imag
-            found.append((plain_text(mark.label), x, y - up, x + wide, y + down))
-    return found
+def boxes(page: Sheet) -> list[tuple[str, shapely.Polygon]]:
+    """Each text with the box that it takes, turned as it is."""
+    areas = []
+    for mark in (mark for mark in page.marks if isinstance(mark, Text)):
+        wide, up, down = box(mark.label, mark.size)
+        corners = [mark.at + cmath.rect(1, mark.turn) * c for c in (-1j * up, wide - 1j * up, wide + 1j * down, 1j * down)]
+        areas.append((plain_text(mark.label), shapely.Polygon([(c.real, c.imag) for c in corners])))
+    return areas
 
 
 @pytest.mark.parametrize("name", SOLVED)
 def test_no_letters_lie_on_letters(name: str) -> None:
-    found = boxes(drawn(name))
-    for k, (text, x0, y0, x1, y1) in enumerate(found):
-        for other, u0, v0, u1, v1 in found[:k]:
-            apart = x1 <= u0 + 0.01 or u1 <= x0 + 0.01 or y1 <= v0 + 0.01 or v1 <= y0 + 0.01
-            assert apart, f"{text} lies on {other}"
+    for (text, one), (other, two) in combinations(boxes(drawn(name)), 2):
+        assert not one.buffer(-0.01).intersects(two), f"{text} lies on {other}"
 
 
 @pytest.mark.parametrize("name", SOLVED)
 def test_no_letters_lie_on_arrows(name: str) -> None:
-    import shapely
-
     page = drawn(name)
     arrows = [m for m in page.marks if isinstance(m, VectorMark)]
     lines = [shapely.LineString([(m.start.real, m.start.imag), (m.end.real, m.end.imag)]) for m in arrows]
-    for text, *corners in boxes(page):
+    for text, area in boxes(page):
         for arrow, line in zip(arrows, lines, strict=True):
-            assert not line.intersects(shapely.box(*corners)), f"{text} lies on {arrow.name}"
+            assert not line.intersects(area), f"{text} lies on {arrow.name}"
 
 
 @pytest.mark.parametrize("name", ["ex3-1", "p3-20"])
@@ -293,10 +290,8 @@ def crowd(name: str) -> tuple[Method, Plot]:
 
 @pytest.mark.parametrize(("name", "paper"), [("excavator", None), ("chain", None), ("chain", "A3"), ("p3-22", "A4")])
 def test_no_label_of_a_crowd_lies_on_another_or_on_an_arrow(name: str, paper: str | None) -> None:
-    import shapely
-
     page = sheet(*(crowd(name) if name in ("excavator", "chain") else solved(name)), paper=paper)
-    placed = [(text, shapely.box(*corners)) for text, *corners in boxes(page)]
+    placed = boxes(page)
     for (text, one), (other, two) in combinations(placed, 2):
         assert not one.buffer(-0.05).intersects(two), f"{text} lies on {other}"
     drawn_lines = {m: (m.start, m.end) for m in page.marks if isinstance(m, VectorMark)}
