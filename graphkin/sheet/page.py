@@ -38,6 +38,7 @@ HEADINGS: dict[Lang, dict[Plane, str]] = {
 }
 HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm]
 
+_AIR = 2.0  # of labels to equations at least [mm]
 _TANGLED = 1.4  # the burden of a short arrow's label among others, where one on a leader is 1
 _EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
@@ -138,7 +139,18 @@ class Panel:
     @cached_property
     def scene(self) -> LabelScene:
         """Labels that want a place, and all that they keep off."""
-        return LabelScene(self.figure.wanted, self.drawn, self.room)
+        return LabelScene(self.figure.wanted, self.drawn + self._beside_equations, self.room)
+
+    @property
+    def _beside_equations(self) -> list[Mark]:
+        """The place of equations, and some more: what stood nearer would read as one more row of them."""
+        rows = [mark for mark in self.before if isinstance(mark, Text) and mark.step is not None]
+        if not rows:
+            return []
+        left, top, right, bottom = bounds(rows)
+        low, high = complex(left - _AIR, top), complex(right + _AIR, bottom + _AIR)
+        corners = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
+        return [Stroke(corners, closed=True, fill="ink")]
 
     @cached_property
     def near(self) -> Settled:

@@ -119,8 +119,8 @@ def ring_width(numbers: str) -> float:
     return max(2 * RING, width(plain(numbers), LEAST) + 0.6 * RING if "\u2013" in numbers else 0.0)
 
 
-_LINES = tuple(k * LABEL for k in (1, 2.2, 3.3))  # base lines of terms and of the rows under them [mm]
-_HIGH, _GAP, _BETWEEN = 3.7 * LABEL, 2.2, 8.0
+_LINES = tuple(k * LABEL for k in (1, 2.2, 3.4))  # base lines of terms and of the rows under them [mm]
+_HIGH, _GAP, _BETWEEN = 4.0 * LABEL, 2.2, 8.0
 AIR = 3.0  # about a ladder: what stood nearer would read as one more row [mm]
 
 
