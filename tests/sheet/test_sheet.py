@@ -221,8 +221,8 @@ def test_a_series_of_steps_is_each_step_by_itself(name: str) -> None:
 
 
 def test_crowded_letters_take_a_larger_paper() -> None:
-    assert drawn("p3-16").paper.name.startswith("A3")
-    assert sheet(*solved("p3-16"), paper="A4").paper.name == "A4"
+    assert drawn("p3-22").paper.name.startswith("A3")
+    assert sheet(*solved("p3-22"), paper="A4").paper.name == "A4"
 
 
 EXCAVATOR = """
