@@ -126,6 +126,26 @@ def rocker(crank: float, angle: float, wrong: str = "") -> Numbers:
     return {"omega 2": omega_2, "omega 3": omega_3, "alpha 3": alpha_3, "v C": v_c}
 
 
+Polygons = dict[str, dict[str, complex]]
+"""By velocity and acceleration the places of the letters, in SI."""
+LINES = {"velocity": ("pb", "pc", "bc"), "acceleration": ("p′b′", "b′n2′", "n2′c′", "p′n3′", "n3′c′", "p′c′")}
+
+
+def polygons(crank: float, angle: float, wrong: str = "") -> Polygons:
+    """Those of the rocker; with a mistake the normal acceleration of C about D points away from D."""
+    b, numbers = cmath.rect(crank, angle), rocker(crank, angle)
+    far = abs(0.08 - b)
+    along = (far**2 + 0.07**2 - 0.06**2) / (2 * far)
+    bc = (along + 1j * math.sqrt(0.07**2 - along**2)) * (0.08 - b) / far
+    dc = b + bc - 0.08
+    first, second = -100 * b - numbers["omega 2"] ** 2 * bc, -numbers["omega 3"] ** 2 * dc * (-1 if wrong else 1)
+    _, alpha_3 = _solved(1j * bc, -1j * dc, second - first)
+    return {
+        "velocity": {"p": 0j, "b": 10j * b, "c": 1j * numbers["omega 3"] * dc},
+        "acceleration": {"p′": 0j, "b′": -100 * b, "n2′": first, "n3′": second, "c′": second + 1j * alpha_3 * dc},
+    }
+
+
 def guide_bar(crank: float, angle: float, wrong: str = "") -> Numbers:
     a = cmath.rect(crank, angle)
     bar = a + 0.1j

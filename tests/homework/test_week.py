@@ -170,7 +170,7 @@ def two_graders() -> dict[str, str]:
     """Each looks at some of what was not read, in a copy of their own; one student both of them judge, otherwise. The
     points that hold."""
     first, *rest, last = CLASS.of("p2", "unread", "photograph")
-    own = {"A": {student: ("3.5", "A") for student in (first, *rest[:2])}, "B": {student: ("2.5", "B") for student in (*rest[2:], last, first)}}
+    own = {"A": dict.fromkeys((first, *rest[:2]), ("3.5", "A")), "B": dict.fromkeys((*rest[2:], last, first), ("2.5", "B"))}
     for grader, given in own.items():
         shutil.copytree("res/p2", f"{grader}/p2")
         teacher(f"{grader}/p2", given)
