@@ -251,6 +251,7 @@ FATES = (
     ["right"] * 26 + ["mistake"] * 8 + ["again"] + ["slip"] * 8 + ["unread"] * 7 + ["photograph", "another's name"]
     + ["copy"] * 2 + ["nothing"] * 4 + ["late"] * 2
 )  # fmt: skip
+LATE = ("late", "again", "photograph")
 UNREAD = ("见图", "3.92或3.98", "算不出", "2.7~2.9", "?", "忘了", "3.9x")
 STRANGER = "张三丰_9001_assignsubmission_file_/作业.txt"
 _KINDS = ("txt", "csv", "xlsx", "docx")
@@ -290,8 +291,8 @@ class HomeworkClass:
         return {**files, STRANGER: "ω2 = 3 rad/s".encode()}
 
     def late(self, problem: str) -> dict[str, bytes]:
-        """Who hands in later, or better work."""
-        return dict(self._file(problem, k, "right") for k, _, fate in self.fates(problem) if fate in ("late", "again"))
+        """Who hands in later, or better work, or what can be read."""
+        return dict(self._file(problem, k, "right") for k, _, fate in self.fates(problem) if fate in LATE)
 
     def _file(self, problem: str, k: int, fate: str) -> tuple[str, bytes]:
         one, kind = self.them[k], _KINDS[k % 4]

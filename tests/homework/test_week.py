@@ -15,13 +15,15 @@ from pathlib import Path
 import openpyxl
 import pytest
 from click.testing import CliRunner, Result
-from the_week import MADE, STRANGER, TEMPLATES, HomeworkClass, packed, pupils, school_list, worksheet
+from the_week import FATES, LATE, MADE, STRANGER, TEMPLATES, HomeworkClass, packed, pupils, school_list, worksheet
 
 from graphkin.cli import main
 
 Json = dict
 CLASS = HomeworkClass(tuple(pupils()), Path("week"))
-POINTS = {"right": 4, "late": 4, "again": 4, "mistake": 3, "slip": 3}  # of 4; what follows rightly from a slip is right
+POINTS = {"right": 4, "late": 4, "again": 4, "photograph": 4, "mistake": 3, "slip": 3}
+"""In the end, of 4; what follows rightly from a slip is right."""
+AT_FIRST = {**POINTS, "late": "", "again": 3, "photograph": ""}
 BOOKS = ("--format", "csv", "--format", "xlsx", "--lang", "zh")
 
 
@@ -74,7 +76,7 @@ def nothing_is_lost(problem: str, archives: list[Path]) -> None:
     there = Counter(one["file"] for one in records(problem))
     assert set(there.values()) == {1}
     handed_in = [f"{path}!{name}" for path in archives for name in zipfile.ZipFile(path).namelist()]
-    replaced = CLASS.of(problem, "again") if len(archives) > 1 else []
+    replaced = CLASS.of(problem, "again", "photograph") if len(archives) > 1 else []
     assert {*there} == {file for file in handed_in if "in/" not in file or whose(file) not in replaced}
     for one in records(problem):
         assert one["status"] == "not marked" if STRANGER in one["file"] else one["student"] == whose(one["file"])
@@ -93,7 +95,7 @@ def due() -> None:
             told, mine = table[one.id], there.get(one.id)
             assert told["姓名"] == one.name
             assert (told["状态"] == "未交") == (mine is None) == (fate in ("nothing", "late")), (problem, one, fate)
-            assert told["总分"] == {"again": "3"}.get(fate, str(POINTS.get(fate, ""))) or fate in ("late", "copy"), (problem, one, fate)
+            assert told["总分"] == str(AT_FIRST.get(fate, "")) or fate == "copy", (problem, one, fate)
             if fate in ("mistake", "again"):
                 assert MADE[problem] in mine["mistakes"][0]["ids"]
             if fate == "slip":
@@ -118,7 +120,7 @@ def every_doubt_is_listed() -> None:
     sheet = openpyxl.load_workbook("res/class.xlsx")["请核对"].iter_rows(min_row=2, values_only=True)
     listed = {(problem, student): [] for problem in TEMPLATES for student in ("", *(one.id for one in CLASS.them))}
     for student, _, problem, file, reason in sheet:
-        listed[problem, student if student in CLASS.of(problem, *FATES_ALL) else ""].append((file, reason))
+        listed[problem, student if student in CLASS.of(problem, *FATES) else ""].append((file, reason))
     whole, printed = rows("res/class.csv"), doubtful_in_the_terminal()
     for problem in TEMPLATES:
         table = rows(f"res/{problem}/class.csv")
@@ -138,7 +140,6 @@ def every_doubt_is_listed() -> None:
 
 
 UNITS = ("rad/s", "rad/s²", "m/s", "m/s²")
-FATES_ALL = ("right", "mistake", "again", "slip", "unread", "photograph", "another's name", "copy", "nothing", "late")
 
 
 def late_work() -> None:
@@ -149,11 +150,11 @@ def late_work() -> None:
     said = grade("week", "late", "-o", "res").stderr
     for problem in TEMPLATES:
         nothing_is_lost(problem, [Path("in", f"{problem}.zip"), Path("late", f"{problem}.zip")])
-        now, (again,) = {one["student"]: one for one in records(problem)}, CLASS.of(problem, "again")
-        assert again in said
+        now, again = {one["student"]: one for one in records(problem)}, CLASS.of(problem, "again", "photograph")
+        assert {line.split("：")[0] for line in said.splitlines() if f"late/{problem}" in line} == {*again}
         assert {*now} == {*before[problem], *CLASS.of(problem, "late")}
-        assert [now[student]["score"] for student in CLASS.of(problem, "late", "again")] == [1.0] * 3
-        assert all(now[student] == one for student, one in before[problem].items() if student != again)
+        assert [now[student]["score"] for student in CLASS.of(problem, *LATE)] == [1.0] * 4
+        assert all(now[student] == one for student, one in before[problem].items() if student not in again)
 
 
 def teacher(folder: str, given: dict[str, tuple[str, str]]) -> None:
@@ -169,7 +170,7 @@ def teacher(folder: str, given: dict[str, tuple[str, str]]) -> None:
 def two_graders() -> dict[str, str]:
     """Each looks at some of what was not read, in a copy of their own; one student both of them judge, otherwise. The
     points that hold."""
-    first, *rest, last = CLASS.of("p2", "unread", "photograph")
+    first, *rest, last = CLASS.of("p2", "unread", "another's name")
     own = {"A": dict.fromkeys((first, *rest[:2]), ("3.5", "A")), "B": dict.fromkeys((*rest[2:], last, first), ("2.5", "B"))}
     for grader, given in own.items():
         shutil.copytree("res/p2", f"{grader}/p2")
