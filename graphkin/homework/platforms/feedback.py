@@ -80,12 +80,14 @@ def as_on_sheets(result: Result, text: str) -> str:
     return in_letters(text, (line.text for line in result.lines))
 
 
+_SURELY = re.compile("theta |omega |alpha |a_[nktr] |.* .*@")  # no other words are written so
+
+
 def in_letters(text: str, names: Iterable[str]) -> str:
     """A text with these quantities, with rotations and arrows as the sheets write them."""
     known = {name for whole in names for name in (whole, whole.split(" #")[0].split(" @")[0])}
-    turning = ("theta ", "omega ", "alpha ")
-    typed = respelled(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
-    return re.sub(r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+", lambda arrow: vector(arrow[0]), typed)
+    typed = respelled(text, lambda name: symbols(name) if name in known or _SURELY.match(name) else name)
+    return re.sub(r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+(?:,[\w@]+)?", lambda arrow: vector(arrow[0]), typed)
 
 
 def under_table(page: Feedback) -> Iterator[str]:
@@ -102,8 +104,15 @@ def under_table(page: Feedback) -> Iterator[str]:
         yield say("verdicts.carried means", lang)
 
 
-def praise(result: Result, lang: Lang) -> str:
-    """A word to good work; nothing where there is none."""
+def words(result: Result, lang: Lang) -> Iterator[str]:
+    """The teacher's, and one to good work."""
+    if result.comment:
+        yield say("feedback.comment", lang, comment=one_line(result.comment))
+    if text := _praise(result, lang):
+        yield text
+
+
+def _praise(result: Result, lang: Lang) -> str:
     every = [line for line in result.lines if line.points or line.written] or result.lines
     right = sum(line.verdict not in ("wrong", "missing", "not read") for line in every)
     if not right:
@@ -132,11 +141,13 @@ def next_step(page: Feedback) -> str:
 def _to_do(result: Result) -> Iterator[tuple[str, list[str]]]:
     """What there may be to do, the most useful first, with the quantities."""
     wrong = [line for line in result.lines if line.verdict == "wrong"]
+    sense = [line.text for line in wrong if line.credit and line.sense == "wrong"]
     yield "unread", [line.text for line in result.lines if line.written]
+    yield "sense", sense if len(wrong) == 1 else []
     if result.suspicions:
         yield "mistake", [*result.suspicions[0].explains]
     yield "unit", [line.text for line in wrong if not line.unit_right]
-    yield "sense", [line.text for line in wrong if line.credit and line.sense == "wrong"]
+    yield "sense", sense
     yield "departure", [result.departure.text] if result.departure is not None else []
     yield "wrong", [line.text for line in wrong][:1]
     yield "missing", [line.text for line in result.lines if line.verdict == "missing" and line.points]
@@ -168,7 +179,7 @@ def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
         yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
     yield from diagnosis(result, lang, reveal)
     page = Feedback(result, lang, reveal)
-    yield from filter(None, (praise(result, lang), "" if reveal == "hint" else next_step(page)))
+    yield from filter(None, (*words(result, lang), "" if reveal == "hint" else next_step(page)))
     yield from at_the_end(page)
     yield from points_that_count(result, lang)
 
@@ -258,9 +269,12 @@ def _in_words(one: Explanation, lang: Lang) -> list[str]:
 
 
 def points_that_count(result: Result, lang: Lang) -> Iterator[str]:
-    """That the teacher gave them, and the points that count; nothing where there are none."""
+    """That the teacher gave them, and the points that count, or what they wait for; nothing where there are none."""
     most = exponentless(result.most)
     if result.override is not None:
         yield say("feedback.override", lang, points=exponentless(result.override), most=most)
     if result.total is not None:
         yield say("feedback.total", lang, points=exponentless(result.total), most=most)
+    elif result.status == "marked":
+        names = say("common.list", lang).join(line.text for line in result.lines if line.written)
+        yield as_on_sheets(result, say("feedback.no total", lang, names=names))

@@ -29,26 +29,26 @@ _STYLE = """
 body { font: 16px/1.5 "Helvetica Neue", Arial, "Noto Sans CJK SC", "PingFang SC", "Microsoft YaHei", sans-serif;
   color: #1c2430; max-width: 180mm; margin: 0 auto; padding: 16px }
 i, mi, mn, mtext { font-family: "Times New Roman", "Liberation Serif", Tinos, serif }
-math { font: 1.06em "DejaVu Math TeX Gyre", "STIX Two Math", math } mi { font-style: italic; text-transform: none }
+span { white-space: nowrap } math { font: 1.06em "DejaVu Math TeX Gyre", "STIX Two Math", math } mi { font-style: italic; text-transform: none }
 header { border-bottom: 2px solid #1f4e79; margin-bottom: 14px } .who { margin: 0; color: #55606e }
 h1 { font-size: 1.35em; line-height: 1.25; margin: 2px 0 8px } h2 { font-size: 1.05em; color: #1f4e79 }
 .start { display: flex; flex-wrap: wrap; gap: 8px 24px; align-items: center } .start > div { flex: 1 1 240px }
 .total { font-size: 1.3em; font-weight: bold; margin: 0 } .praise { margin: 4px 0 }
 .next { border-left: 4px solid #1f4e79; background: #eef4fa; padding: 8px 12px; margin: 10px 0 }
 .next b { display: block; color: #1f4e79 } figure { margin: 8px 0; max-width: 100%; overflow-x: auto }
-figure svg, figure img { display: block; max-width: 100%; height: auto } figure.wide svg { min-width: 165mm }
+figure svg, figure img { display: block; max-width: 100%; height: auto }
 .pictures { display: flex; flex-wrap: wrap; gap: 4px 8px; align-items: flex-start }
-.pictures p, .pictures figure.wide { flex: 1 0 100%; margin: 6px 0 0 } .pictures figure { flex: 0 1 88mm }
+.pictures p { flex: 1 0 100%; margin: 6px 0 0 } .pictures figure { flex: 0 1 88mm }
 table { border-collapse: collapse; width: 100% } th { color: #55606e; font-weight: normal; font-size: .9em }
 th, td { border-bottom: 1px solid #d5dbe2; padding: 5px 8px; text-align: left; vertical-align: top }
-th.number, td.number { text-align: right; font-variant-numeric: tabular-nums }
+th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
+tr.not.read td { white-space: normal; overflow-wrap: anywhere }
 .right .verdict, .carried .verdict { color: #1b6e3c } .not.read .verdict { color: #8a5a00 }
 .wrong .verdict, .missing .verdict { color: #a61b1b; font-weight: bold } .note { font-size: .9em; color: #434d59 }
 @media (max-width: 520px) { body { font-size: 15px; padding: 12px } th, td { padding: 5px 4px } }
 @media print { @page { size: A4; margin: 15mm } body { max-width: none; padding: 0; font-size: 10.5pt }
   figure, tr, .next { break-inside: avoid } h2 { break-after: avoid } }
 """
-_WIDE = 105.0  # a drawing that is wider is shown at full size, to be moved across a small screen [mm]
 
 Page = Callable[[Feedback], bytes]
 
@@ -57,7 +57,7 @@ def html(page: Feedback) -> bytes:
     """A page that needs nothing but itself: points and the next step, the quantities, the diagnosis, pictures."""
     lang = page.lang
     begin = "".join(_paragraph(text, "total") for text in feedback.points_that_count(page.result, lang))
-    begin += _paragraph(feedback.praise(page.result, lang), "praise")
+    begin += "".join(_paragraph(text, "praise") for text in feedback.words(page.result, lang))
     if step := feedback.next_step(page):
         begin += f'<div class="next"><b>{say("feedback.next", lang)}</b>{typeset(step)}</div>'
     figure, title, who = "", feedback.title(page), ""
@@ -88,7 +88,8 @@ def document(title: str, body: str, lang: Lang) -> bytes:
 
 def typeset(text: str) -> str:
     """A sentence with its quantities in the letters of the sheet."""
-    return "<br>".join(html_words(formula(clean(line))) for line in text.split("\n"))
+    lines = "<br>".join(html_words(formula(clean(line))) for line in text.split("\n"))
+    return re.sub("<math>(?:(?!</math>).)*</math>[,.;:)、，。；：）]+", r"<span>\g<0></span>", lines)
 
 
 def _paragraph(text: str, kind: str = "") -> str:
@@ -121,9 +122,7 @@ def _figure(picture: ResultPicture) -> str:
         data = base64.b64encode(picture.data).decode()
         return f'<figure><img alt="{label}" src="data:{picture.kind};base64,{data}"></figure>'
     text = picture.data.decode()
-    wide = (match := _START.match(text)) is not None and float(match[1]) > _WIDE
-    kind = ' class="wide"' if wide else ""
-    return f"<figure{kind}>" + text.replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1) + "</figure>"
+    return "<figure>" + text.replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1) + "</figure>"
 
 
 # --- a drawing, for platforms that take back drawings -----------------------------------------------------------------
@@ -145,7 +144,7 @@ def drawing(page: Feedback) -> bytes:
         sheet.show(page.problem)
     step = feedback.next_step(page)
     step = step and say("feedback.line", lang, name=say("feedback.next", lang), verdict=step)
-    for text in (*feedback.points_that_count(page.result, lang), feedback.praise(page.result, lang), step):
+    for text in (*feedback.points_that_count(page.result, lang), *feedback.words(page.result, lang), step):
         if text:
             sheet.write(text)
     if page.result.lines:

@@ -78,7 +78,8 @@ class Order:
             own = [traces[result.student] for traces in self.several if result.lines and result.student in traces]
             whole = bool(result.lines) and not any(line.written for line in result.lines)
             most, override = result.most if whole else self.most, self.overrides.of(result.student, result.file)
-            yield replace(result, override=None if override is None else override.points, most=most, habits=habits(own))
+            result = replace(result, most=most, habits=habits(own))
+            yield result if override is None else replace(result, override=override.points, comment=override.comment)
 
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""

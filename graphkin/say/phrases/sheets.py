@@ -36,7 +36,7 @@ PHRASES: Phrases = {
     "pictures.under mistake own": ("thin: with the mistake; black: yours, as measured", "细线：含此错误；黑线：你的图（实测）"),
     "pictures.shows": ("Drawn with this mistake: {mistake}.", "按此错误所画：{mistake}。"),
     "pictures.between": (" ", ""),
-    "pictures.thick": ("Red: laid off or directed otherwise than it should be, or left out; the rest only follows.",
+    "pictures.red": ("Red: laid off or directed otherwise than it should be, or left out; the rest only follows.",
                        "红线：大小或方向画错（或漏画）之处，其余为其后果。"),
     "pictures.brackets": ("In brackets: points that lie elsewhere than on the thin lines.",
                           "括号内字母：与细线图位置不同的点。"),
