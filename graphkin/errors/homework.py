@@ -394,7 +394,7 @@ class NotAResult(LocatedError):
 
 class NotAnOverride(AboutText):
     en = "{where}: {given!r} in the column override is no number of points. Write a number from 0 up, or leave it empty."
-    zh = "{where}：override 列中的 {given!r} 不是分数。请填不小于 0 的数，或留空。"
+    zh = "{where}：“教师改分”列中的 {given!r} 不是分数。请填不小于 0 的数，或留空。"
 
 
 class NotASet(GraphkinError):

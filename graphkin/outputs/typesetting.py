@@ -198,10 +198,7 @@ def _mathml(sign: Sign) -> str:
     return f"<math><msub>{letter}{low}</msub></math>" if sign.low else f"<math><msup>{letter}{high}</msup></math>"
 
 
-_KEPT = "\u00a0"  # browsers drop other spaces at the ends of a formula's words
-
-
 def _token(run: Run) -> str:
     """Browsers set several letters in one `mi` upright; the page's style slants them as the drawings have them."""
     kind = "mi" if run.italic else "mn" if run.text.isdigit() else "mtext"
-    return f"<{kind}>{escape(run.text.replace(' ', _KEPT))}</{kind}>"
+    return f"<{kind}>{escape(run.text).replace(' ', '&#160;')}</{kind}>"

@@ -79,12 +79,8 @@ def vector(name: str) -> str:
     parts = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name)
     assert parts is not None, name
     letter, part, low = parts.groups()
-    return letter + "".join(_RAISED[c] for c in part or "") + "_" + _sites(low)
-
-
-def _sites(of: str) -> str:
-    """Points below a letter, held together where they stand on links called by words."""
-    return f"{{{point(of)}}}" if "@" in of else point(of)
+    sites = f"{{{point(low)}}}" if "@" in low else point(low)
+    return letter + "".join(_RAISED[c] for c in part or "") + "_" + sites
 
 
 def symbols(text: str) -> str:
@@ -100,7 +96,7 @@ def symbols(text: str) -> str:
         return of_link(sign, of)
     if part in ("x", "y"):
         return f"{sign}_{point(of)},{part}"
-    return sign + "".join(_RAISED[c] for c in part) + "_" + _sites(of)
+    return sign + "".join(_RAISED[c] for c in part) + "_" + (f"{{{point(of)}}}" if "@" in of else point(of))
 
 
 def of_link(symbol: str, link: str) -> str:

@@ -137,6 +137,9 @@ class Version:
             figure = plain_mechanism(self.method, self.plot, window).numbered(None)
             return Figure([self._penned(mark, window.scale) for mark in figure.marks], figure.wanted)
         figure = polygon_figure(self._polygon(self.plot, window))
+        ends = [[window(self.there[name]) for name in sorted(pair) if name in self.there] for pair in self.arrows]
+        gone = {pair[0] for pair in ends if len(pair) > 1 and abs(pair[1] - pair[0]) < _GONE}
+        figure.marks += [Disc(at, 2 * _RING, "thin", step=_OTHERWISE) for at in sorted(gone, key=abs)]
         crowded = len(figure.wanted) > _CROWDED
         labels = [label for label in figure.wanted if not (crowded and label.spare)]
         return Figure([self._penned(mark, window.scale) for mark in figure.marks], labels) + self._over(window)
@@ -147,7 +150,7 @@ class Version:
     def _penned(self, mark: Mark, scale: float) -> Mark:
         """Emphasised where it is drawn otherwise, or is missing in what is laid over; thin under that."""
         own = self._own
-        if not own or isinstance(mark, PointMark):
+        if not own:
             return self._emphasised(mark)
         if isinstance(mark, VectorMark) and frozenset((mark.tail, mark.head)) in self.arrows:
             start, end = own.get(mark.tail), own.get(mark.head)
@@ -165,18 +168,10 @@ class Version:
                 ends = frozenset((tail, head))
                 otherwise = ends in self.arrows or (self.construction.pole in ends and bool(ends & self.images))
             case PointMark(name=name):
-                otherwise = name in self.images or name in self._gone
+                otherwise = name in self.images
             case Stroke(shows=shows) if shows is not None:
                 otherwise = bool(self.images.intersection(shows.points))
         return replace(mark, step=_OTHERWISE) if otherwise else mark
-
-    @property
-    def _gone(self) -> set[str]:
-        """The ends of arrows that mistakes leave out: that is all there is to be seen of these."""
-        there = self.there
-        nothing = 1e-9 * max(map(abs, there.values()), default=0.0)
-        ends = (ends for ends in self.arrows if ends <= there.keys())
-        return {name for pair in ends for name in pair if abs(there[min(pair)] - there[max(pair)]) <= nothing}
 
     @property
     def _own(self) -> Mapping[str, complex]:

@@ -104,15 +104,8 @@ def under_table(page: Feedback) -> Iterator[str]:
         yield say("verdicts.carried means", lang)
 
 
-def words(result: Result, lang: Lang) -> Iterator[str]:
-    """The teacher's, and one to good work."""
-    if result.comment:
-        yield say("feedback.comment", lang, comment=one_line(result.comment))
-    if text := _praise(result, lang):
-        yield text
-
-
-def _praise(result: Result, lang: Lang) -> str:
+def praise(result: Result, lang: Lang) -> str:
+    """A word to good work; nothing where there is none."""
     every = [line for line in result.lines if line.points or line.written] or result.lines
     right = sum(line.verdict not in ("wrong", "missing", "not read") for line in every)
     if not right:
@@ -179,7 +172,7 @@ def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
         yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
     yield from diagnosis(result, lang, reveal)
     page = Feedback(result, lang, reveal)
-    yield from filter(None, (*words(result, lang), "" if reveal == "hint" else next_step(page)))
+    yield from filter(None, (praise(result, lang), "" if reveal == "hint" else next_step(page)))
     yield from at_the_end(page)
     yield from points_that_count(result, lang)
 
@@ -269,7 +262,7 @@ def _in_words(one: Explanation, lang: Lang) -> list[str]:
 
 
 def points_that_count(result: Result, lang: Lang) -> Iterator[str]:
-    """That the teacher gave them, and the points that count, or what they wait for; nothing where there are none."""
+    """The points that count, and that the teacher gave them, or what they wait for; and what the teacher writes."""
     most = exponentless(result.most)
     if result.override is not None:
         yield say("feedback.override", lang, points=exponentless(result.override), most=most)
@@ -278,3 +271,5 @@ def points_that_count(result: Result, lang: Lang) -> Iterator[str]:
     elif result.status == "marked":
         names = say("common.list", lang).join(line.text for line in result.lines if line.written)
         yield as_on_sheets(result, say("feedback.no total", lang, names=names))
+    if result.comment:
+        yield say("feedback.comment", lang, comment=one_line(result.comment))

@@ -29,7 +29,7 @@ _STYLE = """
 body { font: 16px/1.5 "Helvetica Neue", Arial, "Noto Sans CJK SC", "PingFang SC", "Microsoft YaHei", sans-serif;
   color: #1c2430; max-width: 180mm; margin: 0 auto; padding: 16px }
 i, mi, mn, mtext { font-family: "Times New Roman", "Liberation Serif", Tinos, serif }
-span { white-space: nowrap } math { font: 1.06em "DejaVu Math TeX Gyre", "STIX Two Math", math } mi { font-style: italic; text-transform: none }
+math { font: 1.06em "DejaVu Math TeX Gyre", "STIX Two Math", math } mi { font-style: italic; text-transform: none }
 header { border-bottom: 2px solid #1f4e79; margin-bottom: 14px } .who { margin: 0; color: #55606e }
 h1 { font-size: 1.35em; line-height: 1.25; margin: 2px 0 8px } h2 { font-size: 1.05em; color: #1f4e79 }
 .start { display: flex; flex-wrap: wrap; gap: 8px 24px; align-items: center } .start > div { flex: 1 1 240px }
@@ -42,7 +42,7 @@ figure svg, figure img { display: block; max-width: 100%; height: auto }
 table { border-collapse: collapse; width: 100% } th { color: #55606e; font-weight: normal; font-size: .9em }
 th, td { border-bottom: 1px solid #d5dbe2; padding: 5px 8px; text-align: left; vertical-align: top }
 th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
-tr.not.read td { white-space: normal; overflow-wrap: anywhere }
+span { white-space: nowrap } tr.not.read td { white-space: normal; overflow-wrap: anywhere }
 .right .verdict, .carried .verdict { color: #1b6e3c } .not.read .verdict { color: #8a5a00 }
 .wrong .verdict, .missing .verdict { color: #a61b1b; font-weight: bold } .note { font-size: .9em; color: #434d59 }
 @media (max-width: 520px) { body { font-size: 15px; padding: 12px } th, td { padding: 5px 4px } }
@@ -57,7 +57,7 @@ def html(page: Feedback) -> bytes:
     """A page that needs nothing but itself: points and the next step, the quantities, the diagnosis, pictures."""
     lang = page.lang
     begin = "".join(_paragraph(text, "total") for text in feedback.points_that_count(page.result, lang))
-    begin += "".join(_paragraph(text, "praise") for text in feedback.words(page.result, lang))
+    begin += _paragraph(feedback.praise(page.result, lang), "praise")
     if step := feedback.next_step(page):
         begin += f'<div class="next"><b>{say("feedback.next", lang)}</b>{typeset(step)}</div>'
     figure, title, who = "", feedback.title(page), ""
@@ -144,7 +144,7 @@ def drawing(page: Feedback) -> bytes:
         sheet.show(page.problem)
     step = feedback.next_step(page)
     step = step and say("feedback.line", lang, name=say("feedback.next", lang), verdict=step)
-    for text in (*feedback.points_that_count(page.result, lang), *feedback.words(page.result, lang), step):
+    for text in (*feedback.points_that_count(page.result, lang), feedback.praise(page.result, lang), step):
         if text:
             sheet.write(text)
     if page.result.lines:

@@ -31,7 +31,7 @@ from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.submissions import safe_name
 
 CLASS_TABLE = "class.csv"  # in this table of a results folder teachers write their overrides
-_JSON, _TABLE = (b'"graphkin"',), (b"override",)
+_JSON, _TABLE = (b'"graphkin"',), tuple(title.encode() for title in in_both("platforms.column override").values())
 _BOOK = tuple(
     ",".join(say(f"platforms.column {key}", lang) for key in ("student", "name")).encode() for lang in LANGUAGES
 )
@@ -277,10 +277,13 @@ def _report(order: Order) -> WrittenResults:
     data = order.lines("class-report.json", [record + "\n"], _JSON)
     figure = order.folder / "class-report.svg"
     remark = reports.write_class_figure(figure, report, order.lang, order.force)
-    drawn = figure.read_text("utf-8")
+    drawn, shows = figure.read_text("utf-8"), order.pictures
+    figures = (shows.problem(one, order.lang) for one in order.results) if isinstance(shows, PolygonPictures) else ()
+    title = next((problem.label for problem in figures if problem is not None), "")
     page = order.folder / "class-report.html"
     with beside(page, order.force, [PAGE]) as draft:
-        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn[drawn.index("<svg") :]))
+        drawn = drawn[drawn.index("<svg") :]
+        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn, title))
     return WrittenResults((words, data, figure, page), () if remark is None else (remark.message(order.lang),))
 
 

@@ -54,7 +54,7 @@ PHRASES: Phrases = {
     "platforms.column status": ("status", "状态"),
     "platforms.column earned": ("points", "得分"),
     "platforms.column most": ("out of", "满分"),
-    "platforms.column override": ("override", "override"),
+    "platforms.column override": ("override", "教师改分"),
     "platforms.column comment": ("comment", "评语"),
     "platforms.column total": ("total", "总分"),
     "platforms.column score percent": ("score, %", "得分率（%）"),
@@ -75,7 +75,7 @@ PHRASES: Phrases = {
     "platforms.overrides differ": ("{student}: {points} in {table}, but {other} in {beside}; the first counts. Decide, and write it into the table.",
                                    "{student}：{table} 中为 {points}，{beside} 中为 {other}；按前者计。请核定后写入表中。"),
     "platforms.override kept": ("{student} has an override and nothing among these submissions; the override is kept.",
-                                "{student} 有 override，但不在本次提交中；已保留该 override。"),
+                                "{student} 有教师改分，但不在本次提交中；改分已保留。"),
     # === what a student is told of a submission, and of a number on a platform
     "feedback.right": ("Right.", "正确。"),
     "feedback.other sense": ("Right but for its sense (sign). Half of the points.", "除转向（符号）外正确。得一半分。"),

@@ -37,7 +37,7 @@ PHRASES: Phrases = {
     "pictures.shows": ("Drawn with this mistake: {mistake}.", "按此错误所画：{mistake}。"),
     "pictures.between": (" ", ""),
     "pictures.red": ("Red: laid off or directed otherwise than it should be, or left out; the rest only follows.",
-                       "红线：大小或方向画错（或漏画）之处，其余为其后果。"),
+                       "红色：大小或方向画错（或漏画）之处，其余为其后果。"),
     "pictures.brackets": ("In brackets: points that lie elsewhere than on the thin lines.",
                           "括号内字母：与细线图位置不同的点。"),
     "pictures.no scale": ("Drawn without a scale.", "未注比例尺。"),
