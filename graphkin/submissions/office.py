@@ -12,9 +12,10 @@ from typing import Any
 
 from graphkin.errors import BrokenSubmission, GraphkinError, NoNumbers, WantsExtra, Where
 from graphkin.submissions.answers import Entry
-from graphkin.submissions.archives import checked_zip, decoded
+from graphkin.submissions.archives import checked_zip, decoded, opened
 from graphkin.submissions.documents import StudentDocument, of_one, read_lines
 from graphkin.submissions.numbers import plain, plane_named
+from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.students import FIELDS
 from graphkin.submissions.submission import Limits
@@ -102,6 +103,30 @@ def _cells(line: str) -> list[str]:
         at = 2  # ω 3 3.92
     name = " ".join(words[:at])
     return [name, " ".join(words[at:])] if at and begins_like_one(name) and "=" not in name else []
+
+
+def picture_in(content: bytes, where: Where, limits: Limits) -> Seen | None:
+    """The first picture in a document, or a photograph itself; None where there is none that a browser shows."""
+    try:
+        with limited(limits.seconds, where):
+            if content.startswith(b"PK"):
+                checked_zip(content, where, limits)
+                with opened(content, where) as archive:
+                    found = [archive.read(info) for info in archive.infolist() if "/media/" in info.filename]
+            elif content.startswith(b"%PDF"):
+                from pypdf import PdfReader
+
+                found = [image.data for image in PdfReader(io.BytesIO(content)).pages[0].images]
+            else:
+                found = [content]
+    except Exception:  # whatever a file that is none raises: there is nothing to be seen
+        return None
+    return next(((kind, data) for data in found for kind, start in _SEEN.items() if data.startswith(start)), None)
+
+
+Seen = tuple[str, bytes]
+"""A picture's kind and its bytes."""
+_SEEN = {"image/png": b"\x89PNG", "image/jpeg": b"\xff\xd8\xff"}
 
 
 def _is_answer(entry: Entry) -> bool:

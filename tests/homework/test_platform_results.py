@@ -30,6 +30,7 @@ from graphkin.homework.platforms.result_formats import RESULTS
 from graphkin.homework.platforms.tables import harmless, unharmed
 from graphkin.outputs.files import FileInTheWay
 from graphkin.say import say
+from graphkin.say.catalogue import in_both
 
 MOODLE = "class.zip!Li Lei_{k}_assignsubmission_file_/answers.toml"
 CANVAS = "class.zip!leili_{k}_2077{k}_answers.svg"

@@ -18,9 +18,9 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import called, habit, in_letters, suspected, without_place
 from graphkin.homework.platforms.markup import in_html
-from graphkin.homework.platforms.pages import document, typeset
+from graphkin.homework.platforms.pages import document, figure_element, typeset
 from graphkin.homework.platforms.question import texts_in
-from graphkin.homework.platforms.result import Result, most_of, points_of
+from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Explanation, Habit
 from graphkin.marking.records import Verdict
@@ -30,6 +30,7 @@ from graphkin.outputs.diagram.fonts import typeset as in_diagrams
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import formula, is_wide
+from graphkin.submissions.office import Seen
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -203,8 +204,11 @@ def mistake_counts(report: ClassReport, lang: Lang) -> list[tuple[str, int]]:
     return [(in_letters(suspected(one, lang), names), count) for one, count in report.mistakes]
 
 
-def report_page(report: ClassReport, lang: Lang, names: Mapping[str, str], figure: str, problem: str) -> bytes:
-    """The report on a problem as a page like those of the students, over the figure, an SVG element."""
+def report_page(
+    report: ClassReport, lang: Lang, names: Mapping[str, str], figure: str, problem: str, seen: Mapping[str, Seen]
+) -> bytes:
+    """The report on a problem as a page like those of the students, over the figure, an SVG element; with what is to
+    be seen in files that were not read."""
     title, drawn = say("class_report.title", lang), say("class_report.part distribution", lang)
     plain, unread = (say(f"class_report.part {part}", lang) for part in ("remarks", "unread"))  # with students' words
     head, *parts = ("\n".join(report_text(report, lang, names))).split("\n\n")
@@ -216,6 +220,10 @@ def report_page(report: ClassReport, lang: Lang, names: Mapping[str, str], figur
             own = in_html if part == plain else typeset
             items = "".join(f"<li>{own(name)}{in_html(colon + words)}</li>" for name, colon, words in cut)
             body.append(f"<h2>{in_html(part)}</h2><ul>{items}</ul>")
+        if part == plain:
+            there = ((who, seen[file]) for who, file, _ in report.remarks if file in seen)
+            shown = (figure_element(ResultPicture(_called(names, lang, who), *picture)) for who, picture in there)
+            body.append(f'<div class="pictures">{"".join(shown)}</div>')
     figure = f'<figure role="img" aria-label="{escape(drawn)}">{figure}</figure>'
     return document(f"{title}{say('common.colon', lang)}{problem}", "\n".join([*body, figure]), lang)
 
@@ -250,7 +258,7 @@ _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
 _TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 8.0, 45.0
 _MOST = 25  # mistakes and steps that are shown; tables have the rest
 _LONGEST = 38
-_SIMPLE = re.compile("[-A-Za-z0-9 _,.:;()/′θωαᵏⁿʳᵗ]+")
+_SIMPLE = re.compile(r"(?:[-A-Za-z0-9 _,.:;()/′θωαᵏⁿʳᵗ]|_\{[A-Za-z0-9_,]+\})+")
 _VERDICTS = (
     ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),
     ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"), ("not read", "#bbbbbb", "oo"),

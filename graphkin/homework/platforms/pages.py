@@ -56,7 +56,8 @@ Page = Callable[[Feedback], bytes]
 def html(page: Feedback) -> bytes:
     """A page that needs nothing but itself: points and the next step, the quantities, the diagnosis, pictures."""
     lang = page.lang
-    begin = "".join(_paragraph(text, "total") for text in feedback.points_that_count(page.result, lang))
+    points = enumerate(feedback.points_that_count(page.result, lang))
+    begin = "".join(_paragraph(text, "praise" if k else "total") for k, text in points)
     begin += _paragraph(feedback.praise(page.result, lang), "praise")
     if step := feedback.next_step(page):
         begin += f'<div class="next"><b>{say("feedback.next", lang)}</b>{typeset(step)}</div>'
@@ -65,14 +66,14 @@ def html(page: Feedback) -> bytes:
     if (problem := page.problem) is not None:
         heading, who = problem.label, f'<p class="who">{in_html(title)}</p>'
         label = say("feedback.problem", lang, title=problem.label)
-        figure = _figure(replace(problem, label=label)) if problem.data else ""
+        figure = figure_element(replace(problem, label=label)) if problem.data else ""
     body = [f'<div class="start"><div>{begin}</div>{figure}</div>']
     body += [_html_table(page)] if page.result.lines else []
     body += [_paragraph(text, "note") for text in feedback.under_table(page)]
     found = [text for text in feedback.diagnosis(page.result, lang, page.reveal) if text != step]
     if found or page.pictures:
         body += [f"<h2>{in_html(say('feedback.diagnosis', lang))}</h2>", *map(_paragraph, found)]
-        body += [f'<div class="pictures">{"".join(map(_figure, page.pictures))}</div>'] if page.pictures else []
+        body += [f'<div class="pictures">{"".join(map(figure_element, page.pictures))}</div>'] if page.pictures else []
     body += [_paragraph(text, "note") for text in feedback.at_the_end(page)]
     return document(title, f"<header>{who}<h1>{in_html(heading)}</h1></header>\n" + "\n".join(body), lang)
 
@@ -113,14 +114,15 @@ def _row(kind: str, cells: Iterable[str], kinds: Sequence[str], tag: str) -> str
     return f'<tr class="{kind}">' + "".join(texts) + "</tr>"
 
 
-def _figure(picture: ResultPicture) -> str:
+def figure_element(picture: ResultPicture) -> str:
     """A drawing of graphkin's own within the page, described for those who hear it; any other picture as its data."""
     if not picture.data:
         return _paragraph(picture.label)
     label = escape(clean(picture.label))
     if picture.kind != _SVG:
         data = base64.b64encode(picture.data).decode()
-        return f'<figure><img alt="{label}" src="data:{picture.kind};base64,{data}"></figure>'
+        image = f'<img alt="" src="data:{picture.kind};base64,{data}">'
+        return f"<figure>{image}<figcaption>{label}</figcaption></figure>"
     text = picture.data.decode()
     return "<figure>" + text.replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1) + "</figure>"
 

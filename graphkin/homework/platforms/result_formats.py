@@ -28,10 +28,13 @@ from graphkin.homework.platforms.tables import BOM, Cell, line, printed, workboo
 from graphkin.marking.diagnosis import Trace, habits
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import LANGUAGES, in_both, say
-from graphkin.submissions import safe_name
+from graphkin.submissions import pictures_of, safe_name
 
 CLASS_TABLE = "class.csv"  # in this table of a results folder teachers write their overrides
-_JSON, _TABLE = (b'"graphkin"',), tuple(title.encode() for title in in_both("platforms.column override").values())
+_JSON = (b'"graphkin"',)
+_TABLE = tuple(
+    title.encode(code) for title in in_both("platforms.column override").values() for code in ("utf-8", "gbk")
+)
 _BOOK = tuple(
     ",".join(say(f"platforms.column {key}", lang) for key in ("student", "name")).encode() for lang in LANGUAGES
 )
@@ -103,7 +106,7 @@ class Order:
 
 
 def write_results(
-    folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
+    folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "mistake", *,
     assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
     several: Sequence[Mapping[str, Trace]] = (), merged: Sequence[Path] = (), names: Mapping[str, str] | None = None,
 ) -> WrittenResults:  # fmt: skip
@@ -282,8 +285,8 @@ def _report(order: Order) -> WrittenResults:
     title = next((problem.label for problem in figures if problem is not None), "")
     page = order.folder / "class-report.html"
     with beside(page, order.force, [PAGE]) as draft:
-        drawn = drawn[drawn.index("<svg") :]
-        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn, title))
+        drawn, seen = drawn[drawn.index("<svg") :], pictures_of({file for _, file, _ in report.remarks})
+        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn, title, seen))
     return WrittenResults((words, data, figure, page), () if remark is None else (remark.message(order.lang),))
 
 
