@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
@@ -196,6 +196,14 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
     if suffix not in (*documents.PLAIN_TABLES, *documents.SHEETS):
         raise errors.NotMarkable(where, suffix or name[:40])
     return documents.of_one(documents.cells_of(name, content, where, limits), where, limits)
+
+
+def pictures_of(files: Set[str], limits: Limits = USUAL) -> dict[str, office.Seen]:
+    """The first picture in each of these hand-ins, as results call them, that has one."""
+    paths = dict.fromkeys(file.partition("!")[0] for file in sorted(files))
+    parts = ((one.file, part) for one in handed_in(paths, limits) if one.file in files for _, part in one.files)
+    inside = ((file, office.picture_in(content, Where(file), limits)) for file, content in parts)
+    return {file: seen for file, seen in inside if seen is not None}
 
 
 def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:

@@ -30,6 +30,7 @@ from graphkin.homework.platforms.result_formats import RESULTS
 from graphkin.homework.platforms.tables import harmless, unharmed
 from graphkin.outputs.files import FileInTheWay
 from graphkin.say import say
+from graphkin.say.catalogue import in_both
 
 MOODLE = "class.zip!Li Lei_{k}_assignsubmission_file_/answers.toml"
 CANVAS = "class.zip!leili_{k}_2077{k}_answers.svg"
@@ -248,7 +249,7 @@ def test_random_points_add_up_in_every_format(tmp_path: Path):
 def test_class_table(lang, tmp_path: Path):
     write_results(tmp_path, results(record(1), unmarked(2)), "csv", lang)
     head, first, second = rows(tmp_path / "class.csv")
-    assert "override" in head
+    assert say("platforms.column override", lang) in head
     told = dict(zip(head, first, strict=True))
     assert told["ω3"] == say("verdicts.verdict wrong", lang)
     assert say("verdicts.verdict carried", lang) == told["aᵏ_B3B2"]
@@ -442,7 +443,8 @@ def override(path: Path, points: dict[str, str], encoding: str = "utf-8-sig", se
     """A teacher writes into the table, and a spreadsheet saves it in its own way."""
     head, *rest = rows(path)
     for row in rest:
-        row[head.index("override")] = points.get(row[0], row[head.index("override")])
+        at = next(k for k, name in enumerate(head) if name in in_both("platforms.column override").values())
+        row[at] = points.get(row[0], row[at])
     written = io.StringIO()
     csv.writer(written, delimiter=separator, quoting=csv.QUOTE_ALL).writerows([head, *rest])
     path.write_bytes(written.getvalue().encode(encoding))
