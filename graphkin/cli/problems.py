@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from graphkin.handouts.problem_folder import SetOrder
     from graphkin.homework.problems import Variant
 
-PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
+PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong", "xuexitong-xlsx")
 
 
 @click.command()
