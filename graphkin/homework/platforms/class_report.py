@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, get_args
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import called, habit, in_letters, suspected
+from graphkin.homework.platforms.feedback import called, habit, suspected
 from graphkin.homework.platforms.markup import in_html
 from graphkin.homework.platforms.pages import document, typeset
-from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.question import in_letters, texts_in
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Explanation, Habit

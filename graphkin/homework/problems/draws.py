@@ -71,14 +71,6 @@ class Variant:
     shared: bool = False
 
 
-def variants(
-    template: Template, students: Sequence[Student], seed: str, pencils: Pencils = USUAL
-) -> tuple[Variant, ...]:
-    """In the order of the students. Raises NoVariant, and what is wrong with the template itself."""
-    own = {one.student.id: one for one in drawn_variants(template, students, seed, pencils)}
-    return tuple(own[student.id] for student in students)
-
-
 def drawn_variants(
     template: Template, students: Sequence[Student], seed: str, pencils: Pencils = USUAL,
     given_out: Mapping[str, tuple[int, ...]] = {}, executor: Executor | None = None,
