@@ -10,9 +10,9 @@ from html import unescape
 from itertools import islice
 from typing import Any
 
-from graphkin.errors import BrokenSubmission, GraphkinError, NoNumbers, WantsExtra, Where
+from graphkin.errors import NoNumbers, Where
 from graphkin.submissions.answers import Entry
-from graphkin.submissions.archives import checked_zip, decoded, opened
+from graphkin.submissions.archives import checked_zip, decoded, foreign, opened
 from graphkin.submissions.documents import StudentDocument, of_one, read_lines
 from graphkin.submissions.numbers import plain, plane_named
 from graphkin.submissions.pool import limited
@@ -37,14 +37,8 @@ def _read(
     """The answers in tables and in lines `ω3 = 3.92`, and whose they are; a document has other lines, too.
 
     Raises WantsExtra, BrokenSubmission, TooMuch, SeveralStudents, NoNumbers."""
-    try:
+    with foreign(where, kind, "graphkin[word]"):
         tables, lines = parts_of(content, where, limits)
-    except ImportError:
-        raise WantsExtra(where, kind, "graphkin[word]") from None
-    except (MemoryError, RecursionError, GraphkinError):
-        raise
-    except Exception as problem:  # the packages raise whatever they meet in a file that is none
-        raise BrokenSubmission(where, kind, type(problem).__name__) from None
     some = [of_one(enumerate(table, 1), where, limits) for table in tables if any(map("".join, table))]
     parts = (part.strip() for line in lines for part in _WIDE.split(line))
     text = read_lines("\n".join(filter(None, parts)), where, limits)

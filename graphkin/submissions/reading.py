@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
+from itertools import chain
 from pathlib import Path, PurePosixPath
 
 from graphkin import errors
@@ -29,7 +30,7 @@ _DOCUMENTS = {
     ".toml": documents.read_toml, ".json": documents.read_json, ".txt": documents.read_lines,
     ".md": documents.read_lines,
 }  # fmt: skip
-_INNER = 50  # files in an archive that a student hands in
+_INNER, _WITHIN = 50, 2  # files in an archive that a student hands in; archives within each other
 
 
 def read_one(handed: Handed, asked: Key, limits: Limits = USUAL, roster: Roster | None = None) -> Submission:
@@ -147,7 +148,8 @@ def _contents(handed: Handed, limits: Limits) -> _Contents:
     texts: list[StudentDocument] = []
     drawings: list[tuple[str, bytes]] = []
     notes: list[GraphkinError] = []
-    for name, content in _unpacked(handed, limits, notes):
+    unpacked = (_unpacked(*file, _where(handed, file[0]), limits, notes) for file in handed.files)
+    for name, content in chain.from_iterable(unpacked):
         try:
             if PurePosixPath(name).suffix.lower() in DRAWINGS:
                 drawings.append((name, content))
@@ -165,20 +167,21 @@ def _where(handed: Handed, name: str) -> Where:
     return Where(handed.file if len(handed.files) == 1 else handed.file.removesuffix(handed.place) + name)
 
 
-def _unpacked(handed: Handed, limits: Limits, notes: list[GraphkinError]) -> Iterator[tuple[str, bytes]]:
-    """The files, those of an archive within one level too."""
-    for name, content in handed.files:
-        if PurePosixPath(name).suffix.lower() != ".zip":
-            yield name, content
-            continue
-        where = _where(handed, name)
-        try:
-            with archives.opened(content, where) as archive:
-                few = replace(limits, members=_INNER, archive_bytes=4 * limits.bytes)
-                for info in archives.members(archive, where, few):
-                    yield archives.member_name(info), archives.read_member(archive, info, where, few)
-        except GraphkinError as problem:
-            notes.append(problem)
+def _unpacked(
+    name: str, content: bytes, where: Where, limits: Limits, notes: list[GraphkinError], within: int = 0
+) -> Iterator[tuple[str, bytes]]:
+    """A file, or those of an archive; a platform packs the archive that a student hands in once more."""
+    if PurePosixPath(name).suffix.lower() != ".zip" or within == _WITHIN:
+        yield name, content
+        return
+    few = replace(limits, members=_INNER, archive_bytes=4 * limits.bytes)
+    try:
+        with archives.opened(content, where) as archive:
+            for info in archives.members(archive, where, few):
+                inner = archives.member_name(info), archives.read_member(archive, info, where, few)
+                yield from _unpacked(*inner, where, limits, notes, within + 1)
+    except GraphkinError as problem:
+        notes.append(problem)
 
 
 def _document(name: str, content: bytes, where: Where, limits: Limits) -> StudentDocument:

@@ -13,7 +13,7 @@ import openpyxl
 import pytest
 from click.testing import CliRunner
 from reading_all import read
-from template_text import TEXT
+from template_text import TEXT, variants
 
 from graphkin import api
 from graphkin import files as loading
@@ -33,7 +33,7 @@ from graphkin.handouts import problem_folder
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.problem_folder import SetOrder, write_problems
 from graphkin.homework.grading import key_for
-from graphkin.homework.problems import Variant, draws, read_template, roster, variants, well_posed
+from graphkin.homework.problems import Variant, draws, read_template, roster, well_posed
 from graphkin.homework.problems.posed import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan

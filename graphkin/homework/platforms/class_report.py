@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, get_args
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import called, habit, in_letters, suspected, without_place
+from graphkin.homework.platforms.feedback import called, habit, suspected, without_place
 from graphkin.homework.platforms.markup import in_html
 from graphkin.homework.platforms.pages import document, figure_element, typeset
-from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.question import in_letters, texts_in
 from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Explanation, Habit

@@ -14,9 +14,9 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, Lang, NotAnOverride, Unreadable, Where
-from graphkin.homework.platforms.feedback import as_on_sheets, habit, in_letters, suspected, without_place
+from graphkin.homework.platforms.feedback import as_on_sheets, habit, suspected, without_place
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.question import in_letters, texts_in
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
 from graphkin.marking.records import Judged

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.question import in_letters, texts_in
 from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import SLIP, Explanation, Habit
 from graphkin.marking.records import Judged
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
-from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import say
 from graphkin.say.marks import departs, how_sure, joined, mistake_hint, mistake_kind, mistakes_together, verdict
-from graphkin.say.names import symbols, vector
 from graphkin.say.numbers import number
 
 _NAMED = 4  # of what is to be done again not more quantities are named
@@ -78,16 +76,6 @@ def right_value(line: Judged) -> str:
 def as_on_sheets(result: Result, text: str) -> str:
     """A text with the quantities and the arrows of the problem as the sheets write them: ω3, aᵏ_B3B2."""
     return in_letters(text, (line.text for line in result.lines))
-
-
-_SURELY = re.compile("theta |omega |alpha |a_[nktr] |.* .*@")  # no other words are written so
-
-
-def in_letters(text: str, names: Iterable[str]) -> str:
-    """A text with these quantities, with rotations and arrows as the sheets write them."""
-    known = {name for whole in names for name in (whole, whole.split(" #")[0].split(" @")[0])}
-    typed = respelled(text, lambda name: symbols(name) if name in known or _SURELY.match(name) else name)
-    return re.sub(r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+(?:,[\w@]+)?", lambda arrow: vector(arrow[0]), typed)
 
 
 def under_table(page: Feedback) -> Iterator[str]:
