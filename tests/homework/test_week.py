@@ -162,7 +162,7 @@ def teacher(folder: str, given: dict[str, tuple[str, str]]) -> None:
     with Path(folder, "class.csv").open(encoding="utf-8-sig", newline="") as file:
         head, *table = csv.reader(file)
     for row in table:
-        row[head.index("override")], row[head.index("评语")] = given.get(row[0], ("", ""))
+        row[head.index("教师改分")], row[head.index("评语")] = given.get(row[0], ("", ""))
     with Path(folder, "class.csv").open("w", encoding="utf-8-sig", newline="") as file:
         csv.writer(file).writerows([head, *table])
 
@@ -178,7 +178,7 @@ def two_graders() -> dict[str, str]:
     said = run("grade", "week/p2", "A/p2/marks.json", "B/p2/marks.json", "--roster", "worksheet.csv", "-o", "res/p2", *BOOKS).stderr
     assert first in said
     held = {student: points for given in (own["B"], own["A"]) for student, (points, _) in given.items()}
-    assert {student: row["override"] for student, row in rows("res/p2/class.csv").items() if row["override"]} == held
+    assert {student: row["教师改分"] for student, row in rows("res/p2/class.csv").items() if row["教师改分"]} == held
     return held
 
 
