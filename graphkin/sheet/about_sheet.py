@@ -16,17 +16,16 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
 from graphkin.say.centre_about import bobillier_words, link_words
-from graphkin.say.numbers import circled
+from graphkin.sheet import symbols
 from graphkin.sheet.centre_figure import coordinates
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import BODY, PenName, finest
+from graphkin.sheet.paper import PenName, finest
 from graphkin.sheet.path_figure import circle, clipped
-from graphkin.sheet.single_figure import SingleFigure, place_for
-from graphkin.sheet.symbols import arrow_head
+from graphkin.sheet.single_figure import SingleFigure, place_for, stage_number
 from graphkin.sheet.titleblock import Table
 from graphkin.sheet.window import Entry, Figure, corners, enlarged
 from graphkin.studies.centres.about import About, Circle, InflectionLine
@@ -161,7 +160,7 @@ class _LinkDrawing:
                 for ray in clipped([at, at + along * _TOWARDS], room, "construction"):
                     last = ray.places[-1], along
                     yield ray
-                    yield arrow_head(*last, None)
+                    yield symbols.arrow_head(*last, None)
         if last is not None:
             x, y = (numbers.number(1e3 * part, 1e-6) for part in (link.pole.real, link.pole.imag))
             label = (*self.name, *plain(" → ∞" if cmath.isinf(link.pole) else f" ({x}, {y})"))
@@ -186,8 +185,8 @@ class _LinkDrawing:
             inside = room.holds(at) and room.holds(at + arrow)
             if 1.0 < abs(arrow) <= _FIELD and inside and all(abs(at - p) > 5 for p in places):
                 tip, along = at + arrow, arrow / abs(arrow)
-                yield Stroke((at, tip), "leader")
-                yield Stroke((tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along), "leader")
+                yield Stroke((at, tip), "leader", accent="velocity")
+                yield Stroke((tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along), "leader", accent="velocity")
 
     def velocities(self) -> Iterator[Entry]:
         """The velocity of each point, to the scale of velocities."""
@@ -195,9 +194,8 @@ class _LinkDrawing:
             arrow = self.on.window.turned(carried.velocity / self.pace)
             if abs(arrow) < 0.3:
                 continue
-            start, along = self.on.window(carried.place), arrow / abs(arrow)
-            yield Stroke((start, start + arrow - 0.5 * along), "vector")
-            yield arrow_head(start + arrow, along, None)
+            start = self.on.window(carried.place)
+            yield from symbols.arrow(start, start + arrow, "velocity")
             yield LabelRequest(quantity_label("v", name), start, start + arrow, gap=0.7)
 
     def poles(self) -> Iterator[Entry]:
@@ -262,9 +260,7 @@ class _BobillierDrawing:
             if isinstance(made, LineStep):
                 pen: PenName = "centre" if made.name in ("axis", "axis c") else "construction"
                 for stroke in clipped(self._ends(made), self.on.room, pen, step):
-                    yield stroke
-                    start, end = stroke.places[0], stroke.places[-1]
-                    yield LabelRequest(plain(circled(count)), start, end, gap=0.5, size=BODY, step=step)
+                    yield from (stroke, stage_number(stroke, count))
             if isinstance(made, CarriedAngle):
                 yield from self._equal_angles(made, step)
 

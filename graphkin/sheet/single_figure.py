@@ -12,9 +12,11 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
+from graphkin.say.numbers import circled
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import HEAD, Layout, alone, divided
-from graphkin.sheet.lettering import formula, width
-from graphkin.sheet.marks import Mark, Text
+from graphkin.sheet.lettering import formula, plain, width
+from graphkin.sheet.marks import Mark, Stroke, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import BODY, Paper, Room
@@ -73,6 +75,12 @@ def place_for(
     extent = replace(Extent.of(places, drawn), given=method.mechanism.scales.get("length"), labels=_LABELS)
     layout = alone(extent, partial(strip_height, found=found, told=told), paper)
     return SingleFigure(method, layout, layout.window("position", extent), found, told)
+
+
+def stage_number(line: Stroke, count: int) -> LabelRequest:
+    """The number of a sentence at what it says is drawn."""
+    start, end = line.places[len(line.places) // 2 - 1 :][:2]
+    return LabelRequest(plain(circled(count)), start, end, gap=0.5, size=BODY, step=line.step)
 
 
 @frozen

@@ -108,8 +108,8 @@ def _panel(
     for side, k in ((side, k) for side, axis in zip(sides, panel.axes, strict=True) for k in axis.curves):
         dashes, entry = DASHES[len(lines) % len(DASHES)], curves.series[k]
         (line,) = side.plot(
-            across, entry.signed * EDGE[entry.unit].factor, linestyle=dashes, linewidth=BROAD / POINT,
-            color=ACCENTS.get(panel.kind, "black"), label=typeset(_label(curves, k)), gid=f"curve-{k}", solid_joinstyle="round",
+            across, entry.signed * EDGE[entry.unit].factor, color=ACCENTS.get(panel.kind, "black"), linestyle=dashes,
+            linewidth=BROAD / POINT, label=typeset(_label(curves, k)), gid=f"curve-{k}", solid_joinstyle="round",
         )  # fmt: skip
         lines[k] = side, line
     first.set_title(say(f"diagrams.panel {panel.kind}", lang), loc="left", fontsize=9, pad=4, y=1.0)
