@@ -185,8 +185,8 @@ class _LinkDrawing:
             inside = room.holds(at) and room.holds(at + arrow)
             if 1.0 < abs(arrow) <= _FIELD and inside and all(abs(at - p) > 5 for p in places):
                 tip, along = at + arrow, arrow / abs(arrow)
-                yield Stroke((at, tip), "leader", accent="velocity")
-                yield Stroke((tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along), "leader", accent="velocity")
+                head = tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along
+                yield from (Stroke(line, "leader", accent="velocity") for line in ((at, tip), head))
 
     def velocities(self) -> Iterator[Entry]:
         """The velocity of each point, to the scale of velocities."""
