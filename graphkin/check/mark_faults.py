@@ -222,27 +222,17 @@ def _is_tip(places: list[complex]) -> bool:
 # --- ends of vectors ---------------------------------------------------------------------------
 
 
-ASIDE = 1.2  # vectors on one line are drawn so far apart: both ends are off their points by a whole number of it [mm]
-_MOST_STEPS = 99  # no arrow is moved by more steps
-
-
 def loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
-    """Vectors must start and end at the points they name; or as far beside them as they say."""
+    """Vectors must start and end at the points they name."""
     places: dict[tuple[str | None, str | None], list[complex]] = {}
     for attributes, place in drawing.points:
         places.setdefault((attributes.get("data-plane"), attributes.get("data-name")), []).append(place)
     for attributes, tail, head in drawing.vectors:
         ends = [(places.get((attributes.get("data-plane"), attributes.get(key)), []), end)
                 for key, end in (("data-tail", tail), ("data-head", head))]  # fmt: skip
-        # the distance of a vector from the line of its points, at right angles to it, to the side where it lies
-        steps, along, aside = attributes.get("data-aside", ""), head - tail, 0j
-        if steps.isascii() and steps.isdigit() and int(steps) < _MOST_STEPS and along and ends[0][0]:
-            off = min((tail - place for place in ends[0][0]), key=abs)
-            across = 1j * along / abs(along) * int(steps) * ASIDE
-            aside = across if abs(off - across) <= abs(off + across) else -across
         for key, (here, end) in zip(("data-tail", "data-head"), ends, strict=True):
             name, point = attributes.get("data-name"), attributes.get(key)
-            apart = [abs(place + aside - end) for place in here]
+            apart = [abs(place - end) for place in here]
             if not apart:
                 yield Fault("loose", f"{name}: {point}")
             elif not min(apart) <= tolerance_mm:

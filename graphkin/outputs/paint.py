@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Literal
 
 from graphkin.base.value import frozen
@@ -30,6 +31,8 @@ class Colours:
         return cls(ink, any(mark.new for mark in sheet.marks))
 
     def of_mark(self, mark: Mark, layer: Layer) -> str:
+        if isinstance(mark, Stroke) and mark.pen == "leader":
+            return _half(self.of_mark(replace(mark, pen="thin"), layer))
         if self.ink == "black" or (self.staged and not mark.new):
             return _INK
         plane: str | None = getattr(mark, "accent", None) or layer.plane
@@ -54,3 +57,8 @@ class Colours:
         attributes |= {"stroke": colour, "stroke-width": mm(pen.width * (1.8 if mark.new else 1))}
         attributes |= {"stroke-dasharray": " ".join(map(mm, pen.dashes))} if pen.dashes else {}
         return tuple(attributes.items())
+
+
+def _half(colour: str) -> str:
+    """A colour mixed with as much white."""
+    return "#" + "".join(f"{(int(colour[k : k + 2], 16) + 256) // 2:02x}" for k in (1, 3, 5))

@@ -22,7 +22,6 @@ def stated(mark: Mark) -> dict[str, str]:
             pass
         case VectorMark():
             said = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head", "part")}
-            said |= {"aside": str(mark.aside or "")}
             said |= zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)
         case PointMark():
             said = {key: getattr(mark, key) for key in ("plane", "name", "of", "site")}

@@ -22,6 +22,7 @@ from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.stated import kind, stated, statement
 from graphkin.outputs.typesetting import LATIN, mm, runs, short
 from graphkin.sheet import Sheet
+from graphkin.sheet.arrows import TIP, head_size
 from graphkin.sheet.marks import ArcMark, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import HEADINGS, Layer
 from graphkin.sheet.paper import written
@@ -38,7 +39,6 @@ _SPECIAL = re.compile('[&<>"\r\n\t]')
 _LETTERED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})
 _QUOTED = _LETTERED | str.maketrans({'"': "&quot;", "\r": "&#13;", "\n": "&#10;", "\t": "&#09;"})
 """What letters between elements, and in attributes, are written as."""
-_TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that [mm]
 
 
 class Unwritable(GraphkinError):
@@ -167,15 +167,15 @@ class SvgPen:
     def _vector(self, mark: VectorMark, colour: str) -> Form:
         """A line and its size in words; the head's tip lies on the line, so far from its end, small on short arrows."""
         form = _line(mark.start, mark.end)
-        part, back = 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5, min(mark.back, 0.4 * mark.length)
+        part, back = head_size(mark)
         name = "-".join(filter(None, ("tip", colour.strip("#"), mm(10 * part), mm(back), mark.half)))
         if mark.length > 0.05:
             form["marker-end"] = f"url(#{name})"
         if mark.length > 0.05 and name not in self.heads:
             self.heads.add(name)
             head = self.drawing.marker(
-                id=name, insert=(mm(_TIP + back / part), "0.7"), size=(mm(_TIP * part), mm(1.4 * part)), orient="auto",
-                viewBox=f"0 0 {mm(_TIP)} 1.4", markerUnits="userSpaceOnUse",
+                id=name, insert=(mm(TIP + back / part), "0.7"), size=(mm(TIP * part), mm(1.4 * part)), orient="auto",
+                viewBox=f"0 0 {mm(TIP)} 1.4", markerUnits="userSpaceOnUse",
             )  # fmt: skip
             head.add(self.drawing.path(d=_HEADS[mark.half], fill=colour, stroke="none"))
             self.drawing.defs.add(head)
@@ -241,9 +241,9 @@ def _pointed(mark: VectorMark) -> str:
     line = f"M{start[0]} {start[1]}L{end[0]} {end[1]}"
     if mark.length <= 0.05:
         return line
-    along, part = (mark.end - mark.start) / mark.length, 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5
-    tip = mark.end - along * min(mark.back, 0.4 * mark.length)
-    foot, left, right = tip - along * _TIP * part, *_WIDTHS[mark.half]
+    along, (part, back) = (mark.end - mark.start) / mark.length, head_size(mark)
+    tip = mark.end - along * back
+    foot, left, right = tip - along * TIP * part, *_WIDTHS[mark.half]
     corners = (_xy(tip), _xy(foot - 1j * along * left * part), _xy(foot + 1j * along * right * part))
     return line + "M" + "L".join(f"{x} {y}" for x, y in corners) + "Z"
 

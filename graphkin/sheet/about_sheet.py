@@ -186,7 +186,7 @@ class _LinkDrawing:
             if 1.0 < abs(arrow) <= _FIELD and inside and all(abs(at - p) > 5 for p in places):
                 tip, along = at + arrow, arrow / abs(arrow)
                 head = tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along
-                yield from (Stroke(line, "leader", accent="velocity") for line in ((at, tip), head))
+                yield from (Stroke(line, "thin", accent="velocity") for line in ((at, tip), head))
 
     def velocities(self) -> Iterator[Entry]:
         """The velocity of each point, to the scale of velocities."""

@@ -1,8 +1,8 @@
-"""Arrows of a polygon that would lie on one another: side by side, and their heads apart.
+"""Arrows of a polygon on one line, and heads that would melt.
 
-Arrows on one line are drawn beside it, both ends moved alike, at right angles to it, by a whole number of `ASIDE`: so a
-ruler reads them as before, and sees from the points at their ends that they were moved. Heads that meet at one point
-under a small angle open outwards only; those between two others stand back from the point.
+Arrows on one line lie on one another, as books draw them: each from its point to its point. The name of one stands
+where no other lies, if it goes on past the others. Heads that meet at one point under a small angle open outwards
+only; what would still become one to the eye stands back from its point, the longer arrow's.
 """
 
 from __future__ import annotations
@@ -11,78 +11,58 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import count
+from itertools import pairwise
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.marks import Half, Mark, PointMark, VectorMark
+from graphkin.sheet.marks import Half, PointMark, VectorMark
 from graphkin.sheet.window import Figure
 
-ASIDE = 1.2  # arrows on one line are drawn so far apart [mm]
+TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that [mm]
 _ON, _ALONG = 0.3, 1.0
 """Nearer than this to a line, over more than this of it, an arrow lies on it [mm]."""
-_SHORT = 0.9  # shorter arrows stay where they are [mm]
-_NO_LENGTH = 1e-9  # nothing is divided by less [mm]
+_NAMED = 4.0  # a piece of its own that is shorter bears no arrow's name [mm]
+_SHORT = 0.9  # the heads of shorter arrows stay as they are [mm]
 _SAME = 0.2  # heads nearer than this are at one place [mm]
-_MELT = math.radians(22)  # under a smaller angle two heads become one to the eye
-_STEP = 3.4  # from a head to the next one behind it [mm]
+_ONE, _MELT = math.radians(2), math.radians(22)
+"""Under the first angle two arrows come from one side; under the second their heads become one to the eye."""
+_BACK = (0.0, 2.0, 3.0, 4.0)  # so far a head may stand back [mm]
+_SHARE = 0.08  # so much of a head may lie in another
+_GRID = np.stack(np.meshgrid(*2 * [np.linspace(0.04, 0.96, 12)])).reshape(2, -1)
 
 
-def side_by_side(figure: Figure) -> Figure:
-    """The figure with its arrows beside one another; their labels go with them."""
-    vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark)]
-    asides = {(v.plane, v.name): aside for v, aside in zip(vectors, _asides(vectors), strict=True) if aside}
-
-    def moved(mark: Mark) -> Mark:
-        if not isinstance(mark, VectorMark) or (aside := asides.get((mark.plane, mark.name))) is None:
-            return mark
-        return replace(mark, start=mark.start + aside, end=mark.end + aside, aside=round(abs(aside) / ASIDE))
-
-    by_name, labels = {name: aside for (_, name), aside in asides.items()}, list[LabelRequest]()
-    for want in figure.wanted:  # a label stands on the side to which its arrow was moved
-        if want.of in by_name and want.end is not None:
-            aside = by_name[want.of]
-            want = replace(want, start=want.start + aside, end=want.end + aside, away=aside)
-        labels.append(want)
-    return Figure([moved(mark) for mark in figure.marks], labels)
-
-
-def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
-    """The shift of each arrow: the least that keeps it off those before it."""
+def named_apart(figure: Figure) -> Figure:
+    """The figure with the name of each arrow at the longest piece of it on which no other lies, if that can bear it."""
+    vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.length > _ALONG]
     start, end = (np.array([getattr(v, side) for v in vectors], dtype=complex) for side in ("start", "end"))
-    planes, moved = np.array([vector.plane for vector in vectors]), np.zeros(len(vectors), dtype=bool)
-    long = np.abs(end - start) >= _SHORT
-    before = np.tri(len(vectors), k=-1, dtype=bool) & (planes == planes[:, None]) & long & long[:, None]
-    meeting = before & _run_along(start[:, None], end[:, None], start, end)
-    for k, vector in enumerate(vectors):
-        if not (meeting[k] & ~moved).any() and not _met(vector.start, vector.end, start, end, before[k] & moved):
-            yield 0j
-            continue
-        normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
-        if (normal.imag, normal.real) > (0, 0):
-            normal = -normal
-        shifts = (normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1) for turn in count(1))
-        free = (s for s in shifts if not s or not _met(vector.start + s, vector.end + s, start, end, before[k]))
-        aside = next(free)
-        start[k], end[k], moved[k] = vector.start + aside, vector.end + aside, bool(aside)
-        yield aside
+    pieces = {(v.plane, v.name): max(_own(v, start, end), key=lambda piece: piece[1] - piece[0], default=None)
+              for v in vectors}  # fmt: skip
+    by_name, labels = {name: piece for (_, name), piece in pieces.items()}, list[LabelRequest]()
+    for want in figure.wanted:
+        piece = by_name.get(want.of)
+        if piece is not None and want.end is not None and piece[1] - piece[0] >= _NAMED:
+            along = (want.end - want.start) / abs(want.end - want.start)
+            want = replace(want, start=want.start + piece[0] * along, end=want.start + piece[1] * along)
+        labels.append(want)
+    return Figure(figure.marks, labels)
 
 
-def _met(start: complex, end: complex, starts: Array, ends: Array, others: Array) -> bool:
-    """True for an arrow that runs along one of some others."""
-    return bool(others.any() and _run_along(start, end, starts[others], ends[others]).any())
-
-
-def _run_along(start: complex | Array, end: complex | Array, starts: Array, ends: Array) -> Array:
-    """True where an arrow runs along another; none does along one without a length."""
-    length = np.abs(end - start)
-    along = ((end - start) / np.maximum(length, _NO_LENGTH)).conjugate()
-    one, other = (starts - start) * along, (ends - start) * along
-    near = np.maximum(np.abs(one.imag), np.abs(other.imag)) < _ON
-    low, high = np.minimum(one.real, other.real), np.maximum(one.real, other.real)
-    return near & (np.minimum(length, high) - np.maximum(0.0, low) > _ALONG)
+def _own(vector: VectorMark, starts: Array, ends: Array) -> Iterator[tuple[float, float]]:
+    """The pieces of an arrow on which no other lies, from its tail [mm]."""
+    along = ((vector.end - vector.start) / vector.length).conjugate()
+    one, other = (starts - vector.start) * along, (ends - vector.start) * along
+    low, high = np.sort([one.real, other.real], axis=0).clip(0, vector.length)
+    near = (np.maximum(np.abs(one.imag), np.abs(other.imag)) < _ON) & (high - low > _ALONG)
+    near &= (abs(starts - vector.start) > _SAME) | (abs(ends - vector.end) > _SAME)  # not the arrow itself
+    at = 0.0
+    for begin, stop in sorted(zip(low[near].tolist(), high[near].tolist(), strict=True)):
+        if begin > at:
+            yield at, begin
+        at = max(at, stop)
+    if at < vector.length:
+        yield at, vector.length
 
 
 def heads_apart(figure: Figure) -> Figure:
@@ -91,13 +71,54 @@ def heads_apart(figure: Figure) -> Figure:
     dots = [mark for mark in figure.marks if isinstance(mark, PointMark) and mark.fill == "ink"]
     ends = np.array([vector.end for vector in vectors], dtype=complex)
     changed: dict[int, VectorMark] = {}
-    for vector in vectors:  # with the head that leaves those near it their own
+    heads: list[Array] = []
+    for vector in sorted(vectors, key=lambda vector: vector.length):  # a long one has room to stand back
         near = [vectors[k] for k in np.flatnonzero(np.abs(ends - vector.end) < _SAME)]
         rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
-        own = vector.start - vector.end
-        turns = [-cmath.phase((v.start - v.end) / own) or 1e-9 for v in near if v is not vector]
-        left = [turn for turn in turns if -_MELT < turn <= 0]  # those that come from the left of it, looking along it
-        right = [turn for turn in turns if 0 < turn < _MELT]
-        half: Half = "" if left and right else "right" if left else "left" if right else ""
-        changed[id(vector)] = replace(vector, half=half, back=rim + (_STEP if left and right else 0.0))
+        own = replace(vector, half=_half(vector, near), back=rim)
+        tries = (replace(own, back=rim + back) for back in _BACK if back < 0.4 * vector.length)
+        apart = (each for each in tries if not _melts(head(each), heads))
+        changed[id(vector)] = best = next(apart, own)
+        heads.append(head(best))
     return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
+
+
+def _half(vector: VectorMark, near: Sequence[VectorMark]) -> Half:
+    """The side to which alone its head opens, where others come in under a small angle on the other one."""
+    turns = [-cmath.phase((v.start - v.end) / (vector.start - vector.end)) for v in near if v is not vector]
+    left = any(-_MELT < turn < -_ONE for turn in turns)  # those that come from the left of it, looking along it
+    right = any(_ONE < turn < _MELT for turn in turns)
+    return "" if left == right else "right" if left else "left"
+
+
+def head(vector: VectorMark) -> Array:
+    """The corners of its head, the tip first (3,) [mm]; small on a short arrow."""
+    along = (vector.end - vector.start) / vector.length
+    part, back = head_size(vector)
+    left, right = {"": (0.5, 0.5), "left": (0.7, 0.0), "right": (0.0, 0.7)}[vector.half]
+    foot = -TIP * part
+    return vector.end - along * back + along * np.array([0, foot - 1j * left * part, foot + 1j * right * part])
+
+
+def head_size(vector: VectorMark) -> tuple[float, float]:
+    """The size of its head as a part of a large one, and how far the tip stands off the end [mm]."""
+    return 1.0 if vector.length > 1.6 * TIP + vector.back else 0.5, min(vector.back, 0.4 * vector.length)
+
+
+def _melts(corners: Array, heads: Sequence[Array]) -> bool:
+    """True where more than a little of the smaller of two heads lies in the other."""
+    return any(_share(corners, each) > _SHARE for each in heads if abs(each.mean() - corners.mean()) < 2 * TIP)
+
+
+def _share(one: Array, other: Array) -> float:
+    """The part of the smaller triangle that lies in the other."""
+    small, large = sorted((one, other), key=lambda corners: abs(_across(*corners)))
+    u, v = np.where(_GRID.sum(axis=0) > 1, 1 - _GRID, _GRID)
+    inside = small[0] + u * (small[1] - small[0]) + v * (small[2] - small[0])
+    sides = [_across(a, b, inside) for a, b in pairwise((*large, large[0]))]
+    return float((np.all([s >= 0 for s in sides], axis=0) | np.all([s <= 0 for s in sides], axis=0)).mean())
+
+
+def _across(a: Array, b: Array, c: Array) -> Array:
+    """Twice the area of a triangle, with the sense of its turn."""
+    return np.asarray(((b - a).conjugate() * (c - a)).imag)

@@ -19,6 +19,7 @@ from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room, papers_for
 from graphkin.sheet.single_figure import SheetGrid
+from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import Extent, Window, corners
 from graphkin.studies.centres import Centres
 
@@ -34,7 +35,6 @@ _SHOWN, _LARGER_PAPER = 16, 30
 """Worth of a centre on the sheet, and cost of a larger paper, which fewer printers have."""
 _NEAR = (2.0, 1.3, 0.9, 0.6, 0.3, 0.0)  # centres so many times the mechanism's size away are looked for room for
 _FIT = 20.0  # the same, where all centres are to be on the sheet
-_TITLE, _BAR = 70.0, 10.0
 """Width of the title block; height of the check bar under the table [mm]."""
 
 
@@ -147,8 +147,8 @@ def _layouts(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Ite
 
     The circle diagram stands at the right, or under the figure on upright paper; the table in the strip at the foot.
     """
-    table = centre_table(measures.found, lang, paper.frame.size.real - _TITLE, 0.4 * paper.height)
-    grid, size = SheetGrid.over(paper, least=table.height + 1 + _BAR), circle_size(measures.found)
+    table = centre_table(measures.found, lang, tables_room(paper), 0.4 * paper.height)
+    grid, size = SheetGrid.over(paper, least=table.height), circle_size(measures.found)
     field, right, bottom = grid.field, grid.field.right - size.real, grid.field.bottom - size.imag
     figure, circle = replace(field, bottom=bottom), replace(field, top=bottom)
     if paper.landscape:

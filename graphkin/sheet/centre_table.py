@@ -13,11 +13,11 @@ from graphkin.base.value import frozen
 from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
 from graphkin.sheet.centre_figure import Spot, centre_label, coordinates, spots
-from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, width
+from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
-from graphkin.sheet.paper import LABEL, LEAST, PenName, Room
+from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.skeleton import off_stretch
-from graphkin.sheet.titleblock import PITCH, SIZE, Table, height_of
+from graphkin.sheet.titleblock import PITCH, Table, height_of
 from graphkin.studies.centres import Centres
 
 _PENS: dict[str, PenName] = {
@@ -78,7 +78,7 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
     turn = 2 * math.pi / max(1, len(order))
     nodes = {link: middle + cmath.rect(radius, turn * k - math.pi / 2) for k, link in enumerate(order)}
     title = Text(plain(_DIAGRAM[lang]), complex(room.left + 3, room.top + 5.5), LABEL)
-    marks = [title, Disc(middle, radius, "leader"), *_chord_marks(found, nodes)]
+    marks = [title, Disc(middle, radius, "thin"), *_chord_marks(found, nodes)]
     for link, at in nodes.items():
         label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
         wide, high = width(label, LABEL), 0.68 * LABEL
@@ -121,7 +121,7 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
         balls.append(at)
         label = plain(str(chord.number))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
-        ball = Disc(at, _BALL, "leader", "paper", step=chord.number)
+        ball = Disc(at, _BALL, "thin", "paper", step=chord.number)
         marks += [ball, Text(label, corner, LEAST, chord.number)]
     return marks
 
@@ -148,7 +148,7 @@ class CentreTable:
                 pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
                 for cell, wide in zip(row, part.widths, strict=True):
                     if cell:
-                        yield Text(cell, pen, SIZE, min(step, self.steps) if k else None)
+                        yield Text(cell, pen, LABEL, min(step, self.steps) if k else None)
                     pen += wide + _GAP
                 if not k:
                     under = corner + 1j * (PITCH * 1.05)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import field, replace
 from functools import cache, cached_property, partial
 from typing import Literal
 
@@ -18,24 +18,26 @@ from graphkin.say.catalogue import say
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
-from graphkin.sheet.arrows import heads_apart, side_by_side
+from graphkin.sheet.arrows import heads_apart, named_apart
 from graphkin.sheet.construction_lines import MechanismNotes, PolygonConstruction, pencil_lines
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.free_room import FreeRoom
+from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
+from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.text_blocks import EquationBlock, equation_blocks, head_of, laid_out
-from graphkin.sheet.titleblock import Strip, Table, strip_height
+from graphkin.sheet.text_blocks import AIR, Ladder, ladder
+from graphkin.sheet.titleblock import Strip, Table, TableBlock, strip_height
 from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
-_COARSER = 1.34  # so much coarser a figure may be drawn to have room for its equations over it
+_COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations over it
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
@@ -71,7 +73,7 @@ class Planes:
         """Drawn once through each window: many divisions of a paper show one figure alike."""
         if (plane, window) not in self._drawn:
             if plane != "position":
-                figure = heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
+                figure = heads_apart(named_apart(polygon_figure(self.polygon(plane, window))))
             elif self.style == "given":
                 figure = bare_figure(self.method, self.skeleton(window))
             else:
@@ -111,15 +113,20 @@ class Planes:
         return extents
 
     @cached_property
-    def equations(self) -> dict[Plane, list[EquationBlock]]:
+    def ladders(self) -> dict[Plane, Ladder]:
         """The equations of each polygon as the words print them."""
         if self.style != "construction":
             return {}
         rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
         reading = self.reading({})
         polygons = [plane for plane in self.planes if plane != "position"]
-        parts = {plane: self.construction(plane).parts for plane in polygons}
-        return {plane: equation_blocks(polygon_entries(reading, plane, parts[plane], 0), rows) for plane in polygons}
+        ladders = dict[Plane, Ladder]()
+        for plane in polygons:
+            acts = [act for act in self.method.acts if act.plane == plane]
+            entries = polygon_entries(reading, plane, self.construction(plane).parts, 0)
+            if (own := ladder(entries, rows, acts)) is not None:
+                ladders[plane] = own
+        return ladders
 
     def reading(self, drawn: Mapping[Plane, float]) -> Reading:
         """The reading of the words, at the scales of the planes that are drawn."""
@@ -131,13 +138,21 @@ class SheetContents:
     """All that a mechanism's sheet shows, whatever its paper.
 
     tight     without frame, tables and title
-    in_strip  equations that stand there, not over their polygons
+    given     tables of the strip; tables: with their planes
+    in_strip  the planes whose equations stand there, not with their polygons
+    footed    the planes whose tables have a room of their own under the figure; low: those whose tables go to the strip
+    said      room in the strip for the sentence of a single step, in place of tables [mm]; scales: that are kept then
     """
 
     drawing: Planes
-    tables: Sequence[Table]
+    tables: Mapping[Plane, Sequence[Table]]
+    given: Sequence[Table] = ()
     tight: bool = False
-    in_strip: Sequence[EquationBlock] = ()
+    in_strip: Collection[Plane] = ()
+    footed: Collection[Plane] = ()
+    low: Collection[Plane] = ()
+    said: float = 0.0
+    scales: Mapping[Plane, float] = field(default_factory=dict)
 
     @property
     def planes(self) -> tuple[Plane, ...]:
@@ -145,39 +160,73 @@ class SheetContents:
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        """With the equations over each polygon."""
-        over = {plane: head_of(blocks) for plane, blocks in self.blocks.items() if blocks}
-        return {plane: replace(extent, over=over.get(plane)) for plane, extent in self.drawing.extents.items()}
+        """With the equations of each polygon."""
+        sizes = {plane: own.size for plane, own in self.ladders.items()}
+        feet = {plane: tuple(block.size for block in TableBlock.shapes(self.tables[plane])) for plane in self.footed}
+        feet = {} if self.said else feet
+        return {plane: replace(extent, ladder=sizes.get(plane), tables=feet.get(plane, ()),
+                               given=self.scales.get(plane, extent.given))
+                for plane, extent in self.drawing.extents.items()}  # fmt: skip
 
     @cached_property
-    def blocks(self) -> dict[Plane, list[EquationBlock]]:
+    def ladders(self) -> dict[Plane, Ladder]:
         """The equations that stand with their polygons."""
-        every = self.drawing.equations.items()
-        return {plane: [block for block in blocks if block not in self.in_strip] for plane, blocks in every}
+        return {plane: own for plane, own in self.drawing.ladders.items() if plane not in self.in_strip}
 
-    def moved(self, blocks: Sequence[EquationBlock]) -> SheetContents:
-        """With some more equations in the strip."""
-        every = [block for own in self.drawing.equations.values() for block in own]
-        return replace(self, in_strip=[block for block in every if block in blocks or block in self.in_strip])
+    def without_head(self, layout: Layout) -> list[Plane]:
+        """Planes whose equations have no room of their own with their figure."""
+        return [plane for plane in self.ladders if plane not in layout.headed]
 
-    def without_head(self, layout: Layout) -> list[EquationBlock]:
-        """Equations that have no place of their own over a figure."""
-        return [block for plane, blocks in self.blocks.items() if plane not in layout.headed for block in blocks]
+    def without_room(self, layout: Layout) -> list[Plane]:
+        """Those of them for whose equations there is no room even while nothing is lettered."""
+        return [plane for plane in self.without_head(layout) if self._ladder_at(layout, plane) is None]
 
-    def without_room(self, layout: Layout) -> list[EquationBlock]:
-        """Those of them for which there is no room even while nothing is lettered."""
-        roomless: list[EquationBlock] = []
-        for plane in self.planes:
-            if loose := [] if plane in layout.headed else self.blocks.get(plane, []):
-                free = FreeRoom(self._panel(layout, plane, stages=False, details=False).scene)
-                roomless += [block for block in loose if free.corner(block.size) is None]
-        return roomless
+    def _ladder_at(self, layout: Layout, plane: Plane) -> Place | None:
+        """The upper left corner of a plane's equations: under its heading, else where its figure leaves room."""
+        room = layout.rooms[plane]
+        if plane in layout.headed:
+            return complex(room.left + HEAD_LEFT, under_heading(room).top)
+        corner = self._free(layout, plane, ()).corner(self.ladders[plane].size + 2 * complex(AIR, AIR))
+        return None if corner is None else corner + complex(AIR, AIR)
+
+    def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark]) -> FreeRoom:
+        """The room that a plane's figure and its heading leave, and what else stands there before all letters."""
+        room, window = layout.rooms[plane], layout.window(plane, self.extent(layout, plane))
+        marks = [*heading(HEADINGS[self.drawing.lang][plane], plane, window.printed, room), *before]
+        return FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1)))
+
+    def _tables_at(self, layout: Layout, plane: Plane) -> list[Mark] | None:
+        """A plane's tables as low in its room as its figure and equations allow; None where they do not."""
+        at = self._ladder_at(layout, plane) if plane in self.ladders else None
+        free = self._free(layout, plane, () if at is None else [*self.ladders[plane].marks(at)])
+        air, shapes = complex(AIR, AIR), TableBlock.shapes(self.tables[plane])
+        for block in shapes:
+            if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
+                return block.marks(corner + air)
+        room = layout.rooms[plane]
+        narrow = [block for block in shapes if block.size.real <= room.size.real - 2 * HEAD_LEFT]
+        if plane not in self.footed or not narrow:
+            return None
+        lowest = min(narrow, key=lambda block: block.size.imag)
+        return lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
+
+    def tableless(self, layout: Layout) -> list[Plane]:
+        """Planes whose tables have no place with them."""
+        planes = (plane for plane in self.tables if plane in self.planes and plane not in self.low)
+        return [plane for plane in planes if self._tables_at(layout, plane) is None]
 
     @cached_property
     def height(self) -> Height:
         """The height of the strip on a paper [mm], reckoned once for each."""
-        height = partial(strip_height, found=self.tables, equations=self.in_strip)
+        equations = [self.drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
+        height = partial(strip_height, found=self._in_foot, equations=equations)
+        height = partial(strip_height, least=self.said) if self.said else height
         return cache(height) if not self.tight else lambda _: 0.0
+
+    @property
+    def _in_foot(self) -> list[Table]:
+        """The tables of the strip."""
+        return [*self.given, *(table for plane in self.planes if plane in self.low for table in self.tables[plane])]
 
     def layout(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
         """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
@@ -185,7 +234,7 @@ class SheetContents:
         if key not in self._layouts:
             extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
             papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
-            free = {plane: replace(extent, over=None) for plane, extent in extents.items()}
+            free = {plane: replace(extent, ladder=None) for plane, extent in extents.items()}
             bare = lay_out(free, self.height, papers)
             self._layouts[key] = headed(bare, extents, self.height, papers, _COARSER)
         return self._layouts[key]
@@ -195,8 +244,8 @@ class SheetContents:
         return {}
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
-        """With its equations over it, where they have room there."""
-        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], over=None)
+        """With its equations, where they have a room of their own."""
+        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], ladder=None)
 
     def page(self, layout: Layout, stages: bool, details: bool) -> Page:
         """Everything on a divided paper; with `stages`, over the lines of the pencil and without results."""
@@ -209,7 +258,8 @@ class SheetContents:
                 notes[plane] = plain(_FITTED[drawing.lang])
             elif any(isinstance(step, Simultaneous) for step in steps):
                 notes[plane] = plain(_TOGETHER[drawing.lang])
-        tables, equations = ([], []) if stages else (self.tables, self.in_strip)
+        ladders = [drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
+        tables, equations = ([], []) if stages else (self._in_foot, ladders)
         strip = None if self.tight else Strip(layout.strip, tables, notes, equations=equations)
         return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
 
@@ -229,12 +279,14 @@ class SheetContents:
     def _plain_panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:
         """One plane's figure under its heading."""
         drawing, room = self.drawing, layout.rooms[plane]
-        before = [*heading(HEADINGS[drawing.lang][plane], plane, window.scale, room)]
+        before = [*heading(HEADINGS[drawing.lang][plane], plane, window.printed, room)]
         corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
         if plane == "position":
             before += drawing.paths.written(corner)
-        if plane in layout.headed:
-            before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
+        if plane in self.ladders and (at := self._ladder_at(layout, plane)) is not None:
+            before += self.ladders[plane].marks(at)
+        if plane in self.tables and plane not in self.low and not stages:
+            before += self._tables_at(layout, plane) or []
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more: Last | None = None
@@ -242,6 +294,6 @@ class SheetContents:
             more = MechanismNotes(drawing.skeleton(window), drawing.reading(layout.scales), self.planes)
         elif drawing.style == "construction":
             acts = [act for act in drawing.method.acts if act.plane == plane]
-            loose, spoken = [] if plane in layout.headed else self.blocks[plane], drawing.reading(layout.scales)
-            more = PolygonConstruction(drawing.polygon(plane, window), PolygonReading(spoken, plane), acts, loose)
+            spoken = PolygonReading(drawing.reading(layout.scales), plane)
+            more = PolygonConstruction(drawing.polygon(plane, window), spoken, acts)
         return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)

@@ -26,20 +26,18 @@ from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import box, formula, plain, quantity_label
-from graphkin.sheet.marks import ArcMark, Disc, Form, Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import LEAST
+from graphkin.sheet.lettering import LABEL, LEAST, formula, plain, quantity_label
+from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.polygons import PolygonFigure, arrows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
-from graphkin.sheet.text_blocks import EquationBlock, WrittenLines
+from graphkin.sheet.text_blocks import RING, WrittenLines, ringed
 from graphkin.sheet.window import Window
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
 """Lengths of a direction line past where it meets the other; for labels to keep off if they can; shorter than
 this it says nothing [mm]."""
 _SQUARE = 1.9  # side of the square in a right angle [mm]
-_RING = 1.9  # radius of the circle about a number [mm]
 _NOTHING = 0.05  # arrows up to this have no length [mm]
 _RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))  # parts of one motion that stand at right angles to each other
 
@@ -67,13 +65,11 @@ class PolygonConstruction:
     """A polygon's construction.
 
     spoken  the same polygon as it is worded; acts: those of its plane
-    loose   equations that have no place of their own over the figure
     """
 
     polygon: PolygonFigure
     spoken: PolygonReading
     acts: Sequence[Act]
-    loose: Sequence[EquationBlock] = ()
 
     def lines(self) -> list[Mark]:
         """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
@@ -98,17 +94,11 @@ class PolygonConstruction:
         free.add(added.under)
         added.over.extend(self._numbers(free))
         named = [
-            LabelRequest(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
+            LabelRequest(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), step=line.page)
             for line, tip in marked
         ]
         for letters in free.letters(named):
             added.over.extend(letters)
-        for block in self.loose:
-            corner = free.corner(block.size)
-            lines = [] if corner is None else list(block.marks(corner))
-            free.add(lines)
-            added.over.extend(lines)
-            added.left_out.extend([] if lines else [block])
         return added
 
     # --- direction lines --------------------------------------------------------------------------
@@ -165,15 +155,11 @@ class PolygonConstruction:
         """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next."""
         waiting = [requests for act in self.acts if (requests := [*self._beside(act)])]
         while waiting:
-            spots = free.spots([first for first, *_ in waiting], [complex(_RING, _RING)] * len(waiting))
+            spots = free.spots([first for first, *_ in waiting], [complex(RING, RING)] * len(waiting))
             tried, waiting = waiting, []
             for requests, free_ones in zip(tried, spots, strict=True):
                 if (middle := free.place(free_ones)) is not None:
-                    request = requests[0]
-                    wide, up, down = box(request.label, request.size)
-                    at = middle + complex(-wide / 2, (up - down) / 2)
-                    marks: list[Mark] = [Disc(middle, _RING, "construction", step=request.step)]
-                    marks.append(Text(request.label, at, request.size, request.step))
+                    marks = [*ringed(requests[0].label[0].text, middle, requests[0].step)]
                     free.add(marks)
                     yield from marks
                 elif requests[1:]:
@@ -260,7 +246,6 @@ class MechanismNotes:
     skeleton: Skeleton
     reading: Reading
     planes: Sequence[Plane] = field(default_factory=tuple)
-    loose: Sequence[EquationBlock] = ()
 
     def lines(self) -> list[Mark]:
         return []
@@ -278,7 +263,7 @@ class MechanismNotes:
         if self.planes:
             texts = [formula(text) for text in dimensions(self.reading)]
             for wide in (free.room.size.real - 8, *_NARROWER):  # in lines at the foot of the figure
-                lines = WrittenLines.of(texts, wide, LEAST)
+                lines = WrittenLines.of(texts, wide, LABEL)
                 if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
                     marks: list[Mark] = [*lines.marks(corner)]
                     free.add(marks)
@@ -292,7 +277,7 @@ class MechanismNotes:
         if abs(end - start) < _TOLD or not (pieces := free.pieces(start, end)):
             return
         step = self.skeleton.step(one, other)
-        want = LabelRequest(formula(length_text(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
+        want = LabelRequest(formula(length_text(self.reading, one, other)), start, end, gap=0.5, step=step)
         if letters := next(free.letters([want])):
             added.over.extend(letters)
             lines = [Stroke(piece, "measured", step=step) for piece in pieces]

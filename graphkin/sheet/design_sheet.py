@@ -24,11 +24,11 @@ from graphkin.proof.roads import proved
 from graphkin.say.design import error, mechanism_of, sentences
 from graphkin.say.numbers import circled
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
+from graphkin.sheet.lettering import LABEL, Label, Run, joined, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import ArcMark, Disc, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import BODY, PenName
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for, stage_number
 from graphkin.sheet.titleblock import Table
@@ -285,7 +285,7 @@ class DesignFigure:
             radius, stage = min(_ARC, 0.5 * abs(first - second)), self.construction.born("P")
             yield ArcMark(first, radius, start, sweep, "thin", step=stage)
             middle, text = cmath.rect(radius, start + sweep / 2), (*plain("90° − "), Run("θ", True))
-            yield LabelRequest(text, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
+            yield LabelRequest(text, first + middle, gap=0.6, away=middle, size=LABEL, step=stage, spare=True)
         if one.swing is not None and "D" in at:
             yield from self._angle("D", "C1", "C2", "ψ", one.swing, 2)
         if one.stroke is not None:
@@ -302,7 +302,7 @@ class DesignFigure:
         a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
         yield Stroke((at + a, at + a + b, at + b), "construction", step=stage)
         if text:
-            yield LabelRequest(plain(text), at + a + b, gap=0.5, away=a + b, size=BODY, step=stage, spare=True)
+            yield LabelRequest(plain(text), at + a + b, gap=0.5, away=a + b, size=LABEL, step=stage, spare=True)
 
     def _angle(self, centre: str, first: str, second: str, letter: str, value: float, stage: int) -> Iterator[Entry]:
         """An arc between the directions of two points from a third, with its value."""

@@ -10,35 +10,36 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import compress, pairwise
+from itertools import compress, islice, pairwise
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import plain, width
+from graphkin.sheet.labels import burden
+from graphkin.sheet.lettering import LABEL, plain, width
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.page import Panel
-from graphkin.sheet.paper import BODY, Room
+from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window, magnified
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
-_FEW = 6
-"""Fewer labels in a circle are no knot; nor are as many as stand around it by themselves: one a millimetre of it."""
-_TIMES = (20.0, 10.0, 5.0, 4.0, 3.0, 2.5)
+_TIMES = (2.5, 3.0, 4.0, 5.0, 10.0, 20.0)
 _LARGEST = 45.0  # radius of a detail [mm]
 _AROUND, _HEAD = 8.0, 4.0
 """Room for letters around a detail, and for its own heading over it [mm]."""
 _MANY = 150  # more labels than this no detail relieves
-_SAVED = 4  # a detail is drawn where it saves so many leaders, or labels without a place
-_EASIER = 0.5  # the burden of a leader in a detail, where lines are wide apart
+_SAVED = 4.0  # the burden that a detail saves at least
+_LED = 1.0  # the additional burden of a leader in a detail
+_CLEAR, _NOTHING = 9.0, 0.3  # the shortest arrow in a detail is at least so long; what is no arrow [mm]
+_SIZES = 2  # so many sizes of a detail are tried
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
-_CROWD = 60  # among more labels only the detail of the worst knot is tried
 _ROUND = 1.2  # a lens is so many times as large as what it is to show
-_OWN = 3  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
+_OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
 _NUMERALS = ("I", "II")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
 
@@ -96,8 +97,8 @@ def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Se
     """The panel with a detail of the part that holds these places; as it is where it has no room for one."""
     drawing, middle = _DetailDrawing(panel, draw, _PRIMES[plane]), sum(about) / len(about)
     knot = _DetailCircle(middle, max(_RADII[0], _ROUND * max(abs(place - middle) for place in about)))
-    view = drawing._view(knot, FreeRoom(panel.scene))
-    return panel if view is None else drawing._with(view).panel
+    views = drawing._views(knot, FreeRoom(panel.scene))
+    return drawing._with(views[-1]).panel if views else panel
 
 
 @frozen
@@ -112,45 +113,42 @@ class _DetailDrawing:
     draw: Callable[[Window], Figure]
     prime: str
     views: tuple[_View, ...] = ()
-    known: Sequence[float] | None = None
+    known: Array | None = None
 
     def relieved(self) -> _DetailDrawing | None:
         """With the one more detail that relieves it most, None where none does."""
-        if not (knots := list(_knots(self.panel.figure.wanted))):
+        if burden(self.burdens) < _SAVED:
             return None
-        free = FreeRoom(self.panel.scene)
-        views = [view for knot in knots if (view := self._view(knot, free)) is not None]
-        if not views or sum(self.burdens) < _SAVED:
-            return None
-
-        if len(self.burdens) > _CROWD:
-            labels = [*zip(self.panel.figure.wanted, self.burdens, strict=True)]
-            views = [max(views, key=lambda view: sum(burden for want, burden in labels if view.part.names(want)))]
-        best = self
-        for other in map(self._with, views):
-            own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
-            if min(own) >= _OWN and (best is self or sum(other.burdens) < sum(best.burdens)):
-                best = other  # no detail loses its own letters to another
-        return best if sum(best.burdens) + _SAVED <= sum(self.burdens) else None
+        free, best = FreeRoom(self.panel.scene), self
+        for knot in _knots(self.panel.figure.wanted, self.burdens):
+            for other in map(self._with, islice(self._views(knot, free), _SIZES)):
+                own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
+                if min(own) >= _OWN and (best is self or burden(other.burdens) < burden(best.burdens)):
+                    best = other  # no detail loses its own letters to another
+        return best if burden(best.burdens) + _SAVED <= burden(self.burdens) else None
 
     @property
-    def burdens(self) -> Sequence[float]:
-        """The burden of each label on the eye: one on a leader, one without a place; both, where all are crammed."""
-        if self.known is not None:
-            return self.known
-        return [2.0] * len(self.panel.figure.wanted) if self.panel.scene.crammed else _burdens(self.panel, 1.0)
+    def burdens(self) -> Array:
+        """The burden of each label on the eye."""
+        return self.panel.burdens if self.known is None else self.known
 
-    def _view(self, knot: _DetailCircle, free: FreeRoom) -> _View | None:
-        """A part of the figure, or of a detail, magnified as far as there is room for; None where there is none."""
-        seen = next((view for view in self.views if view.shown.holds(knot.centre)), None)
+    def _views(self, knot: _DetailCircle, free: FreeRoom) -> list[_View]:
+        """A part of the figure, or of a detail, magnified as there is room for, the least first; so far as to show its
+        shortest arrow, if that can be."""
+        seen, views = next((view for view in self.views if view.shown.holds(knot.centre)), None), list[_View]()
+        arrows = [want for want in self.panel.figure.wanted if want.of and knot.names(want)]
+        lengths = [2 * abs(want.place - want.start) for want in arrows]
         for times in _TIMES:
             large = knot.radius * times
             side = 2 * (large + _AROUND)
-            if large <= _LARGEST and (corner := free.corner(complex(side, side + _HEAD))) is not None:
-                shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, large)
-                window, before = (seen.window, seen.times) if seen is not None else (self.panel.window, 1.0)
-                return _View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times))
-        return None
+            if large > _LARGEST or (corner := free.corner(complex(side, side + _HEAD))) is None:
+                break
+            shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, large)
+            window, before = (seen.window, seen.times) if seen is not None else (self.panel.window, 1.0)
+            views.append(_View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times)))
+        least = min((length for length in lengths if length > _NOTHING), default=_CLEAR)
+        clear = [view for view in views if abs(view.shown.radius / knot.radius) * least >= _CLEAR]
+        return clear or views[-1:]
 
     def _with(self, view: _View) -> _DetailDrawing:
         """The letters of one circle left to the other, where that part is drawn once more. That all other labels have
@@ -162,32 +160,23 @@ class _DetailDrawing:
         stay = [not (want.of in arrows if want.of else view.part.names(want)) for want in figure.wanted]
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
         numeral = _NUMERALS[len(self.views)] + self.prime
-        sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=BODY, step=step)
+        sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=LABEL, step=step)
         marks += [Disc(circle.centre, circle.radius, "thin", step=step) for circle in (view.part, view.shown)]
         heading = plain(f"{numeral}  ({view.times:g} : 1)")
         top = view.shown.centre - 1j * (view.shown.radius + _AROUND - 1.0)  # over what is written around it
-        marks.append(Text(heading, top - width(heading, BODY) / 2, BODY, step))
+        marks.append(Text(heading, top - width(heading, LABEL) / 2, LABEL, step))
         side = 2 * (view.shown.radius + _AROUND)  # with the room of letters around it
         corner = view.shown.centre - complex(side, side) / 2
         room = Room(corner.real, corner.imag, corner.real + side, corner.imag + side)
         alone = Panel(Figure(marks, named), view.window, room)
-        known = [*compress(self.burdens, stay), *_burdens(alone, _EASIER), 0.0]
+        inside = alone.burdens + _LED * np.bincount(alone.near.led, minlength=len(named))
+        known = np.concatenate([self.burdens[stay], inside, [0.0]])
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
         return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), known=known)
 
 
-def _burdens(panel: Panel, led: float) -> list[float]:
-    """The burden of each label of a panel on the eye; `led`: of one on a leader."""
-    burdens = [0.0] * len(panel.figure.wanted)
-    for label in panel.near.led:
-        burdens[label] += led
-    for label in panel.near.clashing:
-        burdens[label] += 1.0
-    return burdens
-
-
-def _knots(wanted: list[LabelRequest]) -> Iterator[_DetailCircle]:
-    """For each radius the circle that holds most labels, where they are too many."""
+def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> Iterator[_DetailCircle]:
+    """For each radius the circle that holds most burden, where that is enough."""
     if not 0 < len(wanted) <= _MANY:
         return
     about = np.array([want.place for want in wanted])
@@ -196,8 +185,8 @@ def _knots(wanted: list[LabelRequest]) -> Iterator[_DetailCircle]:
     far = _farthest(about, start, end)
     for radius in _RADII:
         centres = _middles(far <= radius + _ON, about, start, end)
-        held = (_farthest(centres, start, end) <= radius + _ON).sum(axis=1)
-        if held.max() >= max(_FEW, 2 + 0.8 * radius):
+        held = (_farthest(centres, start, end) <= radius + _ON) @ burdens
+        if held.max() >= _SAVED:
             yield _DetailCircle(complex(centres[held.argmax()]), radius)
 
 

@@ -16,11 +16,11 @@ from graphkin.planning import Method
 from graphkin.running.other_positions import moved_to
 from graphkin.say.finding import caption, lines
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Run
+from graphkin.sheet.lettering import LABEL, Run
 from graphkin.sheet.marks import Disc, Mark, Stroke
 from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import BODY, Paper, Room, papers_for
+from graphkin.sheet.paper import Paper, Room, papers_for
 from graphkin.sheet.single_figure import Caption, Picture, SheetGrid, panels_in
 from graphkin.sheet.window import Extent, Figure, Window, corners
 from graphkin.studies.finding import Findings
@@ -89,7 +89,7 @@ def _pictures(
 
     extent = Extent.of(places, over, method.mechanism.scales.get("length"), letters=_LETTERS, trial=_TRIAL)
     texts = (f"({chr(ord('a') + number)}) {text}" for number, text in enumerate(captions))
-    under = [Caption((text,), _FOOT, first=4.5, pitch=1.3 * BODY, sides=2.0) for text in texts]
+    under = [Caption((text,), _FOOT, first=4.5, pitch=1.3 * LABEL, sides=2.0) for text in texts]
     return [Picture(extent, figure, text) for figure, text in zip(figures, under, strict=True)]
 
 

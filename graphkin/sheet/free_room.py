@@ -19,7 +19,6 @@ from graphkin.sheet.label_requests import LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
-from graphkin.sheet.text_blocks import EquationBlock
 
 _CLEAR = 0.6  # the distance of what is added from everything there [mm]
 _WORD = np.array((2.2, -0.6))
@@ -31,11 +30,10 @@ _STEPS = 0.5  # the steps in which a line is shortened [mm]
 
 @frozen
 class Annotations:
-    """Marks beneath a figure and over it; equations for which there is no room."""
+    """Marks beneath a figure and over it."""
 
     under: list[Mark] = field(default_factory=list)
     over: list[Mark] = field(default_factory=list)
-    left_out: list[EquationBlock] = field(default_factory=list)
 
 
 class FreeSpots(NamedTuple):

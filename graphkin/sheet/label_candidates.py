@@ -16,14 +16,17 @@ import numpy as np
 from graphkin.base.geometry import Array
 from graphkin.base.value import filled
 from graphkin.sheet.boxes import OccupiedSquares, xy
-from graphkin.sheet.label_requests import CRAMMED, LabelCandidates, LabelRequest, lettering
+from graphkin.sheet.label_requests import CRAMMED, LONGEST, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Mark, Place, Text, VectorMark
+from graphkin.sheet.marks import Mark, Place, PointMark, Text, VectorMark
 from graphkin.sheet.obstacles import Obstacles, obstacles, places
 from graphkin.sheet.paper import Room
 
 _NEARER = 0.3  # by so much, to the eye [mm]
 _SHORTEST = 0.1  # shorter arrows are points [mm]
+_OWN, _SAME = 2.0, 0.15
+"""A leader ends so far from what is not its own at least; closer than the second, points are one [mm]."""
+_ASIDE, _PARALLEL = 0.9, 0.05  # so far apart arrows on one line are told apart [mm]; the sine of their angle
 
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""
@@ -85,7 +88,7 @@ class Rated(NamedTuple):
     """Candidates, row by row, with their costs and their surroundings.
 
     cost      what each costs by itself; near: how many things are too near to it; hits: on how many it lies
-    strange   nearer to another arrow than to its own; inside: in the room
+    strange   nearer to another arrow than to its own, or its leader is unclear; inside: in the room
     lettered  its leader passes through letters; lines: how many things it crosses, where that was asked
     """
 
@@ -247,11 +250,12 @@ class LabelScene:
         near, hits = self.known.around(boxes.low, boxes.high, (_EASY, _CLEAR))
         free = np.flatnonzero(inside & (hits == 0))
         strange, lettered = np.zeros(len(rows), dtype=bool), np.zeros(len(rows), dtype=bool)
-        if tier == NEAR:  # a leader says whose a label is
+        if tier == NEAR:
             strange[free] = self.arrows.strange(self.wanted, owner[free], boxes.low[:, free].T, boxes.high[:, free].T)
         else:
             start, end = boxes.leader.take(free, axis=2).swapaxes(1, 2)
             lettered[free[self.letters.crossed(start, end)]] = True
+            strange[free] = self.arrows.unclear(self.wanted, owner[free], start, end)
         rated = Rated(boxes, every.cost[rows], near, hits, strange, inside, lettered, np.zeros(len(rows)))
         return np.bincount(owner, minlength=len(self.wanted))[labels], rated
 
@@ -266,10 +270,18 @@ class Arrows:
     """The arrows of a figure, by name: a label is to be nearer to its own than to all others."""
 
     def __init__(self, drawn: Iterable[Mark]) -> None:
+        drawn = [*drawn]
         vectors = [mark for mark in drawn if isinstance(mark, VectorMark) and mark.length > _SHORTEST]
+        self.points = np.array([mark.at for mark in drawn if isinstance(mark, PointMark)], dtype=complex)
         self.names = np.array([vector.name for vector in vectors])
         self.start = np.array([vector.start for vector in vectors], dtype=complex)
         self.end = np.array([vector.end for vector in vectors], dtype=complex)
+
+    def _hold(self, want: LabelRequest) -> Array:
+        """The arrows on which all that a label names lies."""
+        places, along = np.array([want.start, want.place]), self.end - self.start
+        part = np.clip(((places[:, None] - self.start) / along).real, 0, 1)
+        return np.asarray((np.abs(self.start + part * along - places[:, None]) < _SHORTEST).all(axis=0))
 
     def strange(self, wanted: Sequence[LabelRequest], owner: Array, low: Array, high: Array) -> Array:
         """Boxes low..high of labels that stand nearer to an arrow that is not their owner's."""
@@ -277,10 +289,34 @@ class Arrows:
         for k, want in enumerate(wanted if len(self.names) > 1 else ()):
             own = self.names == want.of
             if want.of and own.any():
+                own |= self._hold(want)  # arrows that lie on one another are one line
                 rows = np.flatnonzero(owner == k)
                 apart = self._apart(low[rows, None], high[rows, None])
                 strange[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER
         return strange
+
+    def unclear(self, wanted: Sequence[LabelRequest], owner: Array, start: Array, end: Array) -> Array:
+        """Leaders start..end (n, 2) that are long, or end too close to another arrow or point than their owner's."""
+        start, end = (places @ (1, 1j) for places in (start, end))
+        unclear = np.abs(end - start) > LONGEST
+        for k in sorted(set(owner.tolist())):
+            rows, want = np.flatnonzero(owner == k), wanted[k]
+            points = np.abs(end[rows, None] - self.points)
+            unclear[rows] |= ((points < _OWN) & ((points > _SAME) | (want.end is not None))).any(axis=1)
+            others = self.names != want.of
+            if want.of and want.end is not None and others.any():
+                unclear[rows] |= self._beside(want.end - want.start, start[rows], end[rows], others)
+        return unclear
+
+    def _beside(self, own: complex, start: Array, end: Array, others: Array) -> Array:
+        """Leaders that end close to some arrows, but for parallel ones on the other side of their own."""
+        first, along = self.start[others], self.end[others] - self.start[others]
+        off = end[:, None] - first
+        part = np.clip((off * along.conj()).real / (along * along.conj()).real, 0.0, 1.0)
+        off -= part * along  # from the near place of each
+        apart, side = np.abs(off), ((start - end) * own.conjugate()).imag[:, None] * (off * own.conjugate()).imag
+        parallel = np.abs((along * own.conjugate()).imag) < _PARALLEL * np.abs(along) * abs(own)
+        return np.asarray(((apart < _OWN) & ~(parallel & (apart > _ASIDE) & (side > 0))).any(axis=1))
 
     def _apart(self, low: Array, high: Array) -> Array:
         """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
-from graphkin.sheet.lettering import Label, box, width
+from graphkin.sheet.lettering import LABEL, Label, box, width
 from graphkin.sheet.marks import Place, Text
-from graphkin.sheet.paper import LABEL
 
 
 def _leaning(turns: Array) -> Array:
@@ -22,7 +21,7 @@ def _leaning(turns: Array) -> Array:
     return np.clip(turns.real * 1.6, -1.0, 1.0) + 1j * np.clip(turns.imag * 1.6, -1.0, 1.0)
 
 
-_RINGS, _LED = np.array([0.0, 1.0, 2.2]), np.array([4.0, 6.5, 9.5, 13.0])
+_RINGS, _LED = np.array([0.0, 1.0, 2.2]), np.array([2.5, 4.5, 7.0, 9.5])
 """Distances of a letter from its sign, and those from which on a leader is drawn [mm]."""
 _TURNS = np.array([cmath.rect(1, math.tau * k / 16) for k in range(16)])
 _LEANING = _leaning(_TURNS)
@@ -38,12 +37,16 @@ LEAST = (0.0, *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR, _
 _FAR_TURNS = np.array([cmath.rect(1, math.tau * k / 32) for k in range(32)])
 _FAR_LEANING = _leaning(_FAR_TURNS)
 _ANCHORS = (0.5, 0.3, 0.7)  # places along a line for the end of a far leader
-_LED_ALONG = (0.3, 0.7)  # places beside its middle for the end of a leader at an arrow
-_OFF_MIDDLE = 0.5
+_LED_ALONG = (0.5, 0.35, 0.65, 0.2, 0.8)  # places along a line for the end of a leader
+_OFF_MIDDLE = 1.5  # the cost of the whole length off the middle
+_UPRIGHT = math.sin(math.radians(61))  # of the angle at which a leader meets its line at least
+LONGEST = 12.0  # no leader is longer [mm]
 _ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82])
 _OFF = np.array([0.0, 0.75, 1.65])[:, None]  # distances of a label from its line beyond what it needs [mm]
 _SPACE = 2.0  # beside and over a label [mm]
 CRAMMED = 0.2  # a figure whose labels take a larger part of its room has no place for all of them
+_SMALL, _KNOT, _THREE = 8.0, 10.0, 3
+"""So many arrows shorter than this, within this distance, are a knot to the eye [mm]."""
 _POINT = 1.5  # a shorter line is a point [mm]
 
 
@@ -120,9 +123,15 @@ class LabelRequest:
         start, end = self.start, self.end
         if end is None or abs(end - start) <= _POINT:
             return _around(start, half, self, _LED)
-        places = [(start + end) / 2, *(start + (end - start) * t for t in (_LED_ALONG if self.of else ()))]
-        led = [_around(place, half, self, _LED) for place in places]
-        return LabelCandidates.joined([led[0], *(part._replace(cost=part.cost + _OFF_MIDDLE) for part in led[1:])])
+        every = LabelCandidates.joined(_around(start + (end - start) * t, half, self, _LED) for t in _LED_ALONG)
+        off, along = every.middle - every.anchor, (end - start) / abs(end - start)
+        off = np.maximum(np.abs(off.real) - half.real, 0) * np.sign(off.real) + 1j * (
+            np.maximum(np.abs(off.imag) - half.imag, 0) * np.sign(off.imag)
+        )  # from what it names to the near side of its box
+        upright = np.abs((off * along.conjugate()).imag) >= _UPRIGHT * np.abs(off)
+        aside = np.repeat(np.abs(np.array(_LED_ALONG) - 0.5), len(off) // len(_LED_ALONG))
+        every = every._replace(cost=every.cost + _OFF_MIDDLE * aside)
+        return LabelCandidates(*(part[upright & (np.abs(off) <= LONGEST)] for part in every))
 
     def far(self, half: complex, crowd: Place, farthest: bool = False) -> LabelCandidates:
         """Wide rings, away from the middle of the crowd first."""
@@ -143,6 +152,14 @@ def lettering(wanted: Iterable[LabelRequest]) -> float:
     """The room that labels take, with what is usually free about them [mm^2]."""
     boxes = (box(want.label, want.size) for want in wanted)
     return sum((wide + _SPACE) * (up + down + _SPACE) for wide, up, down in boxes)
+
+
+def tangled(wanted: Sequence[LabelRequest]) -> Array:
+    """Labels of short arrows (n,) of which three or more lie close together."""
+    small = np.array([bool(want.of) and 2 * abs(want.place - want.start) < _SMALL for want in wanted])
+    middle = np.array([want.place for want in wanted])
+    near = (np.abs(middle[:, None] - middle) <= _KNOT) & small & small[:, None]
+    return np.asarray(near.sum(axis=1) >= _THREE)
 
 
 def _around(point: Place, half: complex, want: LabelRequest, rings: Array) -> LabelCandidates:

@@ -20,7 +20,7 @@ from graphkin.sheet.label_candidates import FARTHEST, LED, MANY, NEAR, Boxes, La
 from graphkin.sheet.label_costs import CROWDED, NEARBY, LabelChoice, LabelTable, under
 from graphkin.sheet.label_requests import LEAST, LabelRequest
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Disc, Mark, Stroke
+from graphkin.sheet.marks import Mark, Stroke
 
 _TOUCH = 0.05  # closer than this to a box's edge is not yet on it [mm]
 _MOST, _LEAST, _ALL = 80, 16, 8000
@@ -226,7 +226,8 @@ class LabelPlacing:
         return [int(label) for label in rows[bad]]
 
 
-_DOT = 0.3  # at the end of a leader on an arrow is a dot of this radius, so that it is plain which of two it means [mm]
+_UNCLEAR, _MORE, _EASY = 4.0, 1.5, 4
+"""The burden of a label without a good place, where one on a good leader is 1; of each beyond so many, in addition."""
 _ROUNDS = 30  # some are left out so often, to give others a place
 _NEIGHBOUR = 15.0  # so near to a label without a place, others that say nothing new are left out [mm]
 
@@ -236,17 +237,28 @@ class Settled(NamedTuple):
 
     clashing  which labels lie on something, or their leaders on labels
     crowd     they had to go far off
-    led       which labels stand on leaders
+    led       which labels stand on leaders; unclear: on such as do not tell what they name, or are long
     """
 
     marks: list[Mark]
     clashing: Sequence[int]
     crowd: bool = False
     led: Sequence[int] = ()
+    unclear: Sequence[int] = ()
 
     @property
     def clashes(self) -> int:
         return len(self.clashing)
+
+    def burdens(self, count: int) -> Array:
+        """The burden of each of so many labels on the eye."""
+        led, *bad = (np.bincount([*each], minlength=count) for each in (self.led, self.unclear, self.clashing))
+        return np.asarray(led + _UNCLEAR * np.sum(bad, axis=0))
+
+
+def burden(each: Array) -> float:
+    """The burden of labels together: more than a few are heavier."""
+    return float(each.sum() + _MORE * max(0, np.count_nonzero(each) - _EASY))
 
 
 def settle(scene: LabelScene, far: bool = False) -> Settled:
@@ -262,7 +274,9 @@ def settle(scene: LabelScene, far: bool = False) -> Settled:
         places.leave_out(out)
         clashing = places.clashing()
     led = np.flatnonzero(places.stands & places.boxes.led)
-    return Settled([*_lettered(scene.wanted, places)], clashing, far, [*map(int, led)])
+    start, end = places.boxes.taken(led).leader.swapaxes(1, 2)
+    unclear = led[scene.arrows.unclear(scene.wanted, led, start, end)]
+    return Settled([*_lettered(scene.wanted, places)], clashing, far, led.tolist(), unclear.tolist())
 
 
 def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[Mark]:
@@ -278,8 +292,6 @@ def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[
             rest = off - edge
             begin = middle + edge + rest / abs(rest) * 0.3 if abs(rest) > 1 else middle + edge
             yield Stroke((begin, at), "leader", step=want.step)
-            if want.of:
-                yield Disc(at, _DOT, "leader", "ink", step=want.step)
 
 
 def _left_out(wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int]) -> list[int]:

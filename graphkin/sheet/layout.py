@@ -19,16 +19,17 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
 from graphkin.sheet.page import HEAD_WIDTH
-from graphkin.sheet.paper import KEYS, LARGE, UNITS, Paper, Room, Rooms, TooLargeForPaper, finer, papers_for
-from graphkin.sheet.window import Extent, Over, Window, height_over
+from graphkin.sheet.paper import KEYS, UNITS, Paper, Room, Rooms, TooLargeForPaper, finer, papers_for
+from graphkin.sheet.window import Extent, Window
 
 HEAD = 7.5  # height of a figure's heading [mm]
 HEAD_LEFT = 3.0  # from the side of a room to its heading [mm]
 _SECOND = 5.5  # its additional height where the scale stands under it, in a narrow room [mm]
 _NARROWEST = 46.0  # a heading wants at least so much [mm]
 _MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
-_INK = 2.0  # the worth of paper that is used
-_LARGE_ENOUGH = 130.0  # a figure of this size alone on its paper needs no larger one [mm]
+_INK = 1.0  # the worth of paper that is used
+_FAIR, _MOST, _DEAR = 0.28, 0.41, 40.0
+"""So much of the field each of three figures has at least, and the mechanism at most; the cost of what is not so."""
 
 Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
 Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
@@ -39,7 +40,7 @@ Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
 class Layout:
     """A paper divided: a room and a scale for each plane, and the strip for tables and title.
 
-    headed  the planes over whose figures there is room for their equations
+    headed  the planes whose equations have a room of their own over their figure or beside it
     """
 
     paper: Paper
@@ -50,18 +51,47 @@ class Layout:
 
     def window(self, plane: Plane, extent: Extent) -> Window:
         """The figure with all its signs in the middle of its room, under its heading."""
-        return extent.window(under_heading(self.rooms[plane], extent.over), self.scales[plane])
+        times, scale = self.paper.times, self.scales[plane]
+        free, _ = _for_figure(_one(self.rooms[plane]), extent.reduced(times))
+        seen = extent.reduced(times).window(Room(*map(float, free)), scale)
+        return Window(seen.origin, scale * times, times)
 
 
-def under_heading(room: Room, over: Over | None = None) -> Room:
-    """The part of a room that its heading, and what stands under that over the figure, leave."""
-    return replace(room, top=room.top + float(_head_height(np.asarray(room.right - room.left), over)))
+def under_heading(room: Room) -> Room:
+    """The part of a room that its heading leaves."""
+    return Room(*map(float, _under_heading(_one(room))))
 
 
-def _head_height(wide: Array, over: Over | None) -> Array:
-    """The height of the heading and of what stands over the figure, in rooms of a width [mm]."""
-    head = np.where(wide < HEAD_WIDTH, HEAD + _SECOND, HEAD)
-    return head if over is None else head + height_over(over, wide - 2 * HEAD_LEFT)
+def _one(room: Room) -> Rooms:
+    return Rooms(*map(np.asarray, (room.left, room.top, room.right, room.bottom)))
+
+
+def _under_heading(room: Rooms) -> Rooms:
+    return room._replace(top=room.top + np.where(room.right - room.left < HEAD_WIDTH, HEAD + _SECOND, HEAD))
+
+
+def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array]:
+    """The parts of rooms that heading and equations leave, and the scales there: the equations stand over the figure
+    or on its left, whichever leaves it larger."""
+    under = _over_tables(_under_heading(room), extent.tables)
+    if extent.ladder is None:
+        return under, extent.scales_in(under)
+    wide, high = extent.ladder.real + 2 * HEAD_LEFT, extent.ladder.imag + HEAD_LEFT
+    over = under._replace(top=np.where(room.right - room.left >= wide, under.top + high, under.bottom))
+    beside = under._replace(left=np.where(under.bottom - under.top >= high, under.left + wide, under.right))
+    scale, other = extent.scales_in(over), extent.scales_in(beside)
+    better = np.isnan(scale) | (other < scale)
+    return Rooms(*(np.where(better, b, a) for a, b in zip(over, beside))), np.where(better, other, scale)
+
+
+def _over_tables(room: Rooms, shapes: Sequence[complex]) -> Rooms:
+    """The parts of rooms that tables at their foot leave: in the lowest of their shapes [mm] for which they are wide
+    enough."""
+    if not shapes:
+        return room
+    wide = room.right - room.left - 2 * HEAD_LEFT
+    high = np.min([np.where(wide >= shape.real, shape.imag, np.inf) for shape in shapes], axis=0)
+    return room._replace(bottom=np.maximum(room.top, room.bottom - high - HEAD_LEFT))
 
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:
@@ -72,29 +102,26 @@ def divided(paper: Paper, height: float) -> tuple[Room, Room]:
 
 def alone(extent: Extent, strip_height: Height, paper: str | None) -> Layout:
     """One figure alone; a given scale that is too fine is not kept. Raises UnknownPaper."""
-
-    def freely(papers: Sequence[Paper]) -> Layout:
-        try:
-            return lay_out({"position": extent}, strip_height, papers)
-        except TooLargeForPaper:
-            return lay_out({"position": replace(extent, given=None)}, strip_height, papers)
-
-    layout = freely(papers_for(paper))
-    if paper is None and extent.longest / layout.scales["position"] < _LARGE_ENOUGH:
-        return min(layout, freely(LARGE), key=lambda each: each.scales["position"])
-    return layout
+    papers = papers_for(paper)
+    try:
+        return lay_out({"position": extent}, strip_height, papers)
+    except TooLargeForPaper:
+        return lay_out({"position": replace(extent, given=None)}, strip_height, papers)
 
 
 def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
-    need, paper = extent.size / layout.scales[plane] + extent.reach, layout.paper
-    strip = layout.strip.size.imag
-    over = extent.over[1].real + 2 * HEAD_LEFT if extent.over is not None else 0.0
-    wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(over), math.ceil(need.real)))
+    paper, extent = layout.paper, extent.reduced(layout.paper.times)
+    need = extent.size / layout.scales[plane] + extent.reach
+    strip, ladder, room = layout.strip.size.imag, extent.ladder or 0j, layout.rooms[plane]
+    (left, top, _, _), _ = _for_figure(_one(room), extent)
+    need += complex(float(left) - room.left, float(top) - under_heading(room).top)  # what its equations take
+    need = complex(max(need.real, ladder.real + 2 * HEAD_LEFT), need.imag)
+    wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(need.real)))
 
     def high(wide: float) -> float:
-        head = under_heading(Room(0.0, 0.0, replace(paper, width=wide).frame.size.real, 0.0), extent.over).top
-        return 2.0 * paper.margin + strip + math.ceil(head + need.imag)
+        head = under_heading(Room(0.0, 0.0, replace(paper, width=wide).frame.size.real, 0.0)).top
+        return 2.0 * paper.margin + strip + math.ceil(head + max(need.imag, ladder.imag + HEAD_LEFT))
 
     wide = wide if high(wide) <= paper.height else paper.width  # in less width the heading may need more lines
     cut = replace(paper, width=wide, height=min(paper.height, high(wide)))
@@ -120,11 +147,11 @@ def headed(
 ) -> Layout:
     """As the layout, with what stands over figures for as many as have room for it: on paper of the same size, none
     drawn more than so much coarser."""
-    over = [plane for plane, extent in extents.items() if extent.over is not None]
-    area = layout.paper.width * layout.paper.height
+    over = [plane for plane, extent in extents.items() if extent.ladder is not None]
+    area = layout.paper.enlarged.width * layout.paper.enlarged.height
     same = [paper for paper in papers if paper.width * paper.height == area]
     for planes in (over, *([plane] for plane in over if len(over) > 1)):
-        own = {plane: e if plane in planes else replace(e, over=None) for plane, e in extents.items()}
+        own = {plane: e if plane in planes else replace(e, ladder=None) for plane, e in extents.items()}
         best = _best(same, own, strip_height, _divisions) if planes else None
         if best is not None and all(best.scales[p] <= layout.scales[p] * coarser for p in extents):
             return replace(best, headed=tuple(planes))
@@ -132,19 +159,20 @@ def headed(
 
 
 def _best(
-    papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions
+    papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions
 ) -> Layout | None:
     """The first of the best divisions, None where nothing fits."""
     best, layout = -math.inf, None
-    for paper in papers:
+    for paper in (each.reduced for each in papers):
+        extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         field, strip = divided(paper, strip_height(paper))
         rooms, ends = _rooms(divisions, field, tuple(extents))
-        free = {plane: room._replace(top=room.top + _head_height(room.right - room.left, extents[plane].over))
-                for plane, room in rooms.items()}  # fmt: skip
+        figures = {plane: _for_figure(room, extents[plane]) for plane, room in rooms.items()}
+        free = {plane: room for plane, (room, _) in figures.items()}
         wide = {plane: room.right - room.left >= _NARROWEST for plane, room in rooms.items()}
-        scales = {p: np.where(wide[p], extent.scales_in(free[p]), math.nan) for p, extent in extents.items()}
+        scales = {plane: np.where(wide[plane], scale, math.nan) for plane, (_, scale) in figures.items()}
         score = _score(extents, scales, free, field.size.real * field.size.imag)
-        score = np.where(np.isnan(score), -math.inf, score)
+        score = np.where(np.isnan(score), -math.inf, score - _DEAR * _unfair(rooms, field.size))
         for first, end in pairwise(ends):
             share = first + int(np.argmax(score[first:end]))
             if score[share] > best + 1e-9:
@@ -178,7 +206,7 @@ def _score(
     for plane, extent in extents.items():
         room = free[plane]
         wide, high = extent.size.real / scales[plane], extent.size.imag / scales[plane]
-        easy = 90.0 if plane == "position" else 30.0 + 2.2 * extent.labels  # it has room for its letters
+        easy = 110.0 if plane == "position" else 50.0 + 2.2 * extent.labels  # it has room for its letters
         weight = math.sqrt(extent.labels / 10) * (_MECHANISM if plane == "position" else 1)
         large = np.maximum(wide, high)
         total = total + weight * (np.log(np.clip(large, 1.0, easy)) + 0.4 * np.log(np.clip(large / easy, 1.0, 1.8)))
@@ -186,6 +214,15 @@ def _score(
         total = total + 0.15 * np.log(1 + np.minimum(room.right - room.left - wide, room.bottom - room.top - high))
         inked = inked + wide * high / area
     return np.asarray(total + _INK * np.log(inked))
+
+
+def _unfair(rooms: Mapping[Plane, Rooms], whole: complex) -> Array:
+    """The parts of a field that a mechanism has too much and figures too little of, beside one another."""
+    unfair = np.asarray(0.0)
+    for plane, room in rooms.items() if len(rooms) == 3 else ():
+        part = (room.right - room.left) * (room.bottom - room.top) / (whole.real * whole.imag)
+        unfair = unfair + np.maximum(0.0, _FAIR - part) + np.maximum(0.0, part - _MOST if plane == "position" else 0.0)
+    return unfair
 
 
 def _too_large(extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]) -> TooLargeForPaper:

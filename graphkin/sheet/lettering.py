@@ -13,8 +13,10 @@ from typing import Literal, NamedTuple
 
 from graphkin.model.units import significant
 
-SMALL = 0.68  # size of sub- and superscripts, against the letters they belong to
-_LEAST = 2.5  # they are no smaller than this, where what they belong to is not [mm]
+TITLE, LABEL, LEAST = 5.0, 3.5, 2.5
+"""The three sizes of letters, steps of ISO 3098 [mm, the em of the font]: the title; all that may have subscripts, as
+labels, headings, equations, and tables; numbers of steps, and plain words on the rim."""
+SMALL = 0.7  # size of sub- and superscripts, against the letters they belong to
 _DROP, _RISE = 0.22, -0.40
 _ASCENT, _DESCENT = 0.68, 0.20
 _BOLD = 1.08  # the width of bold letters, as a part of plain ones
@@ -83,7 +85,7 @@ def run_width(run: Run, size: float) -> float:
 
 def run_size(run: Run, size: float) -> float:
     """Size of the letters of a run of a label [mm]."""
-    return size if run.place == "base" else max(SMALL * size, min(size, _LEAST))
+    return size if run.place == "base" else SMALL * size
 
 
 def bold(label: Label) -> Label:

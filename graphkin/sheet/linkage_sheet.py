@@ -20,11 +20,22 @@ from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.sheet import symbols
 from graphkin.sheet.fixed_link import away_from, grounds
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, number, plain, point_label, points_label, quantity_label, width
+from graphkin.sheet.lettering import (
+    LABEL,
+    TITLE,
+    Label,
+    Run,
+    number,
+    plain,
+    point_label,
+    points_label,
+    quantity_label,
+    width,
+)
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.page import Panel, Sheet
-from graphkin.sheet.paper import BODY, TITLE, papers_for
+from graphkin.sheet.paper import papers_for
 from graphkin.sheet.single_figure import Caption, Picture, SheetGrid, panels_in
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Table, frame
@@ -201,7 +212,7 @@ def drawn_over(linkage: Linkage, positions: Row, window: Window, primes: bool = 
     for (one, start), (other, end) in combinations(named, 2):  # links by their ends, as their lengths are called
         name = next((name for name in (one + other, other + one) if name in linkage.sizes), "")
         if name and abs(end - start) > _SHORT:
-            labels.append(LabelRequest(points_label(name), start, end, gap=1.2, size=BODY, spare=True))
+            labels.append(LabelRequest(points_label(name), start, end, gap=1.2, size=LABEL, spare=True))
     return Figure([*marks, *_links(linkage, first)], labels)
 
 
@@ -252,7 +263,7 @@ def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Labe
             tip = centre + cmath.rect(radius, angle)
             marks.append(symbols.arrow_head(tip, cmath.rect(1, angle + turn), None))
     middle = cmath.rect(1, begin + sweep / 2)
-    return Figure(marks, [LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=BODY + 0.3)])
+    return Figure(marks, [LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=LABEL)])
 
 
 def dimensioned_limits(report: Report, window: Window) -> Figure:
@@ -321,7 +332,7 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
     heads = [symbols.arrow_head(start, -forward, None), symbols.arrow_head(end, forward, None)]
     marks += [Stroke((start, end), "thin"), *heads]
     label: Label = (Run("H", True), Run(f" = {length * 1e3:.2f} mm"))
-    return Figure(marks, [LabelRequest(label, start, end, gap=0.4, away=side, size=BODY + 0.3)])
+    return Figure(marks, [LabelRequest(label, start, end, gap=0.4, away=side, size=LABEL)])
 
 
 def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:

@@ -7,7 +7,8 @@ construction step a mark belongs to; `new` marks are those of the newest step of
 
 from __future__ import annotations
 
-from typing import Literal
+from dataclasses import replace
+from typing import Literal, assert_never
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -109,7 +110,6 @@ class VectorMark:
     also   the names of others with the same ends, which it shows, too
     part   which part of the motion, as in `Term`
     solved the construction found its length
-    aside  how many steps it was moved off the line of its points, because another arrow lies there
     half   on which side of the line alone its head opens, seen along it; back: how far its tip stands off the end [mm]
     pen    a lighter one for an arrow that is laid off, or only compared with
     """
@@ -126,7 +126,6 @@ class VectorMark:
     also: tuple[str, ...] = ()
     part: str = ""
     solved: bool = False
-    aside: int = 0
     half: Half = ""
     back: float = 0.0
     pen: PenName = "vector"
@@ -156,3 +155,20 @@ class PointMark:
 
 
 Mark = Stroke | Disc | ArcMark | Text | VectorMark | PointMark
+
+
+def enlarged(mark: Mark, times: float) -> Mark:
+    """A mark so many times as large; its lines are as wide as before."""
+    match mark:
+        case Stroke(places=places):
+            return replace(mark, places=tuple(times * place for place in places))
+        case Disc(centre=centre, radius=radius) | ArcMark(centre=centre, radius=radius):
+            return replace(mark, centre=times * centre, radius=times * radius)
+        case Text(at=at, size=size):
+            return replace(mark, at=times * at, size=times * size)
+        case VectorMark(start=start, end=end, back=back):
+            return replace(mark, start=times * start, end=times * end, back=back)
+        case PointMark(at=at, radius=radius):
+            return replace(mark, at=times * at, radius=times * radius)
+        case _:
+            assert_never(mark)

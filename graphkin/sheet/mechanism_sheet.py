@@ -1,9 +1,9 @@
 """The sheet of a mechanism: its figure and its polygons, laid out and lettered.
 
 It is the cheapest of several arrangements. An arrangement is a paper and its division into rooms, by which all is
-composed; it costs the labels that find no place, then those at the end of a leader, and leaders count for more on a
-large paper. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
-smallest paper that holds all, other divisions of it, details, a larger paper.
+composed; it costs the labels that find no place, then those at the end of a leader, and what stands in the strip off
+its figure. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
+smallest paper that holds all, other divisions of it, details, the same paper turned, a larger paper.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import shown
+from graphkin.planning.method import Act
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
@@ -24,20 +25,20 @@ from graphkin.say.numbers import circled
 from graphkin.sheet.composition import Planes, SheetContents, Style
 from graphkin.sheet.label_requests import CRAMMED
 from graphkin.sheet.layout import Layout, cut_to
-from graphkin.sheet.lettering import formula, plain
-from graphkin.sheet.marks import Place, Text
+from graphkin.sheet.lettering import LABEL, Label, formula, plain
+from graphkin.sheet.marks import Text, enlarged
 from graphkin.sheet.page import Lettered, Page, Sheet
-from graphkin.sheet.paper import BODY, LARGE, Paper, TooLargeForPaper, papers_for
+from graphkin.sheet.paper import PAPERS, Paper, TooLargeForPaper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
 from graphkin.sheet.text_blocks import LINE, broken
-from graphkin.sheet.titleblock import tables_room
+from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_MANY_LEADERS = 10  # with more of them a larger paper is tried
-_LARGE_PAPER = 1.2  # the weight of leaders on a large paper that nobody asked for
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
-_TRIALS = 4  # so often equations are moved into the strip, whose height leaves figures less room
+_MANY, _STRIP = 8.0, 8.0
+"""At a higher cost other papers are tried; so high a strip costs as much as a leader [mm]."""
+_TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
 def mechanism_sheet(
@@ -60,11 +61,11 @@ def mechanism_sheet(
     """
     if style == "given":
         drawing = Planes(method, plot, ("position",), style, lang)
-        contents = SheetContents(drawing, [] if tight else given_tables(drawing.reading({})), tight)
+        contents = SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
         return replace(cheapest(contents, paper).lettered.sheet, given=True)
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), style, lang, paths)
-    contents = SheetContents(drawing, [] if tight else tables(method, plot, lang), tight)
+    contents = SheetContents(drawing, {} if tight else tables(method, plot, lang), tight=tight)
     return cheapest(contents, paper).lettered.sheet if upto is None else next(_staged(contents, paper, [upto]))
 
 
@@ -75,7 +76,7 @@ def mechanism_step_sheets(
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), "construction", lang)
-    yield from _staged(SheetContents(drawing, [] if tight else tables(method, plot, lang), tight), paper)
+    yield from _staged(SheetContents(drawing, {} if tight else tables(method, plot, lang), tight=tight), paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -120,9 +121,17 @@ class Arrangement:
         return cut_to(layout, contents.planes[0], contents.extent(layout, contents.planes[0])) if self.cut else layout
 
     @property
-    def large(self) -> bool:
-        """True where its paper is a large one."""
-        return self.layout.paper.name in [paper.name for paper in LARGE]
+    def sold(self) -> Paper:
+        """Its paper in the size in which it can be asked for."""
+        return PAPERS[self.layout.paper.name]
+
+    @property
+    def fits(self) -> bool:
+        """True where the paper holds all at the scales that are given."""
+        try:
+            return bool(self.layout.rooms)
+        except TooLargeForPaper:
+            return False
 
     @cached_property
     def page(self) -> Page:
@@ -142,11 +151,11 @@ class Arrangement:
 
     @cached_property
     def cost(self) -> tuple[float, float]:
-        """Labels that find no place near by, and leaders; of an overfull one all labels, and by how much it is so."""
+        """Labels that find no place near by, and the burden of all; of an overfull one all labels, and by how much."""
         if self.overfull > 1:
             return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
-        dear = self.large and len(self.papers) > 1
-        return self.near.lost, self.near.crowded * (_LARGE_PAPER if dear else 1.0)
+        above = self.layout.strip.size.imag - FOOT  # what stands over the footer takes room, and stands off its figure
+        return self.near.lost, self.near.burden + max(0.0, above) / _STRIP
 
     @cached_property
     def lettered(self) -> Lettered:
@@ -156,24 +165,32 @@ class Arrangement:
 
     @property
     def settled(self) -> Arrangement:
-        """With the equations in the strip for which figures, and then their letters, leave no room."""
+        """With equations and tables elsewhere for which figures, and then their letters, leave no room."""
         arrangement = self
         for _ in range(0 if self.contents.tight else _TRIALS):
             contents, layout = arrangement.contents, arrangement.layout
-            out = contents.without_room(layout)
-            if not out:
-                out = contents.without_head(layout) if arrangement.cost[0] else arrangement.lettered.left_out
-            if not out:
+            if out := contents.tableless(layout):
+                low = {*contents.low, *(plane for plane in out if plane in contents.footed)}
+                contents = replace(contents, footed={*contents.footed, *out} - low, low=low)
+            elif out := contents.without_room(layout) or (
+                contents.without_head(layout) if arrangement.cost[0] else []
+            ):
+                contents = replace(contents, in_strip={*contents.in_strip, *out})
+            else:
                 break
-            arrangement = replace(arrangement, contents=contents.moved(out))
+            arrangement = replace(arrangement, contents=contents)
         return arrangement
 
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
-    best = _on(Arrangement(contents, papers_for(paper)))
-    if paper is None and not best.large and (best.cost[0] or best.cost[1] > _MANY_LEADERS):
-        best = min(best, _on(Arrangement(contents, LARGE)), key=lambda each: each.cost)
+    usual = papers_for(paper)
+    best = _on(Arrangement(contents, usual))
+    others = [each for each in usual if each.landscape != best.layout.paper.landscape]
+    small, large = others[:1], usual[2:]
+    for papers in filter(None, (small, large)):
+        if best.cost > (0, _MANY):
+            best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.cost)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True).settled if cut else best
 
@@ -195,24 +212,32 @@ def _on(first: Arrangement) -> Arrangement:
 
 def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    arrangement, drawing = cheapest(contents, paper), contents.drawing
-    layout, whole = arrangement.layout, replace(arrangement, stages=True).lettered.sheet
+    best, drawing = cheapest(contents, paper), contents.drawing
+    scales, wide = best.layout.scales, tables_room(best.layout.paper)
     others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
-    reading = drawing.reading({**others, **layout.scales})
+    reading = drawing.reading({**others, **scales})
     entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
     texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
-    acts, strip = [act for act in drawing.method.acts if act.plane in contents.planes], layout.strip
-    for number in numbers or range(1, len(acts) + 1):
-        act = acts[number - 1]
+    acts = [act for act in drawing.method.acts if act.plane in contents.planes]
+    lines = dict[Act, list[Label]]()
+    for number, act in enumerate(acts, 1):
+        head = plain(say("sheet.step", drawing.lang, number=number, count=len(acts)))
+        sign = f"{circled(act.number)} " if act.numbered else ""
+        lines[act] = [head, *map(formula, broken(sign + texts.get(act, ""), wide, LABEL))]
+    pitch = LINE * LABEL
+    stage = replace(best, stages=True)
+    if not contents.tight:  # the sentences stand over the footer, and all is drawn to the scales of the whole sheet
+        said = pitch * max(map(len, lines.values()))
+        stage = replace(stage, contents=replace(best.contents, said=said, scales=scales), papers=[best.sold])
+        stage = stage if stage.fits else replace(best, stages=True)
+    strip, whole = stage.layout.strip, stage.lettered.sheet
+    for act in acts if not numbers else [acts[number - 1] for number in numbers]:
         sheet = whole.upto(act.page)
         if not contents.tight:
             below, *above = sheet.layers
-            at: Place = complex(strip.left + 3, strip.top + 6)
-            marks = [Text(plain(say("sheet.step", drawing.lang, number=number, count=len(acts))), at, BODY)]
-            sign = f"{circled(act.number)} " if act.numbered else ""
-            for line in broken(sign + texts.get(act, ""), tables_room(sheet.paper), BODY):
-                at += 1j * LINE * BODY
-                if at.imag < strip.bottom - 9:
-                    marks.append(Text(formula(line), at, BODY))
-            sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *marks)), *above))
+            at = [complex(strip.left + 3, strip.top + 1 + pitch * (k + 0.8)) for k in range(len(lines[act]))]
+            marks = [Text(line, place, LABEL) for line, place in zip(lines[act], at, strict=True)
+                     if place.imag < strip.bottom - FOOT]  # fmt: skip
+            larger = [enlarged(mark, stage.layout.paper.times) for mark in marks]
+            sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *larger)), *above))
         yield sheet

@@ -152,7 +152,7 @@ class Version:
             start, end = own.get(mark.tail), own.get(mark.head)
             if start is None or end is None or abs(end - start) < _GONE * scale:
                 return self._emphasised(mark)
-        if isinstance(mark, VectorMark | Stroke) and mark.pen in ("vector", "visible"):
+        if isinstance(mark, VectorMark | Stroke) and mark.pen in ("asked", "vector", "visible"):
             return replace(mark, pen="thin")
         return mark
 

@@ -28,12 +28,12 @@ from graphkin.sheet.boxes import overlap
 from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import lay_out
-from graphkin.sheet.lettering import Label, box, joined, plain, point_label
+from graphkin.sheet.lettering import LABEL, Label, box, joined, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
-from graphkin.sheet.paper import KEYS, LABEL, Room, TooLargeForPaper, papers_for
+from graphkin.sheet.paper import KEYS, Room, TooLargeForPaper, papers_for
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, strip_height
@@ -104,7 +104,7 @@ class _Frames:
             layout = lay_out(free, strip_height, papers_for(paper))
         windows = {plane: layout.window(plane, self._extents[plane]) for plane in self.planes}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
-        heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].scale, layout.rooms[plane])
+        heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].printed, layout.rooms[plane])
                  for plane in self.planes}  # fmt: skip
         drawn: dict[Plane, list[list[Mark]]] = {}
         for plane, shown in self._shown.items():

@@ -14,18 +14,21 @@ from functools import cached_property
 from math import ceil
 from typing import Literal, Protocol, SupportsFloat
 
+import numpy as np
+
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
-from graphkin.sheet.labels import Settled, settle
-from graphkin.sheet.lettering import plain, width
-from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.label_requests import tangled
+from graphkin.sheet.labels import Settled, burden, settle
+from graphkin.sheet.lettering import LABEL, plain, width
+from graphkin.sheet.marks import Mark, Place, Stroke, Text, enlarged
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import LABEL, Paper, Room, written
-from graphkin.sheet.text_blocks import EquationBlock
+from graphkin.sheet.paper import Paper, Room, written
 from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 
@@ -35,6 +38,7 @@ HEADINGS: dict[Lang, dict[Plane, str]] = {
 }
 HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm]
 
+_TANGLED = 1.4  # the burden of a short arrow's label among others, where one on a leader is 1
 _EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
@@ -98,10 +102,7 @@ def step_sheets(whole: Sheet, steps: Iterable[int] = ()) -> Iterator[Sheet]:
 
 
 class Last(Protocol):
-    """Marks that are drawn last on a figure; `loose`: equations among them that have no place of their own."""
-
-    @property
-    def loose(self) -> Sequence[EquationBlock]: ...
+    """Marks that are drawn last on a figure."""
 
     def lines(self) -> list[Mark]:
         """Lines that labels should keep off, where that costs nothing."""
@@ -157,6 +158,14 @@ class Panel:
         lines = self.more.lines() if self.more is not None else ()
         return _settled(self.scene.under(lines)) if lines else None
 
+    @cached_property
+    def burdens(self) -> Array:
+        """The burden of each label on the eye; twice that of a leader, where all are crammed."""
+        wanted = self.figure.wanted
+        if self.scene.crammed or not wanted:
+            return np.full(len(wanted), 2.0)
+        return self.near.burdens(len(wanted)) + _TANGLED * tangled(wanted)
+
     def finished(self, settled: Settled) -> tuple[Settled, Annotations]:
         """Its labels, and what is drawn last where they have left room."""
         if self.more is None:
@@ -200,7 +209,7 @@ class Page:
 
     @property
     def scales(self) -> Mapping[Plane, float]:
-        return {plane: window.scale for plane, window in self.windows.items()}
+        return {plane: window.printed for plane, window in self.windows.items()}
 
     def lettered(self, far: bool = True) -> Lettered:
         """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
@@ -231,17 +240,15 @@ class Lettered:
         """The number of labels that stand off from what they name, at the end of a leader."""
         return sum(len(settled.led) for settled in self.labels)
 
+    @property
+    def burden(self) -> float:
+        """The burden of its labels on the eye, where they are near what they name."""
+        return sum(burden(panel.burdens) for panel in self.page.panels)
+
     @cached_property
     def finished(self) -> list[tuple[Settled, Annotations]]:
         """Each panel's labels, and what is drawn last where they have left room."""
         return [panel.finished(settled) for panel, settled in zip(self.page.panels, self.labels, strict=True)]
-
-    @property
-    def left_out(self) -> list[EquationBlock]:
-        """Equations for which no figure has room."""
-        if not any(panel.more is not None and panel.more.loose for panel in self.page.panels):
-            return []
-        return [block for _, added in self.finished for block in added.left_out]
 
     @property
     def trimmed(self) -> Lettered:
@@ -256,36 +263,38 @@ class Lettered:
 
     @property
     def sheet(self) -> Sheet:
-        page = self.page
-        return Sheet(
-            page.paper, tuple(self._layers()), page.scales,
-            {plane: window.origin for plane, window in page.windows.items()}, page.mechanism,
+        page, times = self.page, self.page.paper.times
+        sheet = Sheet(
+            page.paper.enlarged, tuple(self._layers()), page.scales,
+            {plane: times * window.origin for plane, window in page.windows.items()}, page.mechanism,
             tuple(float(value) for value in page.drivers), page.title or page.mechanism.headline(page.lang), page.lang,
         )  # fmt: skip
+        return sheet if times == 1 else sheet.redrawn(lambda mark: enlarged(mark, times))
 
     def _layers(self) -> Iterator[Layer]:
         """The sheet under the figures, each plane's figure, and over all of them the leaders and the letters."""
         page = self.page
         foot: list[Mark] = []
         if page.strip is not None:  # title, results, and the scales that are not over their figures
-            over = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
-            texts, notes = {mark.label for mark in over if isinstance(mark, Text)}, page.strip.notes
+            heads = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
+            texts, notes = {mark.label for mark in heads if isinstance(mark, Text)}, page.strip.notes
             scales = {p: s for p, s in page.scales.items() if written(p, s) not in texts or p in notes}
             foot = strip(page.strip, page.mechanism, page.paper, scales, page.lang)
         yield Layer("sheet", (*foot, *page.base))
         drawn: dict[Plane, list[Mark]] = {}
-        letters: list[tuple[Plane | None, Mark]] = []
+        over: list[tuple[Plane | None, Mark]] = []
         for panel, (settled, added) in zip(page.panels, self.finished, strict=True):
             figure = drawn.setdefault(panel.plane or "position", [])
             figure += [*added.under, *panel.drawn, *panel.after]
             figure += [mark for mark in added.over if not isinstance(mark, Text)]
-            letters += [(panel.plane, mark) for mark in (*settled.marks, *added.over)]
+            over += [(panel.plane, mark) for mark in settled.marks]
+            over += [(panel.plane, mark) for mark in added.over if isinstance(mark, Text)]
         for plane, marks in drawn.items():
             yield Layer(_LAYERS[plane], tuple(marks), plane)
-        leaders = (mark for settled, _ in self.finished for mark in settled.marks if not isinstance(mark, Text))
-        yield Layer("leaders", tuple(leaders))
-        accented = (replace(mark, accent=mark.accent or plane) for plane, mark in letters if isinstance(mark, Text))
-        yield Layer("labels", tuple(accented))
+        each = [(plane, mark) for plane, mark in over if isinstance(mark, Stroke | Text)]
+        accented = [replace(mark, accent=mark.accent or plane) for plane, mark in each]
+        yield Layer("leaders", tuple(mark for mark in accented if isinstance(mark, Stroke)))
+        yield Layer("labels", tuple(mark for mark in accented if isinstance(mark, Text)))
 
 
 def _worth(settled: Settled) -> tuple[int, int, int]:

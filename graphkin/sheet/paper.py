@@ -61,11 +61,16 @@ class Rooms(NamedTuple):
     bottom: Array
 
 
+_A4 = 210.0 * 297.0  # [mm^2]
+_READ = 1.1  # letters of A3 are so much larger: at the size of A4 labels are 1.8 mm high, the least of ISO 3098
+
+
 @frozen
 class Paper:
     """A sheet of paper with a drawing frame `margin` inside its edge, `filing` where it is filed [mm].
 
     A paper without margin has no frame.
+    times  a sheet is composed on a paper so many times smaller, then enlarged
     """
 
     name: str
@@ -73,10 +78,24 @@ class Paper:
     height: float
     margin: float = 10.0
     filing: float = 20.0
+    times: float = 1.0
 
     @property
     def landscape(self) -> bool:
         return self.width > self.height
+
+    @property
+    def reduced(self) -> Paper:
+        """The paper on which its sheets are composed: one larger than A4 may be printed as A4."""
+        times = _READ if self.width * self.height > 1.1 * _A4 else 1.0
+        sides = (side / times for side in (self.width, self.height, self.margin, self.filing))
+        return Paper(self.name, *sides, times)
+
+    @property
+    def enlarged(self) -> Paper:
+        """The paper as it is sold."""
+        sides = (round(self.times * side, 6) for side in (self.width, self.height, self.margin, self.filing))
+        return Paper(self.name, *sides)
 
     @property
     def frame(self) -> Room:
@@ -98,10 +117,9 @@ PAPERS: Mapping[str, Paper] = {
 }
 USUAL = tuple(PAPERS.values())[:4]
 """In the order in which they are tried: the smallest that fits is taken. Letter paper has to be asked for."""
-LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])  # tried, too, where a smaller one holds all but leaves it little room
 
 PenName = Literal[
-    "visible", "outline", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",
+    "visible", "outline", "asked", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",
     "leader",
 ]  # fmt: skip
 
@@ -117,22 +135,17 @@ class Pen:
 PENS: Mapping[PenName, Pen] = {
     "visible": Pen(0.7),  # links, the drawing frame
     "outline": Pen(0.35),  # blocks, hinges, pivots
-    "vector": Pen(0.35),
-    "laid": Pen(0.18),  # arrows that are laid off, where those that the construction finds stand out
+    "asked": Pen(0.5),  # arrows that the problem asks for
+    "vector": Pen(0.35),  # those that the construction finds
+    "laid": Pen(0.18),  # those that are laid off, where others stand out
     "thin": Pen(0.18),  # images, tables
     "hatch": Pen(0.18),
     "dashed": Pen(0.18, (2.0, 1.0)),
     "centre": Pen(0.18, (6.0, 1.0, 0.6, 1.0)),
-    "construction": Pen(0.18),
-    "measured": Pen(0.18, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
-    "leader": Pen(0.18),
+    "construction": Pen(0.13),
+    "measured": Pen(0.13, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
+    "leader": Pen(0.13),  # in half the colour of its plane
 }
-
-TITLE = 4.5  # size of the title's letters [mm]: the em of the font
-LABEL = 3.8  # labels of points, vectors and links, and headings [mm]
-BODY = 3.2  # tables and the title block [mm]
-LEAST = 2.5  # nothing is lettered smaller [mm]
-
 
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}

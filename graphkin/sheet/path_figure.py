@@ -13,9 +13,9 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, number, plain, point_label, points_label
+from graphkin.sheet.lettering import LEAST, Label, number, plain, point_label, points_label
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import LEAST, PenName, Room, finest
+from graphkin.sheet.paper import PenName, Room, finest
 from graphkin.sheet.symbols import arrow
 from graphkin.sheet.window import Entry, Figure, Window
 
@@ -101,7 +101,7 @@ class Paths:
                 value = plain(curve.shown(tick.value))
                 yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LEAST, spare=True)
             if self.arrows:
-                yield from arrow(at, at + window.turned(tick.velocity) / self.scale, "velocity")
+                yield from arrow(at, at + window.turned(tick.velocity) / (self.scale * window.times), "velocity")
 
     @property
     def lines(self) -> list[Label]:

@@ -186,8 +186,15 @@ class PolygonFigure:
             also, sites = tuple(other.name for other in others), tuple(map(named_site, one.sites))
             sizes = [arrow.size for arrow in (one, *others) if arrow.of_equation] if self.solving else []
             thin = bool(sizes) and None not in sizes and not isinstance(sizes[0], Drawn)
-            pen: PenName = "laid" if thin else "vector"
+            named = {name.replace("^", "_") for name in (one.name, *also)}
+            pen: PenName = "asked" if named & self._asked else "laid" if thin else "vector"
             yield replace(vector, sites=sites, also=also, part=one.part, solved=None in sizes, pen=pen)
+
+    @cached_property
+    def _asked(self) -> set[str]:
+        """The arrows that the problem asks for, as `v_C`, `a_k_B3B2`; none where arrows are not told apart."""
+        asked = {text.replace(" ", "_") for text in self.mechanism.ask} if self.solving else set()
+        return asked | {name.replace("v_r_", "v_") for name in asked}
 
     @cached_property
     def _shared(self) -> dict[tuple[str, str], list[Arrow]]:

@@ -18,9 +18,10 @@ from graphkin.say.catalogue import say
 from graphkin.say.dimensions import dimensions
 from graphkin.say.reading import Reading
 from graphkin.sheet import lettering
-from graphkin.sheet.lettering import Label, Run, bold, formula, number, plain, point_label, quantity_label
+from graphkin.sheet.lettering import LABEL, Label, Run, bold, formula, number, plain, point_label, quantity_label
 from graphkin.sheet.text_blocks import WrittenLines
-from graphkin.sheet.titleblock import SIZE, Table
+from graphkin.sheet.titleblock import Table
+from graphkin.sheet.window import PLANES
 
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 _WIDE = 62.0  # lines of what is given are no longer [mm]
@@ -29,11 +30,11 @@ _WIDE = 62.0  # lines of what is given are no longer [mm]
 # --- results, as far as there is room ---------------------------------------------------------------------------------
 
 
-def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
-    """Links, points, coincident points, slides; empty ones left out."""
+def tables(method: Method, plot: Plot, lang: Lang) -> dict[Plane, list[Table]]:
+    """Links, points, coincident points, slides, as each plane gives of them; empty ones left out."""
     results = _TablesInMaking(method, plot, lang, method.mechanism.usual)
     every = (results.links(), results.points(), results.coincident_points(), results.slides())
-    return [table for table in every if table.rows]
+    return {plane: own for plane in PLANES if (own := [part for table in every if (part := table.of(plane))])}
 
 
 @frozen
@@ -143,10 +144,10 @@ def _unit(label: Label, unit: str) -> Label:
 
 def given_tables(reading: Reading) -> list[Table]:
     """Dimensions and driven rates; what is asked for. Empty ones left out."""
-    given = WrittenLines.of([formula(text) for text in dimensions(reading)], _WIDE, SIZE).lines
+    given = WrittenLines.of([formula(text) for text in dimensions(reading)], _WIDE, LABEL).lines
     quantities = ((text, read(reading.mechanism, text)) for text in reading.mechanism.ask)
     asked_for = [plain(text) if quantity is None else label_of(quantity) for text, quantity in quantities]
-    questions = WrittenLines.of(asked_for, _WIDE, SIZE).lines
+    questions = WrittenLines.of(asked_for, _WIDE, LABEL).lines
     every = ((say("sheet.given", reading.lang), given), (say("sheet.find", reading.lang), questions))
     return [Table((plain(head),), tuple((line,) for line in lines)) for head, lines in every if lines]
 

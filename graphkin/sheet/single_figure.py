@@ -15,11 +15,11 @@ from graphkin.planning import Method
 from graphkin.say.numbers import circled
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import HEAD, Layout, alone, divided
-from graphkin.sheet.lettering import formula, plain, width
+from graphkin.sheet.lettering import LABEL, formula, plain, width
 from graphkin.sheet.marks import Mark, Stroke, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
-from graphkin.sheet.paper import BODY, Paper, Room
+from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, Table, strip_height, two_lines
 from graphkin.sheet.window import Extent, Figure, Window
@@ -53,7 +53,7 @@ class SingleFigure:
         after: Sequence[Mark] = (),
     ) -> Sheet:  # fmt: skip
         """The sheet; words: the heading, further: scales to be told beside the figure's own, after: over all else."""
-        head = heading(words, "position", self.window.scale, self.layout.rooms["position"])
+        head = heading(words, "position", self.window.printed, self.layout.rooms["position"])
         panel = Panel(figure, self.window, self.room, before=head, after=tuple(after))
         foot = Strip(self.layout.strip, self.found, further=further or {}, told=self.told)
         return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, foot).sheet()
@@ -80,7 +80,7 @@ def place_for(
 def stage_number(line: Stroke, count: int) -> LabelRequest:
     """The number of a sentence at what it says is drawn."""
     start, end = line.places[len(line.places) // 2 - 1 :][:2]
-    return LabelRequest(plain(circled(count)), start, end, gap=0.5, size=BODY, step=line.step)
+    return LabelRequest(plain(circled(count)), start, end, gap=0.5, size=LABEL, step=line.step)
 
 
 @frozen
@@ -94,15 +94,15 @@ class Caption:
     texts: tuple[str, ...]
     height: float
     first: float = 5.0
-    pitch: float = 1.35 * BODY
+    pitch: float = 1.35 * LABEL
     sides: float = 3.0
 
     def drawn(self, cell: Room) -> Iterator[Text]:
         pen = cell.bottom - self.height + self.first
         for text in self.texts:
-            for line in two_lines(text, BODY, cell.size.real - 2 * self.sides):
+            for line in two_lines(text, LABEL, cell.size.real - 2 * self.sides):
                 label = formula(line)
-                yield Text(label, complex((cell.left + cell.right - width(label, BODY)) / 2, pen), BODY)
+                yield Text(label, complex((cell.left + cell.right - width(label, LABEL)) / 2, pen), LABEL)
                 pen += self.pitch
 
 
@@ -169,7 +169,7 @@ class SheetGrid:
         cls, paper: Paper, tables: Sequence[Table] = (), told: Sequence[str] = (), least: float = 0.0
     ) -> SheetGrid:
         """Over a strip as high as its tables and sentences need; least: at least so high [mm]."""
-        field, foot = divided(paper, max(least, strip_height(paper, tables, told=told)))
+        field, foot = divided(paper, strip_height(paper, tables, told=told, least=least))
         return cls(paper, field, Strip(foot, tables, told=told))
 
     def page(

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
 from graphkin.base.value import frozen
+from graphkin.construction import Plane
+from graphkin.planning.method import Act
 from graphkin.say.entry import Entry, Sentence, VectorEquation
-from graphkin.sheet.lettering import Label, formula, joined, plain, width
-from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.paper import BODY, LEAST
+from graphkin.sheet.lettering import LABEL, LEAST, Label, box, formula, joined, plain, width
+from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 
 _PITCH = 1.45  # from base line to base line, as a part of the letters' size
 
@@ -95,98 +98,147 @@ class Paragraphs:
             yield Text(formula(line), corner + into + 1j * self.letters * (LINE * k + 1.1), self.letters)
 
 
-_SIZES = (BODY, LEAST, LEAST)
-_LINES = (3.2, 7.3, 11.2)  # base lines of the terms and of the two rows under them [mm]
-_HIGH, _GAP, _BETWEEN = 13.0, 2.2, 8.0
+RING = 0.76 * LEAST  # radius of the circle about the number of a step [mm]
+
+
+def ringed(numbers: str, middle: Place, step: int | None) -> Iterator[Mark]:
+    """The number of a step in a circle, or `3\u20135` in a longer ring."""
+    label = plain(numbers)
+    wide, up, down = box(label, LEAST)
+    if (half := ring_width(numbers) / 2 - RING) > 0:
+        turns = [cmath.rect(RING, math.pi * (k / 8 - 0.5)) for k in range(9)]
+        rim = [*(middle + half + turn for turn in turns), *(middle - half - turn for turn in turns)]
+        yield Stroke(tuple(rim), "construction", closed=True, step=step)
+    else:
+        yield Disc(middle, RING, "construction", step=step)
+    yield Text(label, middle + complex(-wide / 2, (up - down) / 2), LEAST, step)
+
+
+def ring_width(numbers: str) -> float:
+    """The width of that ring [mm]."""
+    return max(2 * RING, width(plain(numbers), LEAST) + 0.6 * RING if "\u2013" in numbers else 0.0)
+
+
+_LINES = tuple(k * LABEL for k in (1, 2.4, 3.7))  # base lines of terms and of the rows under them [mm]
+_HIGH, _GAP, _BETWEEN = 4.4 * LABEL, 2.2, 8.0
+AIR = 3.0  # about a ladder: what stood nearer would read as one more row [mm]
 
 
 @frozen
 class EquationBlock:
-    """One equation with its rows; `page`: the first act that draws it."""
+    """One equation with its rows; `numbers`: of its steps, in front; `page`: the first act that draws it."""
 
     columns: tuple[tuple[Label, Label, Label], ...]
     page: int | None = None
+    numbers: str = ""
 
     @cached_property
     def widths(self) -> list[float]:
-        return [max(width(label, size) for label, size in zip(column, _SIZES, strict=True)) for column in self.columns]
+        wide = [max(width(label, LABEL) for label in column) for column in self.columns]
+        return [max(wide[0], ring_width(self.numbers)), *wide[1:]]
+
+    @property
+    def wide(self) -> float:
+        """[mm]"""
+        return sum(self.widths) + _GAP * (len(self.columns) - 1)
+
+    def marks(self, corner: Place) -> Iterator[Mark]:
+        """From its upper left corner; each column centred, numbers and the words before the rows flush right."""
+        pen = corner
+        if self.numbers:
+            off = complex(self.widths[0] - ring_width(self.numbers) / 2, 0.7 * LABEL)
+            yield from ringed(self.numbers, corner + off, self.page)
+        for k, (column, wide) in enumerate(zip(self.columns, self.widths, strict=True)):
+            for label, line in zip(column, _LINES, strict=True):
+                if label:
+                    spare = wide - width(label, LABEL)
+                    yield Text(label, pen + (spare / 2 if k else spare) + 1j * line, LABEL, self.page)
+            pen += wide + _GAP
+
+    def within(self, room: float) -> Iterator[EquationBlock]:
+        """In two before its last equals sign where it is wider than that [mm]."""
+        head, *columns = self.columns
+        cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
+        if self.wide <= room or not cut:
+            yield self
+        else:
+            yield replace(self, columns=(head, *columns[:cut]))
+            yield replace(self, columns=(head, *columns[cut:]), numbers="")
+
+
+@frozen
+class Ladder:
+    """The equations of a polygon one under the other, in the order of solving: they stand together or not at all."""
+
+    blocks: tuple[EquationBlock, ...]
+    plane: Plane
 
     @property
     def size(self) -> complex:
         """Width and height [mm]."""
-        return complex(sum(self.widths) + _GAP * (len(self.columns) - 1), _HIGH)
+        first = max(block.widths[0] for block in self.blocks)
+        wide = max(first - block.widths[0] + block.wide for block in self.blocks)
+        return complex(wide, _HIGH * len(self.blocks))
 
     def marks(self, corner: Place) -> Iterator[Mark]:
-        """From its upper left corner; each column centred, the words before the rows flush right."""
-        pen = corner
-        for k, (column, wide) in enumerate(zip(self.columns, self.widths, strict=True)):
-            for label, size, line in zip(column, _SIZES, _LINES, strict=True):
-                if label:
-                    spare = wide - width(label, size)
-                    yield Text(label, pen + (spare / 2 if k else spare) + 1j * line, size, self.page)
-            pen += wide + _GAP
+        """From its upper left corner."""
+        first = max(block.widths[0] for block in self.blocks)
+        for k, block in enumerate(self.blocks):
+            yield from block.marks(corner + complex(first - block.widths[0], _HIGH * k))
+
+    def within(self, room: float) -> Ladder:
+        """In a width [mm], as far as breaking its equations helps."""
+        return replace(self, blocks=tuple(part for block in self.blocks for part in block.within(room)))
 
 
-def equation_blocks(entries: Iterable[Entry], rows: tuple[str, str]) -> list[EquationBlock]:
-    """Every equation that the words print, with the number of the act that they tell next.
+def ladder(entries: Iterable[Entry], rows: tuple[str, str], acts: Sequence[Act]) -> Ladder | None:
+    """Every equation that the words print, each with the steps from what they tell next on; the first with those
+    before it, too. None where they print none.
 
-    rows  what stands before the rows
+    rows  what stands before the rows; acts: of the plane
     """
-    blocks: list[EquationBlock] = []
+    equations: list[tuple[VectorEquation, Act | None]] = []
     for entry in entries:
         if isinstance(entry, VectorEquation):
-            blocks.append(EquationBlock((((), plain(rows[0]), plain(rows[1])), *_columns(entry))))
-        elif isinstance(entry, Sentence) and entry.act is not None and blocks and blocks[-1].page is None:
-            blocks[-1] = replace(blocks[-1], page=entry.act.page)
-    return blocks
+            equations.append((entry, None))
+        elif isinstance(entry, Sentence) and entry.act is not None:  # of several that are solved together, of all
+            equations = [(equation, first or entry.act) for equation, first in equations]
+    nexts = dict.fromkeys(act.number for _, act in equations if act is not None)
+    starts = [act.number for act in acts[:1]] + [*nexts][1:]
+    ends = dict(zip(starts, [start - 1 for start in starts[1:]] + [act.number for act in acts[-1:]]))
+    blocks: list[EquationBlock] = []
+    for equation, act in equations:
+        first = max((start for start in starts if act is not None and start <= act.number), default=None)
+        numbers = "" if first is None else "\u2013".join(map(str, dict.fromkeys((first, ends[first]))))
+        columns = (((), plain(rows[0]), plain(rows[1])), *_columns(equation))
+        blocks.append(EquationBlock(columns, None if act is None else act.page, numbers))
+    return Ladder(tuple(blocks), acts[0].plane) if blocks else None
 
 
 def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:
-    if equation.front:
-        yield formula(equation.front), (), ()
-    for k, side in enumerate(equation.sides):
-        if k or equation.front:
-            yield plain("="), (), ()
-        for n, arrow in enumerate(side):
-            if n:
-                yield plain("+"), (), ()
-            yield formula(arrow.name), formula(arrow.direction), formula(arrow.size)
+    for name, direction, size in equation.columns:
+        yield formula(name), formula(direction), formula(size)
 
 
-def head_of(blocks: Sequence[EquationBlock]) -> tuple[complex, complex]:
-    """The size of all of them side by side, and one under the other [mm]."""
-    sizes = [block.size for block in blocks]
-    beside = complex(sum(size.real for size in sizes) + _BETWEEN * (len(sizes) - 1), max(s.imag for s in sizes))
-    return beside, complex(max(size.real for size in sizes), sum(size.imag for size in sizes))
-
-
-def laid_out(blocks: Sequence[EquationBlock], corner: Place, room: float) -> list[Mark]:
-    """Side by side where they fit a width [mm], else one under the other."""
-    beside = head_of(blocks)[0].real <= room
-    marks: list[Mark] = []
-    for block in blocks:
-        marks += block.marks(corner)
-        corner += block.size.real + _BETWEEN if beside else 1j * block.size.imag
-    return marks
-
-
-def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBlock]]:
-    """Line by line as many as a width holds [mm]; one that is wider is broken before its last equals sign.
-
-    What is still wider than that is left out.
-    """
-    lines: list[list[EquationBlock]] = []
-    pieces: list[EquationBlock] = []
-    for whole in blocks:
-        head, *columns = whole.columns
-        cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
-        broken_up = (columns[:cut], columns[cut:]) if whole.size.real > room and cut else (columns,)
-        pieces += [replace(whole, columns=(head, *part)) for part in broken_up]
-    for block in pieces:
-        if block.size.real > room:
-            continue
-        if lines and head_of([*lines[-1], block])[0].real <= room:
-            lines[-1].append(block)
+def flowed(ladders: Sequence[Ladder], room: float) -> list[list[Ladder]]:
+    """Side by side as many as a width holds [mm], the others under them."""
+    lines: list[list[Ladder]] = []
+    for each in (each.within(room) for each in ladders):
+        if lines and line_size([*lines[-1], each]).real <= room:
+            lines[-1].append(each)
         else:
-            lines.append([block])
+            lines.append([each])
     return lines
+
+
+def line_size(ladders: Sequence[Ladder]) -> complex:
+    """Width and height of ladders side by side [mm]."""
+    sizes = [each.size for each in ladders]
+    return complex(sum(size.real + _BETWEEN for size in sizes) - _BETWEEN, max(size.imag for size in sizes))
+
+
+def laid_out(ladders: Sequence[Ladder], corner: Place) -> Iterator[Mark]:
+    """Side by side from their upper left corner, in the colours of their planes."""
+    for each in ladders:
+        yield from (replace(m, accent=each.plane) if isinstance(m, Text) else m for m in each.marks(corner))
+        corner += each.size.real + _BETWEEN

@@ -1,9 +1,9 @@
-"""The strip at the foot of the sheet: tables on the left, title, source and scales on the right, a check bar."""
+"""Tables; and the foot of a sheet: title, source, scales, a line of 100 mm, and what has no room elsewhere over it."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property, lru_cache
 from itertools import accumulate
@@ -12,13 +12,12 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
-from graphkin.sheet.lettering import Label, Run, plain, width
+from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, joined, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room, written
-from graphkin.sheet.text_blocks import EquationBlock, Paragraphs, flowed, head_of, laid_out
+from graphkin.sheet.paper import Paper, Room, written
+from graphkin.sheet.text_blocks import Ladder, Paragraphs, flowed, laid_out, line_size
 
-PITCH = 4.2  # from base line to base line [mm]
-SIZE = 3.0  # letters of the table [mm]
+PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _MOST_ROWS = 12
 Cell = tuple[float | None, float]
@@ -57,6 +56,14 @@ class Table:
         own = _whole(cell)
         return _point(self._cells[column][1]) - own if own is not None else 0.0
 
+    def of(self, plane: Plane) -> Table | None:
+        """Its first column and those of one plane's values; None where there are none."""
+        own = [k for k, label in enumerate(self.head) if k and (label or self.head[k - 1])]
+        planes = {k: _PLANES.get((self.head[k] or self.head[k - 1])[0].text, "position") for k in own}
+        shown = [0, *(k for k in own if planes[k] == plane)]
+        rows = tuple(tuple(row[k] for k in shown) for row in self.rows if any(row[k] for k in shown[1:]))
+        return Table(tuple(self.head[k] for k in shown), rows) if rows else None
+
     def cut(self, count: int) -> list[Table]:
         """In parts of so many rows."""
         return [Table(self.head, self.rows[k : k + count]) for k in range(0, len(self.rows), count)]
@@ -84,8 +91,8 @@ class Table:
     @cached_property
     def _cells(self) -> list[tuple[float, list[Cell]]]:
         """Of each column: the width of its heading, and its cells."""
-        cells = [[(_whole(cell), width(cell, SIZE)) for cell in row] for row in self.rows]
-        return [(width(head, SIZE), [row[k] for row in cells]) for k, head in enumerate(self.head)]
+        cells = [[(_whole(cell), width(cell, LABEL)) for cell in row] for row in self.rows]
+        return [(width(head, LABEL), [row[k] for row in cells]) for k, head in enumerate(self.head)]
 
 
 def _point(cells: list[Cell]) -> float:
@@ -98,7 +105,7 @@ def _whole(cell: Label) -> float | None:
     """Width of a number up to its point; of the whole number where it has none; None where it is no number [mm]."""
     first = cell[0] if cell else Run("")
     whole = re.match(r"−?\d+", first.text)
-    return width((first._replace(text=whole[0]),), SIZE) if whole is not None and not first.italic else None
+    return width((first._replace(text=whole[0]),), LABEL) if whole is not None and not first.italic else None
 
 
 # --- on paper ---------------------------------------------------------------------------------
@@ -151,7 +158,7 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
                 for column, (cell, wide, gap) in enumerate(zip(row, part.widths, part.gaps, strict=True)):
                     if cell:
                         accent = _PLANES.get(part.head[column][0].text) if k and part.head[column] else None
-                        marks.append(Text(cell, at + (part.before(cell, column) if k else 0), SIZE, accent=accent))
+                        marks.append(Text(cell, at + (part.before(cell, column) if k else 0), LABEL, accent=accent))
                     at += wide + gap
             under = pen + 1j * (PITCH * 1.05)
             marks.append(Stroke((under, under + part.wide), "thin"))
@@ -160,77 +167,98 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
     return marks
 
 
-_WIDE = 64.0  # width of the title block [mm]
-_LEAST_HEIGHT = 33.0
+@frozen
+class TableBlock:
+    """Tables in tiers, as one block."""
+
+    tiers: list[list[Table]]
+
+    @classmethod
+    def shapes(cls, tables: Sequence[Table]) -> list[TableBlock]:
+        """All of them in one tier or two, each in a tier of its own, and cut to some widths."""
+        own = [*tables]
+        tiers = [[own], *([own[:k], own[k:]] for k in range(1, len(own))), [[table] for table in own]]
+        blocks = [cls(each) for each in (*tiers, *(arranged(own, wide) for wide in _WIDTHS))]
+        return [block for block in blocks if block.rows == blocks[0].rows]
+
+    @property
+    def rows(self) -> int:
+        return sum(len(table.rows) for tier in self.tiers for table in tier)
+
+    @property
+    def size(self) -> complex:
+        """[mm]"""
+        wide = max(_across([table.wide for table in tier]) for tier in self.tiers)
+        return complex(wide, height_of(self.tiers))
+
+    def marks(self, corner: Place) -> list[Mark]:
+        return drawn_tables(self.tiers, corner)
+
+
+_WIDTHS = (110.0, 75.0, 50.0, 32.0)  # of blocks of tables [mm]
+FOOT = 14.0  # height of the footer [mm]
 _SHARE = 0.3  # so much of a paper's height equations may take at most
-_BAR = 9.0  # room for the check bar under the tables [mm]
-_SENTENCE = 2.8  # letters of sentences [mm]
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
+_RULER, _NAME = 100.0, "graphkin"
 
 
 def strip_height(
-    paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = (), told: Sequence[str] = ()
-) -> float:
-    """The height that the strip needs on a paper [mm]."""
-    lines = sum(head_of(line)[0].imag for line in _lines(equations, paper))
-    words = Paragraphs.of(told, tables_room(paper), _SENTENCE).height
-    return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + words + lines + 1 + _BAR)
+    paper: Paper, found: Sequence[Table] = (), equations: Sequence[Ladder] = (), told: Sequence[str] = (),
+    least: float = 0.0,
+) -> float:  # fmt: skip
+    """The height that the footer needs on a paper with what stands over it; least: room for that [mm]."""
+    lines = sum(line_size(line).imag for line in _lines(equations, paper))
+    words = Paragraphs.of(told, tables_room(paper), LABEL).height
+    above = max(least, height_of(arranged([*found], tables_room(paper))) + words + lines)
+    return FOOT + (above + 2.5 if above else 0.0)
 
 
-def _lines(equations: Sequence[EquationBlock], paper: Paper) -> list[list[EquationBlock]]:
+def _lines(equations: Sequence[Ladder], paper: Paper) -> list[list[Ladder]]:
     """Line by line the equations for which there is room; the others are in the written solution alone."""
     lines = flowed(equations, tables_room(paper))
-    reach = accumulate(head_of(line)[0].imag for line in lines)
+    reach = accumulate(line_size(line).imag for line in lines)
     return [line for line, end in zip(lines, reach, strict=True) if end <= _SHARE * paper.height]
 
 
 def tables_room(paper: Paper) -> float:
-    """Width that the strip leaves beside the title [mm]."""
-    return paper.frame.size.real - _WIDE - 6
+    """The width of what stands over the footer [mm]."""
+    return paper.frame.size.real - 6
 
 
 @frozen
 class Strip:
     """The contents of the foot of a sheet beside title, source and scales.
 
-    found  tables of results; notes: words beside a plane's scale; further: scales that no figure tells
+    found  tables; notes: words beside a plane's scale; further: scales that no figure tells
     told   sentences under the tables
-    equations  those that have no room over their polygons
+    equations  those that have no room with their polygons
     """
 
     room: Room
     found: Sequence[Table] = ()
     notes: Mapping[Plane, Label] = field(default_factory=dict)
     further: Mapping[Plane, float] = field(default_factory=dict)
-    equations: Sequence[EquationBlock] = ()
+    equations: Sequence[Ladder] = ()
     told: Sequence[str] = ()
 
 
 def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane, float], lang: Lang) -> list[Mark]:
-    """The whole strip and the drawing frame."""
-    room, edge = asked.room, asked.room.right - _WIDE
-    marks: list[Mark] = [
-        frame(paper),
-        Stroke((complex(room.left, room.top), complex(room.right, room.top)), "outline"),
-        Stroke((complex(edge, room.top), complex(edge, room.bottom)), "outline"),
-    ]
+    """The drawing frame, the footer, and what stands over that."""
+    room = asked.room
+    marks: list[Mark] = [frame(paper)]
+    for top in dict.fromkeys((room.top, room.bottom - FOOT)):
+        marks.append(Stroke((complex(room.left, top), complex(room.right, top)), "outline"))
     tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
     marks += drawn_tables(tiers, corner)
     corner += 1j * height_of(tiers)
-    words = Paragraphs.of(asked.told, tables_room(paper), _SENTENCE)
+    words = Paragraphs.of(asked.told, tables_room(paper), LABEL)
     marks += words.marks(corner)
     corner += 1j * words.height
     for line in _lines(asked.equations, paper):
-        marks += laid_out(line, corner, tables_room(paper))
-        corner += 1j * head_of(line)[0].imag
-    at = complex(room.left + 3, room.bottom - 3.2)  # a line of 100 mm to lay a ruler on
-    marks.append(Stroke((at, at + 100), "thin", shows=Shows("", "ruler", plane="position")))
-    marks += [Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, 100)]
-    marks += [Stroke((at + x - 0.5j, at + x), "hatch") for x in range(10, 100, 10)]
-    marks.append(Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST))
-    block = Room(edge + 3, room.top, room.right - 3, room.bottom - 3)
-    marks += _words(machine, block, {**scales, **asked.further}, asked.notes, lang)
-    return marks
+        marks += laid_out(line, corner)
+        corner += 1j * line_size(line).imag
+    foot = Room(room.left + 3, room.bottom - FOOT, room.right - 3, room.bottom)
+    return [*marks, *_footer(machine, foot, {**scales, **asked.further}, asked.notes, lang, _RULER / paper.times)]
 
 
 def frame(paper: Paper) -> Mark:
@@ -240,26 +268,31 @@ def frame(paper: Paper) -> Mark:
     return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "visible", closed=True)
 
 
-def _words(
-    machine: Mechanism, room: Room, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
-) -> list[Mark]:
-    """Title, source, scales, and the program's name; each line shrunk or broken to the block."""
-    marks: list[Mark] = []
-    pen, title = complex(room.left, room.top) + 1.2j, machine.headline(lang)
-    large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
-    for text, size in ((title, large), (machine.credit(lang), LEAST + 0.2)):
-        for line in two_lines(text, size, _WIDE - 6):
-            pen += 1j * (size * 1.25)
-            marks.append(Text(plain(line), pen, size))
-    pen += 1.2j
-    for plane, scale in scales.items():
-        pen += 1j * (BODY * 1.45)
-        marks.append(Text(written(plane, scale), pen, BODY))
-        if plane in notes:
-            marks.append(Text(notes[plane], pen + width(written(plane, scale), BODY) + 2.5, LEAST))
-    name = plain("graphkin")
-    marks.append(Text(name, complex(room.right - width(name, LEAST), room.bottom), LEAST))
-    return marks
+def _footer(
+    machine: Mechanism, room: Room, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang,
+    ruler: float,
+) -> Iterator[Mark]:  # fmt: skip
+    """Title and scales; under them source, a line of 100 mm to lay a ruler on, and the program's name."""
+    told = [(*written(plane, scale), *((Run("  "), *notes[plane]) if plane in notes else ()))
+            for plane, scale in scales.items()]  # fmt: skip
+    said = joined(told, "   ")
+    free = room.size.real - (width(said, LABEL) + 4 if said else 0.0)
+    title = machine.headline(lang)
+    size = TITLE if width(plain(title), TITLE) <= free else LABEL
+    pen, line = complex(room.left, room.top + 6.2), two_lines(title, size, free)[:1]
+    yield from (Text(plain(text), pen, size) for text in line)
+    if said:
+        yield Text(said, complex(room.right - width(said, LABEL), pen.imag), LABEL)
+    name, low = plain(_NAME), room.top + 11.6
+    yield Text(name, complex(room.right - width(name, LEAST), low), LEAST)
+    at = complex(room.right - width(name, LEAST) - 5 - ruler, low)
+    yield Stroke((at, at + ruler), "thin", shows=Shows("", "ruler", plane="position"))
+    yield from (Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, ruler))
+    yield from (Stroke((at + x - 0.5j, at + x), "hatch") for x in (ruler * k / 10 for k in range(1, 10)))
+    yield Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST)
+    source = two_lines(machine.credit(lang), LEAST, at.real - room.left - 4)
+    for k, text in enumerate(source):
+        yield Text(plain(text), complex(room.left, low + 1.45 * LEAST * (k - (len(source) - 1) / 2)), LEAST)
 
 
 def two_lines(text: str, size: float, room: float) -> list[str]:

@@ -23,13 +23,22 @@ PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 @frozen
 class Window:
-    """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns."""
+    """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns.
+
+    times  the finished drawing is enlarged so many times
+    """
 
     origin: Place
     scale: float
+    times: float = 1.0
 
     def __call__(self, value: complex) -> Place:
         return self.origin + complex(value).conjugate() / self.scale
+
+    @property
+    def printed(self) -> float:
+        """The scale of the finished drawing."""
+        return self.scale / self.times
 
     @staticmethod
     def turned(direction: complex) -> complex:
@@ -72,18 +81,7 @@ def constructions(method: Method) -> dict[Plane, Construction]:
 _TRIAL = 100.0  # size of a figure when it is drawn to see how far its signs reach [mm]
 _LETTERS = 6.5  # room for labels around a figure [mm]
 _LEAST = 5.0  # points in less room than this are no figure [mm]
-_TOO_HIGH = 1e6  # higher than any room [mm]
 _CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
-
-Over = tuple[complex, complex]
-"""Width and height of what stands over a figure: side by side, and one under the other [mm]."""
-
-
-def height_over(over: Over, wide: Array) -> Array:
-    """Its height in rooms of this width [mm]; more than any has in those too narrow for it."""
-    beside, stacked = over
-    return np.where(wide >= beside.real, beside.imag, np.where(wide >= stacked.real, stacked.imag, _TOO_HIGH))
-
 
 @frozen
 class Extent:
@@ -92,7 +90,8 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
-    labels  their number; lettering: the room that they take [mm^2]; over: the size of what stands over it
+    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations
+    tables  the sizes in which its tables may stand under it [mm]
     """
 
     low: complex
@@ -104,7 +103,8 @@ class Extent:
     given: float | None = None
     labels: int = 10
     lettering: float = 0.0
-    over: Over | None = None
+    ladder: complex | None = None
+    tables: tuple[complex, ...] = ()
 
     @classmethod
     def of(
@@ -138,6 +138,10 @@ class Extent:
     @property
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
+
+    def reduced(self, times: float) -> Extent:
+        """On a paper so many times smaller: its places are drawn smaller, its signs are not."""
+        return replace(self, low=self.low / times, high=self.high / times)
 
     def scale(self, room: Room) -> float:
         """The given scale where it fits one room at that, else the finest at which it does."""
@@ -179,7 +183,7 @@ def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tu
 
 def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:
     """The window through which what lies at one place of the paper is seen at another, so many times as large."""
-    return Window(shown + (window.origin - part) * times, window.scale / times)
+    return Window(shown + (window.origin - part) * times, window.scale / times, window.times)
 
 
 def corners(places: Sequence[complex]) -> tuple[complex, complex]:
