@@ -88,14 +88,16 @@ class Paper:
     def reduced(self) -> Paper:
         """The paper on which its sheets are composed: one larger than A4 may be printed as A4."""
         times = _READ if self.width * self.height > 1.1 * _A4 else 1.0
-        sides = (side / times for side in (self.width, self.height, self.margin, self.filing))
-        return Paper(self.name, *sides, times)
+        return self._sized(1 / times, times)
 
     @property
     def enlarged(self) -> Paper:
         """The paper as it is sold."""
-        sides = (round(self.times * side, 6) for side in (self.width, self.height, self.margin, self.filing))
-        return Paper(self.name, *sides)
+        return self._sized(self.times, 1.0)
+
+    def _sized(self, by: float, times: float) -> Paper:
+        width, height, margin, filing = (round(by * s, 9) for s in (self.width, self.height, self.margin, self.filing))
+        return Paper(self.name, width, height, margin, filing, times)
 
     @property
     def frame(self) -> Room:

@@ -17,7 +17,6 @@ from graphkin.files import library, loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_sheets
-from graphkin.sheet.arrows import ASIDE
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.labels import settle
@@ -94,7 +93,7 @@ def test_every_moving_point_has_its_absolute_arrow(name: str) -> None:
     marks = drawn(name).marks
     poles = {m.plane: m.at for m in marks if isinstance(m, PointMark) and m.of == "pole"}
     vectors = [m for m in marks if isinstance(m, VectorMark)]
-    arrows = {(m.plane, m.head) for m in vectors if abs(m.start - poles[m.plane]) < 3 * ASIDE}
+    arrows = {(m.plane, m.head) for m in vectors if abs(m.start - poles[m.plane]) < 1e-6}
     also = {name for mark in vectors for name in mark.also}
     for construction in (method.velocity, method.acceleration):
         fixed = {name for step in construction.steps if isinstance(step, Given) for name in (step.point, *step.also)}
