@@ -124,6 +124,7 @@ def _shift(claimed: Sequence[Letters], now: Sequence[complex]) -> complex:
 
 
 _NEAR = 0.05  # a sign is where it was drawn if its ends are no farther off [mm]
+_GAP = 2.0  # no line of ink is as thick [mm]
 _SHARP = np.cos(np.radians(75))  # a head of an arrow opens less wide
 
 Ends = tuple[complex, complex]
@@ -158,6 +159,7 @@ def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[comple
     for k, n in pairs:
         style = seen[n].style
         line = style.ink("stroke") > FAINT and seen[n].width > HAIR and not dashed_away(style, False)
+        line |= seen[n].width > _GAP  # white under a link that crosses another
         if abs(then[k, 1] - now[n, 1]) <= _NEAR and (line or style.ink("fill") > FAINT):
             alike.append((k, n))
     kept, known = {old for old, _ in alike}, {new for _, new in alike}

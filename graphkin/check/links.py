@@ -99,7 +99,7 @@ def _sense(mark: ShownMark, form: str, exact: Widened, points: list[complex]) ->
         return foot, tip - long * way * float(np.sign(rate))
     turning = exact.turning if form == "omega" else exact.swing
     rate = number(turning(link)) - (number(turning(line)) if line else 0.0)
-    arm = tip - points[0]
+    arm = tip - sum(points) / len(points)
     chord = arm - arm * cmath.rect(1, -float(np.sign(rate)) * long / abs(arm))
     return foot, tip - long * chord / abs(chord)
 

@@ -85,7 +85,7 @@ def _kind(mark: Mark) -> tuple[object, ...]:
         case ArcMark():
             return "arc", mark.pen, abs(mark.sweep) > 3.14, mark.sweep > 0, mark.accent
         case Text():
-            return "text", mark.label, mark.size, mark.accent
+            return "text", mark.label, mark.size, mark.accent, mark.turn
         case VectorMark():
             return "vector", mark.plane, mark.name, mark.tail, mark.head
         case PointMark():

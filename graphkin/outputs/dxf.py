@@ -59,6 +59,8 @@ class _DxfPage:
 
     def add(self, mark: Mark) -> None:
         match mark:
+            case Stroke(pen="gap"):
+                pass  # nothing is white in such a file
             case Stroke():
                 corners = [self._xy(place) for place in mark.places]
                 if mark.fill == "ink" and len(corners) > 2:
@@ -89,8 +91,11 @@ class _DxfPage:
                 self.space.add_circle(self._xy(mark.at), mark.radius, dxfattribs=self._look("outline", mark.plane))
             case Text():
                 (x, y), (_, _, depth) = self._xy(mark.at), box(mark.label, mark.size)
+                foot = complex(x, y) - 1j * depth * cmath.rect(1, -mark.turn)
                 look = {"layer": "labels", "style": "letters", "char_height": mark.size * _CAP, "attachment_point": 7}
-                self.space.add_mtext(stacked(mark.label), dxfattribs=look | {"insert": (x, y - depth)})
+                look |= {"insert": (foot.real, foot.imag)}
+                look |= {"rotation": -math.degrees(mark.turn)} if mark.turn else {}
+                self.space.add_mtext(stacked(mark.label), dxfattribs=look)
             case _:
                 assert_never(mark)
 

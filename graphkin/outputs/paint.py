@@ -13,8 +13,9 @@ from graphkin.sheet.marks import ArcMark, Fill, Mark, PointMark, Stroke, Text, V
 from graphkin.sheet.page import Layer
 from graphkin.sheet.paper import PENS
 
+_PAPER = "#ffffff"
 _INK, _NEW, _PALE = "#000000", "#c00000", "#777777"
-ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d"}
+ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d", "grey": _PALE}
 """Dark in print without colours; widths, not colours, tell what is what."""
 Ink = Literal["accent", "black"]
 
@@ -33,6 +34,8 @@ class Colours:
     def of_mark(self, mark: Mark, layer: Layer) -> str:
         if isinstance(mark, Stroke) and mark.pen == "leader":
             return _half(self.of_mark(replace(mark, pen="thin"), layer))
+        if isinstance(mark, Stroke) and mark.pen == "gap":
+            return _PAPER
         if self.ink == "black" or (self.staged and not mark.new):
             return _INK
         plane: str | None = getattr(mark, "accent", None) or layer.plane
@@ -52,7 +55,7 @@ class Colours:
         else:
             pen = PENS[mark.pen]
             fill = "ink" if isinstance(mark, VectorMark) and mark.plane == "detail" else fill
-        attributes = {"fill": {"paper": "#ffffff", "grey": "#dddddd", "none": "none"}.get(fill, colour)}
+        attributes = {"fill": {"paper": _PAPER, "grey": "#dddddd", "none": "none"}.get(fill, colour)}
         attributes |= {"fill-opacity": "0.1"} if fill == "tint" else {}
         attributes |= {"stroke": colour, "stroke-width": mm(pen.width * (1.8 if mark.new else 1))}
         attributes |= {"stroke-dasharray": " ".join(map(mm, pen.dashes))} if pen.dashes else {}

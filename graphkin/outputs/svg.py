@@ -220,6 +220,8 @@ def _circle(centre: Place, radius: float) -> Form:
 def _text(mark: Text) -> Form:
     """Letters of one style as one; else each run at its own place, so that no viewer has to set them."""
     size, spans = {"font-size": mm(mark.size)}, runs(mark)
+    if mark.turn:
+        size["transform"] = f"rotate({short(math.degrees(mark.turn))} {short(mark.at.real)} {short(mark.at.imag)})"
     if len(spans) == 1:
         (span,) = spans
         place = {"x": short(span.at.real), "y": short(span.at.imag)}

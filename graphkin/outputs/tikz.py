@@ -76,7 +76,8 @@ def _mark(mark: Mark) -> str:
         case Text():
             size = f"{mark.size * _POINT:.2f}"
             font = rf"\fontsize{{{size}}}{{{size}}}\selectfont"
-            return rf"\node[letters, font={font}] at {_place(mark.at)} {{{tex_words(mark.label)}}};"
+            turned = f", rotate={_mm(-math.degrees(mark.turn))}" if mark.turn else ""
+            return rf"\node[letters{turned}, font={font}] at {_place(mark.at)} {{{tex_words(mark.label)}}};"
         case _:
             assert_never(mark)
 

@@ -1,6 +1,6 @@
-"""The numbers that a mechanism file gives, each read once: lengths, offsets, angles, radii, and how it is driven.
+"""The data of a problem as its file states them, each read once: lengths, angles, radii, and how it is driven.
 
-`problem_data` tells them in sentences; `dimensions` are the figures of a sheet.
+`problem_data` tells them in sentences; a sheet draws them where they lie, and writes what finds no room.
 """
 
 from __future__ import annotations
@@ -8,51 +8,18 @@ from __future__ import annotations
 from cmath import phase, rect
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import combinations, pairwise
-from math import degrees, pi
+from itertools import combinations, permutations
+from math import degrees, fmod, isclose, pi, tau
 
 from graphkin.base.geometry import cross
 from graphkin.base.value import frozen
 from graphkin.construction import LayOff, Measure, Normal, Swing, Tangential, Term, Turning
-from graphkin.model.mechanism import FRAME, Driver
-from graphkin.model.pairs import Cam, Gear, RollingContact, Slide
+from graphkin.model.mechanism import FRAME, Dimension, Driver, KeyPath, Pose
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.numbers import given_figure, number
+from graphkin.say.numbers import number
 from graphkin.say.reading import Reading, aside
-
-
-@frozen
-class Size:
-    """A symbol with its value in a unit: `r2 = 20 mm`."""
-
-    symbol: str
-    value: float
-    unit: str
-
-    @property
-    def text(self) -> str:
-        after = self.unit if self.unit == "°" else f" {self.unit}"
-        return f"{self.symbol} = {given_figure(self.value)}{after}"
-
-
-@frozen
-class Side:
-    """Two points of a link, and how far apart they are [m]."""
-
-    first: str
-    second: str
-    length: float
-
-    @property
-    def name(self) -> str:
-        return names.pair(self.first, self.second)
-
-
-def sides(reading: Reading, link: str) -> list[Side]:
-    """The distances that fix the points of a link: of each from the first two, between which it may lie."""
-    shape, points = reading.mechanism.links[link], reading.mechanism.named(link)
-    pairs = (pair for pair in combinations(points, 2) if points.index(pair[0]) < 2)
-    return [Side(first, second, abs(shape.arm(first, second))) for first, second in pairs]
+from graphkin.say.sizes import Corner, Size, Span, in_unit, length_unit, sized
 
 
 def beside(reading: Reading, link: str) -> Iterator[tuple[tuple[str, str, str], bool]]:
@@ -69,25 +36,75 @@ def millimetres(reading: Reading, length: float) -> float:
     return length * 1000 if abs(length) > reading.noise else 0.0
 
 
-def radius(reading: Reading, link: str, size: float) -> Size:
-    """Of a wheel: `r2`."""
-    return Size(reading.radius(link, size), millimetres(reading, size), "mm")
+# --- lengths and angles of links --------------------------------------------------------------------------------------
 
 
-def circle(reading: Reading, centre: str, size: float) -> Size:
-    """Of a profile or a circular slot: `r_P`."""
-    return Size(reading.circle(centre, size), millimetres(reading, size), "mm")
+def link_sizes(reading: Reading, link: str) -> Iterator[Size]:
+    """The lengths and angles that the file states of a link; of one whose points it has by coordinates, the distances
+    that fix them: from the first two points, or along a line from the first."""
+    machine, shape, points = reading.mechanism, reading.mechanism.links[link], reading.mechanism.named(link)
+    keys = {path[2]: each for path, each in machine.given.items() if path[:2] == ("links", link) and len(path) == 3}
+    ends = [pair for pair in permutations(points, 2) if "".join(pair) in keys]
+    triples = [corners for corners in permutations(points, 3) if "".join(corners) in keys]
+    if any(not isclose(abs(shape.arm(*pair)), keys["".join(pair)].si or 0.0, rel_tol=1e-6) for pair in ends):
+        ends, triples = [], []  # another size than the file's
+    if not ends:
+        in_line = not [*beside(reading, link)]
+        ends = [pair for pair in combinations(points, 2) if points.index(pair[0]) < (1 if in_line else 2)]
+    for pair in ends:
+        place = "links", link, "".join(pair)
+        bar = _bar(reading, link, pair)
+        yield sized(reading, f"l_{names.pair(*pair)}", abs(shape.arm(*pair)), "length", place, shape=bar)
+    for one, corner, other in triples:
+        angle = phase(shape.arm(corner, other) / shape.arm(corner, one))
+        if abs(abs(angle) - pi) < 1e-9:
+            continue
+        at = (one, corner, other)
+        drawn = Corner(reading.at(corner), _unit(reading.arm(corner, one)), angle, at) if _placed(reading, at) else None
+        symbol = "∠" + "".join(map(names.point, at))
+        yield sized(reading, symbol, abs(angle), "angle", ("links", link, "".join(at)), shape=drawn)
 
 
-def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
-    """The value of a driver, its rate, and the rate of that; counter-clockwise is positive."""
-    facts = reading.plot.facts
-    place, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
-    if driver.kind == "slide":
-        at, first, second = (names.of_slide(symbol, driver.link) for symbol in ("s", "ṡ", "s̈"))
-        return Size(at, place * 1000, "mm"), Size(first, rate, "m/s"), Size(second, more, "m/s²")
-    at, first, second = (reading.against(driver, symbol) for symbol in ("φ", "ω", "α"))
-    return Size(at, degrees(place), "°"), Size(first, rate, "rad/s"), Size(second, more, "rad/s²")
+def _placed(reading: Reading, points: tuple[str, ...]) -> bool:
+    return all(point in reading.plot.position for point in points)
+
+
+def _unit(arm: complex) -> complex:
+    return arm / abs(arm)
+
+
+def _bar(reading: Reading, link: str, ends: tuple[str, str]) -> Span | None:
+    """The stretch of a link between two of its points; beside it, where others lie on it."""
+    if not _placed(reading, ends) or abs(reading.arm(*ends)) <= reading.noise:
+        return None
+    start, end = map(reading.at, ends)
+    along = _unit(end - start)
+    others = (point for point in reading.mechanism.named(link) if point not in ends and _placed(reading, (point,)))
+    offs = [(reading.at(point) - start) / along for point in others]
+    between = any(abs(off.imag) < 0.02 * abs(end - start) and 0 < off.real < abs(end - start) for off in offs)
+    return Span(start, end, along, ends, "apart" if between else "bar")
+
+
+def frame_sizes(reading: Reading) -> Iterator[Size]:
+    """The places of fixed points from the first: the distance of one that lies level with it, or straight above, else
+    `x_D` and `y_D`."""
+    shape = reading.mechanism.links[FRAME].points
+    first, *others = reading.mechanism.named(FRAME) or ("",)
+    for other in others:
+        away, start = shape[other] - shape[first], shape[first]
+        both = (("x", away.real, 1 + 0j), ("y", away.imag, 1j))
+        parts = [each for each in both if abs(each[1]) > reading.noise]
+        for sign, part, axis in parts:
+            lone = len(parts) == 1
+            called = names.pair(first, other) if lone or shape[first] else names.point(other)
+            symbol, places = (f"l_{called}" if lone else f"{sign}_{called}"), _coordinates(("frame", other), first)
+            span = Span(start, shape[other], axis, (first, other))
+            yield sized(reading, symbol, abs(part) if lone else part, "length", *places, shape=span)
+
+
+def _coordinates(path: KeyPath, first: str) -> list[KeyPath]:
+    """Where the file has the two coordinates of a place, and those of the frame's first point."""
+    return [(*start, axis) for start in (path, ("frame", first)) for axis in (0, 1)]
 
 
 @frozen
@@ -131,73 +148,141 @@ def _corner(reading: Reading, slide: Slide) -> str:
     return next((point for point in (*stated, *pivots, *points) if point in points), "")
 
 
-def dimensions(reading: Reading) -> list[str]:
-    """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
-    tables = (_lengths, _offsets, _radii_and_rates)
-    return [*dict.fromkeys(text for table in tables for text in table(reading))]
+# --- guides, wheels, drivers ------------------------------------------------------------------------------------------
 
 
-def _lengths(reading: Reading) -> Iterator[str]:
-    """`AD = 78 mm` of fixed points, `x_D` and `y_D` of oblique ones; then the distances that fix each link's points."""
-    shape = reading.plot.facts.shapes[FRAME]
-    first, *others = _drawn_points(reading, FRAME) or [""]
-    for other in others:
-        away = complex(shape[other] - shape[first])
-        if min(abs(away.real), abs(away.imag)) <= reading.noise:
-            yield f"{names.pair(first, other)} = {given_figure(abs(away) * 1000)} mm"
-        else:
-            called = names.pair(first, other) if shape[first] else names.point(other)
-            parts = (("x", away.real), ("y", away.imag))
-            yield from (f"{sign}_{called} = {given_figure(part * 1000)} mm" for sign, part in parts)
-    for link in reading.mechanism.moving:
-        body, row = reading.mechanism.links[link], pairwise(reading.mechanism.named(link))
-        in_line = not [*beside(reading, link)]
-        for side in [Side(*ends, abs(body.arm(*ends))) for ends in row] if in_line else sides(reading, link):
-            yield Size(side.name, millimetres(reading, side.length), "mm").text
+def guide_sizes(reading: Reading) -> Iterator[Size]:
+    """How lines lie in their links: `e_A = 20 mm` from the first fixed point, `γ = 100°`; tilts of blocks."""
+    machine = reading.mechanism
+    for pair in (pair for pair in machine.pairs if getattr(pair, "stands_for", None) is None):
+        faces = [profile.line for profile in pair.profiles] if isinstance(pair, Cam) else list(pair.lines)
+        for face, line in enumerate(faces):
+            if line is not None and pair.table:
+                path = (*machine.path(pair), *(("profiles", face) if isinstance(pair, Cam) else ()))
+                yield from _eccentricity(reading, pair, line, path)
+                yield from _inclination(reading, pair, line, path)
+        if isinstance(pair, Slide) and degrees(pair.tilt) % 90:
+            shape = Corner(reading.at(pair.point), reading.guide(pair.name), pair.tilt, (pair.point,))
+            path = (*machine.path(pair), "tilt")
+            yield sized(reading, f"δ_{names.point(pair.point)}", pair.tilt, "angle", path, shape=shape)
 
 
-def _drawn_points(reading: Reading, link: str) -> list[str]:
-    return [point for point in reading.mechanism.named(link) if point in reading.plot.position]
+def _eccentricity(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> Iterator[Size]:
+    """The distance of a fixed guide from the first fixed point."""
+    points, fixed = reading.mechanism.named(FRAME), reading.plot.facts.shapes[FRAME]
+    if line.link == FRAME and points and isinstance(pair, Slide):
+        off = float(cross(line.direction, fixed[line.origin] - fixed[points[0]]))
+        if abs(off) > reading.noise:
+            start, point = fixed[points[0]], pair.point
+            span = Span(start, reading.at(point), 1j * line.direction, (points[0], point))
+            places = [*_coordinates((*path, "through"), points[0]), *_coordinates(("frame", line.origin), points[0])]
+            yield sized(reading, f"e_{names.point(points[0])}", abs(off), "length", *places, shape=span)
 
 
-def _offsets(reading: Reading) -> Iterator[str]:
-    """`e_A = 20 mm`, `β_C = 30°`, `h_A = 20 mm`: how guides and flat faces lie beside the first point of their link."""
-    for slide in reading.mechanism.of(Slide):
-        points = _drawn_points(reading, slide.guide)
-        if points and slide.stands_for is None:
-            off = aside(reading.guide(slide.name), reading.arm(points[0], slide.point))
-            if off > reading.noise:
-                yield f"{'e' if slide.guide == FRAME else 'h'}_{names.point(points[0])} = {given_figure(off * 1000)} mm"
-    for slide in reading.mechanism.slides:
-        if slide.guide == FRAME and slide.stands_for is None:
-            angle = round(degrees(phase(slide.line.direction)), 9) % 180
-            if angle % 90:
-                yield f"β_{names.point(slide.point)} = {given_figure(angle)}°"
-    for line in (line for cam in reading.mechanism.of(Cam) for line in cam.lines):
-        points = _drawn_points(reading, line.link)
-        if points and line.origin in reading.plot.position:
-            along = line.direction * rect(1, float(reading.plot.theta.get(line.link, 0.0)))
-            off = aside(along, reading.arm(points[0], line.origin))
-            if off > reading.noise:
-                yield f"h_{names.point(points[0])} = {given_figure(off * 1000)} mm"
+def _inclination(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> Iterator[Size]:
+    """The angle of a line with +x, or with two points of its link; none of one that goes through two points."""
+    stated = reading.mechanism.given.get((*path, "angle"))
+    base = line.base if line.link != FRAME or line.base is not None else None
+    if line.link != FRAME and base is None:
+        return
+    start = reading.arm(*base) if base is not None and _placed(reading, base) else 1 + 0j
+    turn = float(reading.plot.theta.get(line.link, 0.0))
+    angle = phase(line.direction * rect(1, turn) / start)
+    if stated is not None and stated.si is not None and abs(rect(1, stated.si) - rect(1, angle)) < 1e-6:
+        angle = stated.si
+    if not round(degrees(angle), 6) % 90 or (stated is None and line.link != FRAME):
+        return
+    symbol = f"β_{names.point(pair.point if isinstance(pair, Slide) else line.origin)}"
+    if isinstance(pair, Slide) and (of := guide_angle(reading, pair)) is not None and of.symbol:
+        symbol = of.symbol
+    at = line.origin if line.named or not isinstance(pair, Slide) else pair.point
+    shape = Corner(reading.at(at), _unit(start), angle, (at,)) if at in reading.plot.position else None
+    yield sized(reading, symbol, angle, "angle", (*path, "angle"), shape=shape)
 
 
-def _radii_and_rates(reading: Reading) -> Iterator[str]:
-    """`r2 = 20 mm` of wheels and profiles; `s_ram = 90 mm` of driven slides, then `φ1 = 30°` and the rates of all."""
-    for link, _, size in (rim for gear in reading.mechanism.of(Gear) for rim in gear.circles):
-        yield radius(reading, link, size).text
-    for roll in reading.mechanism.of(RollingContact):
-        yield radius(reading, roll.wheel, roll.radius).text
-    for centre, size in reading.circles:
-        yield circle(reading, centre, size).text
-    drivers = [(driver, driven(reading, k, driver)) for k, driver in enumerate(reading.mechanism.drivers)]
-    yield from (place.text for driver, (place, *_) in drivers if driver.kind == "slide")
-    for driver, (place, *rates) in drivers:
-        if driver.kind == "angle" and driver.value is not None:
-            yield place.text
-        for rate in rates:
-            if rate.value:
-                yield replace(rate, value=rate.value if driver.kind == "slide" else abs(rate.value)).text
+def radii(reading: Reading, pair: Pair) -> list[Size]:
+    """The radii of a pair's circles: `r2` of wheels, `r_P` of profiles and circular slots."""
+    keys: list[KeyPath]
+    match pair:
+        case Gear():
+            keys = [("radii", 0), ("radii", 1)]
+        case RollingContact():
+            keys = [("on_radius",), ("radius",)] if pair.line is None else [("radius",)]
+        case Cam():
+            rounds = (which for which, face in enumerate(pair.profiles) if face.centre is not None)
+            keys = [("profiles", which, "radius") for which in rounds]
+        case CircularSlot():
+            keys = [("radius",)]
+        case _:
+            return []
+    path = reading.mechanism.path(pair)
+    circles = [(pair.guide, pair.centre, pair.radius)] if isinstance(pair, CircularSlot) else pair.circles
+    return [_radius(reading, pair, *one, (*path, *key)) for one, key in zip(circles, keys, strict=True) if one[2]]
+
+
+def _radius(reading: Reading, pair: Pair, link: str, centre: str, size: float, path: KeyPath) -> Size:
+    symbol = reading.radius(link, size) if pair.rolling is not None else reading.circle(centre, size)
+    at = reading.at(centre) if centre in reading.plot.position else None
+    end = reading.at(pair.point) if isinstance(pair, CircularSlot) else (at or 0j) + size
+    points = (centre, pair.point) if isinstance(pair, CircularSlot) else (centre,)
+    shape = None if at is None else Span(at, end, _unit(end - at), points, "radius")
+    return sized(reading, symbol, size, "length", path, shape=shape)
+
+
+def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
+    """The value of a driver, its rate, and the rate of that; counter-clockwise is positive."""
+    facts, path = reading.plot.facts, ("driver", k)
+    place, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
+    at = _drawn_value(reading, driver, place, path)
+    if driver.kind == "slide":
+        first, second = (names.of_slide(symbol, driver.link) for symbol in ("ṡ", "s̈"))
+        speed, change = (*path, "velocity"), (*path, "acceleration")
+        return at, sized(reading, first, rate, "velocity", speed), sized(reading, second, more, "acceleration", change)
+    turning = _rate(reading, driver, path, "ω", rate, "angular velocity", "omega", "v", "velocity")
+    return at, turning, _rate(reading, driver, path, "α", more, "angular acceleration", "alpha", "a", "acceleration")
+
+
+def _rate(
+    reading: Reading, driver: Driver, path: KeyPath, letter: str, value: float, kind: Dimension, key: str,
+    tip: str, along: Dimension,
+) -> Size:  # fmt: skip
+    """Of a driven rotation; of the tip of its vector, where the file states that."""
+    if driver.vector is not None and (*path, along) in reading.mechanism.given:
+        turned = value * abs(reading.mechanism.links[driver.link].arm(*driver.vector))
+        size = sized(reading, f"{tip}_{names.point(driver.vector[1])}", turned, along, (*path, along))
+        worked = sized(reading, reading.against(driver, letter), value, kind)
+        return replace(size, value=worked.value, unit=worked.unit, worked=f"{size.worked}, {worked.text}")
+    return sized(reading, reading.against(driver, letter), value, kind, (*path, key))
+
+
+def _drawn_value(reading: Reading, driver: Driver | Pose, value: float, path: KeyPath) -> Size:
+    """The angle or the displacement of a driver or a pose."""
+    if driver.kind == "slide":
+        slot = reading.method.structure.slides[driver.link]
+        point, start = slot.point, reading.at(slot.line.origin)
+        span = Span(start, reading.at(point), reading.guide(driver.link), (point,))
+        return sized(reading, names.of_slide("s", driver.link), value, "length", (*path, "at"), shape=span)
+    corner = None
+    if driver.vector is not None:
+        start = reading.arm(*driver.from_vector) if driver.from_vector is not None else 1 + 0j
+        corner = Corner(reading.at(driver.vector[0]), _unit(start), fmod(value, tau), driver.vector)
+    return sized(reading, reading.against(driver, "φ"), value, "angle", (*path, "angle"), shape=corner)
+
+
+# --- all of them ------------------------------------------------------------------------------------------------------
+
+
+def sizes(reading: Reading) -> list[Size]:
+    """Every datum of the problem once: lengths and angles link by link, guides, wheels, the position, the drivers."""
+    machine = reading.mechanism
+    every = [*frame_sizes(reading), *(size for link in machine.moving for size in link_sizes(reading, link))]
+    every += [*guide_sizes(reading), *(size for pair in machine.pairs for size in radii(reading, pair))]
+    every += [_drawn_value(reading, pose, pose.value, ("pose", k)) for k, pose in enumerate(machine.poses)]
+    for k, driver in enumerate(machine.drivers):
+        place, *rates = driven(reading, k, driver)
+        every += [place] if driver.value is not None else []
+        every += [rate if driver.kind == "slide" else rate.bare for rate in rates if rate.value]
+    return [*{size.text: size for size in every if size.value or isinstance(size.shape, Corner)}.values()]
 
 
 def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
@@ -215,9 +300,25 @@ def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
             first, second = sorted(lever)
             if reading.named(first) and reading.named(second) and reading.distance(first, second):
                 levers[first, second] = None
-    return [ends for ends in levers if not {*owners.get(ends[0], ())} & {*owners.get(ends[1], ())}]
+    stated = [size for pair in reading.mechanism.pairs for size in radii(reading, pair)]
+    known = {(size.shape.points[0], round(size.value, 6)) for size in stated if size.shape is not None}
+    # what two points of a link are apart is given, and how far from a centre its rim lies
+    return [
+        ends for ends in levers
+        if not {*owners.get(ends[0], ())} & {*owners.get(ends[1], ())}
+        and not any((end, round(1000 * reading.distance(*ends), 6)) in known for end in ends)
+    ]  # fmt: skip
 
 
-def length_text(reading: Reading, one: str, other: str) -> str:
-    """`l_BD = 69.2 mm`, of the mechanism itself."""
-    return f"l_{names.pair(one, other)} = {number(reading.distance(one, other) * 1000)} mm"
+def length_size(reading: Reading, one: str, other: str) -> Size:
+    """`l_BD = 69.2 mm`, of the mechanism itself, as it is measured."""
+    length, unit = reading.distance(one, other), length_unit(reading)
+    start, end = reading.at(one), reading.at(other)
+    span = Span(start, end, _unit(end - start), (one, other))
+    written = f"{number(in_unit(length, unit, 'length'))} {unit}"
+    return Size(f"l_{names.pair(one, other)}", length * 1000, "mm", written, shape=span)
+
+
+def dimensions(reading: Reading) -> list[str]:
+    """`l_AB = 24 mm`, `φ1 = 60°`, .. in text."""
+    return [size.text for size in sizes(reading)]

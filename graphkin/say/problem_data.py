@@ -6,17 +6,18 @@ from cmath import phase
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
-from math import degrees, isclose, remainder
+from math import degrees, remainder
 
 from graphkin.base.geometry import dot
-from graphkin.model.mechanism import FRAME, Driver, KeyPath
+from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, millimetres, radius, sides
+from graphkin.say.dimensions import beside, driven, guide_angle, link_sizes, radii
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
-from graphkin.say.numbers import direction, given_figure, number, sensed
+from graphkin.say.numbers import direction, given_figure, number
 from graphkin.say.reading import Reading, aside, capitalized
+from graphkin.say.sizes import in_unit, length_unit
 from graphkin.say.structure import redundant_constraints
 
 _SCALES = (("length", "μ_l", "m/mm"), ("velocity", "μ_v", "(m/s)/mm"), ("acceleration", "μ_a", "(m/s²)/mm"))
@@ -65,15 +66,6 @@ def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.numbers left out"))
 
 
-def _as_stated(reading: Reading, value: float, unit: str, *places: KeyPath) -> str:
-    """` = 60 rpm`: a value [SI] in the file's own words, where these are of another unit than the one it is told in."""
-    there = (reading.mechanism.given[place] for place in places if place in reading.mechanism.given)
-    stated = next((each for each in there if each.si is not None and isclose(each.si, value)), None)
-    text = stated.written.strip() if stated is not None and isinstance(stated.written, str) else ""
-    own = text.lstrip("+-0123456789.eE ").replace("^2", "²").replace("deg", "°")
-    return f" = {text.replace('-', '−')}" if own not in ("", unit) else ""
-
-
 def _points(line: tuple[str, str]) -> str:
     """Two points of a link in the order of their direction."""
     return "".join(map(names.point, line))
@@ -86,29 +78,24 @@ def _kind(reading: Reading, slide: str) -> str:
 
 def _driver(reading: Reading, k: int, driver: Driver) -> str:
     """A driven line or slide, its value, and its rates; no angle of a wheel, or of a line that a pose has fixed."""
-    keys = ("at", "velocity", "acceleration") if driver.kind == "slide" else ("angle", "omega", "alpha")
-    facts = reading.plot.facts
-    values = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
-    place, *rates = (
-        replace(size, symbol=size.symbol + _as_stated(reading, value, size.unit, ("driver", k, key)))
-        for size, key, value in zip(driven(reading, k, driver), keys, values, strict=True)
-    )
+    place, *rates = driven(reading, k, driver)
     now, drawn = (float(facts.values[k]) for facts in (reading.plot.facts, reading.method.facts()))
     shown = None if driver.value is None and abs(now - drawn) < 1e-12 else place
     if driver.kind == "slide":
-        texts = [size.text if size.value else f"{size.symbol} = 0" for size in rates]
+        texts = [size.whole if size.value else f"{size.symbol} = 0" for size in rates]
         kind, slide = _kind(reading, driver.link), reading.slide_name(driver.link)
         if shown is None:
             start = reading.say(f"derivation.driven {kind} free", slide=slide)
         else:
-            start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.text)
+            start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.whole)
         return reading.joined([start, *texts])
-    texts = [sensed(size.symbol, size.value, size.unit, reading.lang) for size in rates]
+    texts = [f"{size.bare.text}{reading.note(reading.sense(size.value))}{size.bare.worked}" if size.value
+             else f"{size.symbol} = 0" for size in rates]  # fmt: skip
     words, key = {"link": reading.link(driver.link)}, "derivation.driven wheel"
     if driver.vector is not None:
         words["line"], key = _points(driver.vector), "derivation.driven line free"
         if shown is not None:
-            words["angle"], key = shown.text, "derivation.driven link"
+            words["angle"], key = shown.whole, "derivation.driven link"
         if shown is not None and driver.from_vector is not None:
             words |= {"other": _points(driver.from_vector), "seen_from": reading.link(driver.from_link)}
             key = "derivation.driven joint"
@@ -118,12 +105,7 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
 def _dimensions(reading: Reading) -> Iterator[str]:
     """A sentence each: lengths, fixed points, guides, rolling circles, profiles."""
     say, mechanism = reading.say, reading.mechanism
-    lengths = []
-    for link in mechanism.moving:
-        for side in sides(reading, link):
-            places = (("links", link, name) for name in (side.first + side.second, side.second + side.first))
-            stated = _as_stated(reading, side.length, "mm", *places)
-            lengths.append(Size(f"l_{side.name}{stated}", millimetres(reading, side.length), "mm").text)
+    lengths = [size.whole for link in mechanism.moving for size in link_sizes(reading, link)]
     if lengths:
         yield say("solution.lengths", lengths=reading.joined(lengths))
     shapes = [reading.way_round(*corners) for link in mechanism.moving for corners in beside(reading, link)]
@@ -131,15 +113,18 @@ def _dimensions(reading: Reading) -> Iterator[str]:
         yield say("solution.lettered", shapes=reading.joined(shapes))
     shape, frame = mechanism.links[FRAME].points, names.point(mechanism.called(FRAME))
     fixed = [f"{names.point(p)}{_place(reading, shape[p])}" for p in mechanism.named(FRAME)]
-    yield say("solution.frame points" if fixed else "solution.frame", link=frame, points=reading.joined(fixed))
+    words = {"link": frame, "points": reading.joined(fixed), "unit": length_unit(reading)}
+    yield say("solution.frame points" if fixed else "solution.frame", **words)
     for kind, sentence in PAIR_SENTENCES.items():
         for pair in mechanism.of(kind):
             yield sentence(reading, pair)
 
 
 def _place(reading: Reading, place: complex) -> str:
-    """Coordinates of the mechanism itself, in mm."""
-    x, y = (given_figure(millimetres(reading, value)) for value in (place.real, place.imag))
+    """Coordinates of the mechanism itself, in the file's unit."""
+    values = (value if abs(value) > reading.noise else 0.0 for value in (place.real, place.imag))
+    unit = length_unit(reading)
+    x, y = (given_figure(in_unit(value, unit, "length")) for value in values)
     return f"({x}, {y})"
 
 
@@ -174,21 +159,22 @@ def _axis(reading: Reading, pair: Slide) -> str:
 
 def _circular_slot(reading: Reading, pair: CircularSlot) -> str:
     words = {"pin": names.point(pair.point), "centre": names.point(pair.centre), "link": reading.link(pair.guide)}
-    return reading.say("solution.circular slot", radius=circle(reading, pair.centre, pair.radius).text, **words)
+    return reading.say("solution.circular slot", radius=radii(reading, pair)[0].whole, **words)
 
 
 def _gears(reading: Reading, pair: Gear) -> str:
     words = {"wheels": reading.links(pair.links), "centres": reading.listed([*map(names.point, pair.centres)])}
-    words["radii"] = reading.joined(radius(reading, link, size).text for link, _, size in pair.circles)
+    words["radii"] = reading.joined(size.whole for size in radii(reading, pair))
     return reading.say("solution.internal gears" if pair.internal else "solution.gears", **words)
 
 
 def _rolling(reading: Reading, pair: RollingContact) -> str:
     words = {"wheel": reading.link(pair.wheel), "centre": names.point(pair.centre), "track": reading.link(pair.track)}
-    words["radius"] = radius(reading, pair.wheel, pair.radius).text
+    *tracks, rim = radii(reading, pair)
+    words["radius"] = rim.whole
     if pair.line is None:
         about = names.point(pair.track_centre or "")
-        other = radius(reading, pair.track, pair.track_radius).text
+        other = tracks[0].whole
         where = reading.say("solution.inside" if pair.internal else "solution.outside")
         return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
     side = reading.say("solution.wheel left" if pair.left else "solution.wheel right", centre=words["centre"])
@@ -196,7 +182,7 @@ def _rolling(reading: Reading, pair: RollingContact) -> str:
 
 
 def _cam(reading: Reading, pair: Cam) -> str:
-    texts = []
+    texts, sizes = [], iter(radii(reading, pair))
     for profile, member, facing in zip(pair.profiles, pair.links, reversed(pair.profiles), strict=True):
         link, centre = reading.link(member), names.point(profile.centre or "")
         if profile.line is not None:
@@ -206,8 +192,7 @@ def _cam(reading: Reading, pair: Cam) -> str:
         elif not profile.radius:
             texts.append(reading.say("solution.knife edge", link=link, point=centre))
         else:
-            size = circle(reading, profile.centre or "", profile.radius).text
-            texts.append(reading.say("solution.circle", link=link, centre=centre, radius=size))
+            texts.append(reading.say("solution.circle", link=link, centre=centre, radius=next(sizes).whole))
     where = reading.say("solution.inside" if pair.internal else "solution.outside")
     touch = reading.note(where) if all(profile.radius for profile in pair.profiles) else ""
     return reading.say("solution.cam", first=capitalized(texts[0]), second=texts[1], where=touch)

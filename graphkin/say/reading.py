@@ -11,7 +11,7 @@ from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, Step
 from graphkin.errors import Lang, listed
-from graphkin.model.mechanism import FRAME, Driver, Mechanism, Usual
+from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
 from graphkin.planning import Method
 from graphkin.planning.at_rest import at_rest
@@ -139,7 +139,7 @@ class Reading:
         turn = self.plot.facts.turns[link]
         return turn.base == FRAME and not turn.drivers
 
-    def against(self, driver: Driver, symbol: str) -> str:
+    def against(self, driver: Driver | Pose, symbol: str) -> str:
         """The driven rotation: `ω1`, or `ω21` of a motor on a moving link."""
         called = self.mechanism.called
         if driver.from_link == FRAME:

@@ -15,18 +15,22 @@ from graphkin.planning.at_rest import at_rest, held_labels
 from graphkin.planning.method import births, pages
 from graphkin.planning.needed import Fact
 from graphkin.say.catalogue import say
+from graphkin.say.dimensions import sizes
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
+from graphkin.say.sizes import Size
 from graphkin.sheet.arrows import heads_apart, named_apart
-from graphkin.sheet.construction_lines import MechanismNotes, PolygonConstruction, pencil_lines
+from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
 from graphkin.sheet.detail import detailed
+from graphkin.sheet.dimension_lines import angles
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
-from graphkin.sheet.marks import Mark, Place
+from graphkin.sheet.marks import Mark
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
+from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
 from graphkin.sheet.path_figure import NONE, Paths
@@ -38,6 +42,8 @@ from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
 _COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations over it
+_NARROW = 84.0  # half of a sheet: equations that are longer may be broken [mm]
+_LENS = 60 + 68j  # the room for a detail [mm]
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
@@ -72,18 +78,38 @@ class Planes:
     def figure(self, plane: Plane, window: Window) -> Figure:
         """Drawn once through each window: many divisions of a paper show one figure alike."""
         if (plane, window) not in self._drawn:
-            if plane != "position":
-                figure = heads_apart(named_apart(polygon_figure(self.polygon(plane, window))))
-            elif self.style == "given":
-                figure = bare_figure(self.method, self.skeleton(window))
-            else:
-                machine = mechanism_figure(self.skeleton(window), self.method, self.values(plane))
-                figure = self.paths.figure(window) + machine
+            figure = self._outline(plane, window)
+            if plane == "position" and self.style != "result":
+                figure = angles(self.sizes, self.skeleton(window), figure.marks) + figure
             self._drawn[plane, window] = figure
         return self._drawn[plane, window]
 
+    def _outline(self, plane: Plane, window: Window) -> Figure:
+        """Without the arcs of given angles, for which there is room beside links."""
+        if plane != "position":
+            return heads_apart(named_apart(polygon_figure(self.polygon(plane, window))))
+        skeleton = self.skeleton(window)
+        if self.style == "given":
+            return bare_figure(self.method, skeleton)
+        return self.paths.figure(window) + mechanism_figure(skeleton, self.method, self.values(plane))
+
+    @cached_property
+    def sizes(self) -> list[Size]:
+        """What is given of the mechanism."""
+        return sizes(self.reading({}))
+
     @cached_property
     def _drawn(self) -> dict[tuple[Plane, Window], Figure]:
+        return {}
+
+    @cached_property
+    def panels(self) -> dict[tuple[object, ...], Panel]:
+        """Panels, by all they hang on: they are lettered once, with details and without."""
+        return {}
+
+    @cached_property
+    def tables(self) -> dict[tuple[object, ...], list[Mark] | None]:
+        """The tables of planes, by all that their place hangs on; None where there is none."""
         return {}
 
     def skeleton(self, window: Window) -> Skeleton:
@@ -107,7 +133,7 @@ class Planes:
         """The size of each plane's points, and the reach of its signs beyond them."""
         given, extents = self.method.mechanism.scales, dict[Plane, Extent]()
         for plane in self.planes:
-            extent = Extent.of(self.values(plane), partial(self.figure, plane), given.get(KEYS[plane]))
+            extent = Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane]))
             over = self.paths.height if plane == "position" else 0.0
             extents[plane] = replace(extent, top=extent.top + over)
         return extents
@@ -138,14 +164,14 @@ class SheetContents:
     """All that a mechanism's sheet shows, whatever its paper.
 
     tight     without frame, tables and title
-    given     tables of the strip; tables: with their planes
-    in_strip  the planes whose equations stand there, not with their polygons
+    given     tables of the strip; tables: with their planes, in the shapes that they may have
+    in_strip  the planes whose equations stand there, not with their polygons; lensed: those with room for a detail
     footed    the planes whose tables have a room of their own under the figure; low: those whose tables go to the strip
     said      room in the strip for the sentence of a single step, in place of tables [mm]; scales: that are kept then
     """
 
     drawing: Planes
-    tables: Mapping[Plane, Sequence[Table]]
+    tables: Mapping[Plane, Sequence[TableBlock]]
     given: Sequence[Table] = ()
     tight: bool = False
     in_strip: Collection[Plane] = ()
@@ -153,6 +179,7 @@ class SheetContents:
     low: Collection[Plane] = ()
     said: float = 0.0
     scales: Mapping[Plane, float] = field(default_factory=dict)
+    lensed: Collection[Plane] = ()
 
     @property
     def planes(self) -> tuple[Plane, ...]:
@@ -160,18 +187,23 @@ class SheetContents:
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        """With the equations of each polygon."""
-        sizes = {plane: own.size for plane, own in self.ladders.items()}
-        feet = {plane: tuple(block.size for block in TableBlock.shapes(self.tables[plane])) for plane in self.footed}
-        feet = {} if self.said else feet
-        return {plane: replace(extent, ladder=sizes.get(plane), tables=feet.get(plane, ()),
-                               given=self.scales.get(plane, extent.given))
-                for plane, extent in self.drawing.extents.items()}  # fmt: skip
+        """With what stands beside each figure: its equations, a detail, its tables."""
+        extents = dict[Plane, Extent]()
+        for plane, extent in self.drawing.extents.items():
+            lens = _LENS if plane in self.lensed else 0j
+            shapes = [own.size for own in self.ladders.get(plane, ())] or [0j] * (plane in self.lensed)
+            beside = [(complex(own.real + lens.real, max(own.imag, lens.imag)),
+                       complex(max(own.real, lens.real), own.imag + lens.imag)) for own in shapes]  # fmt: skip
+            feet = [block.size for block in self.tables[plane]] if plane in self.footed and not self.said else ()
+            given = self.scales.get(plane, extent.given)
+            extents[plane] = replace(extent, beside=tuple(beside), tables=tuple(feet), given=given)
+        return extents
 
     @cached_property
-    def ladders(self) -> dict[Plane, Ladder]:
-        """The equations that stand with their polygons."""
-        return {plane: own for plane, own in self.drawing.ladders.items() if plane not in self.in_strip}
+    def ladders(self) -> dict[Plane, list[Ladder]]:
+        """The equations that stand with their polygons, whole and with long ones broken."""
+        every = ((plane, own) for plane, own in self.drawing.ladders.items() if plane not in self.in_strip)
+        return {plane: list(dict.fromkeys((own, own.within(_NARROW)))) for plane, own in every}
 
     def without_head(self, layout: Layout) -> list[Plane]:
         """Planes whose equations have no room of their own with their figure."""
@@ -179,36 +211,48 @@ class SheetContents:
 
     def without_room(self, layout: Layout) -> list[Plane]:
         """Those of them for whose equations there is no room even while nothing is lettered."""
-        return [plane for plane in self.without_head(layout) if self._ladder_at(layout, plane) is None]
+        return [plane for plane in self.without_head(layout) if not self._equations(layout, plane)]
 
-    def _ladder_at(self, layout: Layout, plane: Plane) -> Place | None:
-        """The upper left corner of a plane's equations: under its heading, else where its figure leaves room."""
-        room = layout.rooms[plane]
-        if plane in layout.headed:
-            return complex(room.left + HEAD_LEFT, under_heading(room).top)
-        corner = self._free(layout, plane, ()).corner(self.ladders[plane].size + 2 * complex(AIR, AIR))
-        return None if corner is None else corner + complex(AIR, AIR)
+    def _equations(self, layout: Layout, plane: Plane) -> list[Mark]:
+        """A plane's equations: under its heading, else where its figure leaves room; none where it does not."""
+        room, shapes = layout.rooms[plane], self.ladders.get(plane, [])
+        if plane in layout.headed and shapes:
+            at = complex(room.left + HEAD_LEFT, under_heading(room).top)
+            return [*shapes[layout.shape(plane, self.extent(layout, plane))].marks(at)]
+        lowest = self._lowest(layout, plane)
+        free = self._free(layout, plane, (), lowest.size.imag + AIR if lowest else 0.0) if shapes else None
+        for own in shapes if free is not None else ():
+            if free is not None and (corner := free.corner(own.size + 2 * complex(AIR, AIR))) is not None:
+                return [*own.marks(corner + complex(AIR, AIR))]
+        return []
 
-    def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark]) -> FreeRoom:
-        """The room that a plane's figure and its heading leave, and what else stands there before all letters."""
+    def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark], foot: float = 0.0) -> FreeRoom:
+        """The room over its foot that a plane's figure and heading leave, and what else stands there before letters."""
         room, window = layout.rooms[plane], layout.window(plane, self.extent(layout, plane))
         marks = [*heading(HEADINGS[self.drawing.lang][plane], plane, window.printed, room), *before]
-        return FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1)))
+        return FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1 + foot)))
 
     def _tables_at(self, layout: Layout, plane: Plane) -> list[Mark] | None:
         """A plane's tables as low in its room as its figure and equations allow; None where they do not."""
-        at = self._ladder_at(layout, plane) if plane in self.ladders else None
-        free = self._free(layout, plane, () if at is None else [*self.ladders[plane].marks(at)])
-        air, shapes = complex(AIR, AIR), TableBlock.shapes(self.tables[plane])
-        for block in shapes:
+        place = self._place(layout, plane)
+        if place not in self.drawing.tables:
+            self.drawing.tables[place] = self._low_tables(layout, plane)
+        return self.drawing.tables[place]
+
+    def _low_tables(self, layout: Layout, plane: Plane) -> list[Mark] | None:
+        free = self._free(layout, plane, self._equations(layout, plane))
+        air, room = complex(AIR, AIR), layout.rooms[plane]
+        for block in self.tables[plane]:
             if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
                 return block.marks(corner + air)
-        room = layout.rooms[plane]
-        narrow = [block for block in shapes if block.size.real <= room.size.real - 2 * HEAD_LEFT]
-        if plane not in self.footed or not narrow:
-            return None
-        lowest = min(narrow, key=lambda block: block.size.imag)
-        return lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
+        lowest = self._lowest(layout, plane)
+        return None if lowest is None else lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
+
+    def _lowest(self, layout: Layout, plane: Plane) -> TableBlock | None:
+        """A plane's tables in the lowest shape for which its room is wide enough, where they stand at its foot."""
+        wide = layout.rooms[plane].size.real - 2 * HEAD_LEFT
+        narrow = [block for block in self.tables.get(plane, ()) if block.size.real <= wide and plane in self.footed]
+        return min(narrow, key=lambda block: block.size.imag, default=None)
 
     def tableless(self, layout: Layout) -> list[Plane]:
         """Planes whose tables have no place with them."""
@@ -226,7 +270,8 @@ class SheetContents:
     @property
     def _in_foot(self) -> list[Table]:
         """The tables of the strip."""
-        return [*self.given, *(table for plane in self.planes if plane in self.low for table in self.tables[plane])]
+        low = (self.tables[plane][0] for plane in self.planes if plane in self.low)
+        return [*self.given, *(table for block in low for tier in block.tiers for table in tier)]
 
     def layout(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
         """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
@@ -234,7 +279,7 @@ class SheetContents:
         if key not in self._layouts:
             extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
             papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
-            free = {plane: replace(extent, ladder=None) for plane, extent in extents.items()}
+            free = {plane: replace(extent, beside=()) for plane, extent in extents.items()}
             bare = lay_out(free, self.height, papers)
             self._layouts[key] = headed(bare, extents, self.height, papers, _COARSER)
         return self._layouts[key]
@@ -245,7 +290,7 @@ class SheetContents:
 
     def extent(self, layout: Layout, plane: Plane) -> Extent:
         """With its equations, where they have a room of their own."""
-        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], ladder=None)
+        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], beside=())
 
     def page(self, layout: Layout, stages: bool, details: bool) -> Page:
         """Everything on a divided paper; with `stages`, over the lines of the pencil and without results."""
@@ -264,17 +309,20 @@ class SheetContents:
         return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
 
     def _panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
-        window = layout.window(plane, self.extent(layout, plane))
-        place = plane, stages, plane in layout.headed, layout.rooms[plane], window, *layout.scales.items()
-        if place not in self._panels:
-            self._panels[place] = self._plain_panel(layout, plane, stages, window)
-        panel = self._panels[place]
-        return detailed(panel, partial(self.drawing.figure, plane), plane) if details and plane != "position" else panel
+        panels, detail = self.drawing.panels, details and plane != "position"
+        place = detail, stages, *self._place(layout, plane), *layout.scales.items()
+        if place not in panels and detail:
+            plain_one = self._panel(layout, plane, stages, details=False)
+            panels[place] = detailed(plain_one, partial(self.drawing.figure, plane), plane)
+        elif place not in panels:
+            window = layout.window(plane, self.extent(layout, plane))
+            panels[place] = self._plain_panel(layout, plane, stages, window)
+        return panels[place]
 
-    @cached_property
-    def _panels(self) -> dict[tuple[object, ...], Panel]:
-        """Panels without details, by all they hang on: they are lettered once, with details and without."""
-        return {}
+    def _place(self, layout: Layout, plane: Plane) -> tuple[object, ...]:
+        """All that equations and tables of a plane hang on."""
+        choices = (plane in planes for planes in (layout.headed, self.in_strip, self.footed, self.low, self.lensed))
+        return plane, layout.rooms[plane], layout.window(plane, self.extent(layout, plane)), *choices
 
     def _plain_panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:
         """One plane's figure under its heading."""
@@ -283,8 +331,7 @@ class SheetContents:
         corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
         if plane == "position":
             before += drawing.paths.written(corner)
-        if plane in self.ladders and (at := self._ladder_at(layout, plane)) is not None:
-            before += self.ladders[plane].marks(at)
+        before += self._equations(layout, plane)
         if plane in self.tables and plane not in self.low and not stages:
             before += self._tables_at(layout, plane) or []
         if stages and plane == "position":

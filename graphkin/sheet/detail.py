@@ -10,7 +10,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import compress, islice, pairwise
+from itertools import compress, pairwise
 
 import numpy as np
 
@@ -28,17 +28,17 @@ from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window, magnified
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
-_TIMES = (2.5, 3.0, 4.0, 5.0, 10.0, 20.0)
+_TIMES = (2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0, 20.0)
 _LARGEST = 45.0  # radius of a detail [mm]
-_AROUND, _HEAD = 8.0, 4.0
+_AROUND, _HEAD = 6.0, 4.0
 """Room for letters around a detail, and for its own heading over it [mm]."""
 _MANY = 150  # more labels than this no detail relieves
-_SAVED = 4.0  # the burden that a detail saves at least
-_LED = 1.0  # the additional burden of a leader in a detail
+SAVED = 4.0  # the burden that a detail saves at least
+_LED = 3.0  # the additional burden of a leader in a detail
 _CLEAR, _NOTHING = 9.0, 0.3  # the shortest arrow in a detail is at least so long; what is no arrow [mm]
-_SIZES = 2  # so many sizes of a detail are tried
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
 _ROUND = 1.2  # a lens is so many times as large as what it is to show
+_RIM = 1.1  # a circle about a knot is so many times as large as the knot
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
 _NUMERALS = ("I", "II")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -117,15 +117,19 @@ class _DetailDrawing:
 
     def relieved(self) -> _DetailDrawing | None:
         """With the one more detail that relieves it most, None where none does."""
-        if burden(self.burdens) < _SAVED:
+        if burden(self.burdens) < SAVED:
             return None
-        free, best = FreeRoom(self.panel.scene), self
-        for knot in _knots(self.panel.figure.wanted, self.burdens):
-            for other in map(self._with, islice(self._views(knot, free), _SIZES)):
+        free, best, least = FreeRoom(self.panel.scene), self, burden(self.burdens)
+        for knot, held in sorted(_knots(self.panel.figure.wanted, self.burdens), key=lambda each: -each[1]):
+            lightest = burden(self.burdens) - held  # were its labels none
+            for view in self._views(knot, free) if lightest < least else ():
+                other = self._with(view)
                 own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
-                if min(own) >= _OWN and (best is self or burden(other.burdens) < burden(best.burdens)):
-                    best = other  # no detail loses its own letters to another
-        return best if burden(best.burdens) + _SAVED <= burden(self.burdens) else None
+                if min(own) >= _OWN and burden(other.burdens) < least:
+                    best, least = other, burden(other.burdens)  # no detail loses its own letters to another
+                if least <= lightest:
+                    break
+        return best if least + SAVED <= burden(self.burdens) else None
 
     @property
     def burdens(self) -> Array:
@@ -133,8 +137,8 @@ class _DetailDrawing:
         return self.panel.burdens if self.known is None else self.known
 
     def _views(self, knot: _DetailCircle, free: FreeRoom) -> list[_View]:
-        """A part of the figure, or of a detail, magnified as there is room for, the least first; so far as to show its
-        shortest arrow, if that can be."""
+        """A part of the figure, or of a detail, in up to three sizes for which there is room, the least first; its
+        shortest arrow is to be seen, if that can be."""
         seen, views = next((view for view in self.views if view.shown.holds(knot.centre)), None), list[_View]()
         arrows = [want for want in self.panel.figure.wanted if want.of and knot.names(want)]
         lengths = [2 * abs(want.place - want.start) for want in arrows]
@@ -148,7 +152,7 @@ class _DetailDrawing:
             views.append(_View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times)))
         least = min((length for length in lengths if length > _NOTHING), default=_CLEAR)
         clear = [view for view in views if abs(view.shown.radius / knot.radius) * least >= _CLEAR]
-        return clear or views[-1:]
+        return [*dict.fromkeys((clear[0], clear[len(clear) // 2], clear[-1]))] if clear else views[-1:]
 
     def _with(self, view: _View) -> _DetailDrawing:
         """The letters of one circle left to the other, where that part is drawn once more. That all other labels have
@@ -175,8 +179,8 @@ class _DetailDrawing:
         return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), known=known)
 
 
-def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> Iterator[_DetailCircle]:
-    """For each radius the circle that holds most burden, where that is enough."""
+def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> Iterator[tuple[_DetailCircle, float]]:
+    """For each radius the circle that holds most burden, where that is enough; and the most that this weighs."""
     if not 0 < len(wanted) <= _MANY:
         return
     about = np.array([want.place for want in wanted])
@@ -186,8 +190,10 @@ def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> Iterator[_DetailCi
     for radius in _RADII:
         centres = _middles(far <= radius + _ON, about, start, end)
         held = (_farthest(centres, start, end) <= radius + _ON) @ burdens
-        if held.max() >= _SAVED:
-            yield _DetailCircle(complex(centres[held.argmax()]), radius)
+        if held.max() >= SAVED:
+            inside = _farthest(centres[held.argmax()][None], start, end)[0] <= radius + _ON
+            lighter = burden(burdens) - burden(np.where(inside, 0.0, burdens))
+            yield _DetailCircle(complex(centres[held.argmax()]), _RIM * radius), lighter
 
 
 def _farthest(centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:

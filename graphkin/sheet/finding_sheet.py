@@ -78,7 +78,7 @@ def _pictures(
     method: Method, plots: Sequence[Plot], captions: Sequence[str], slow: Sequence[SlowPoint | None]
 ) -> list[Picture]:  # fmt: skip
     """All as large as all figures laid over one another."""
-    figures = [partial(_figure, method, plot, point) for plot, point in zip(plots, slow, strict=True)]
+    figures = [partial(_figure, method, plot, plots, point) for plot, point in zip(plots, slow, strict=True)]
     places: list[complex] = []
     for plot, point in zip(plots, slow, strict=True):
         shown = shown_places(method, plot)
@@ -110,9 +110,9 @@ def _grid(
     return best
 
 
-def _figure(method: Method, plot: Plot, slow: SlowPoint | None, window: Window) -> Figure:
+def _figure(method: Method, plot: Plot, plots: Sequence[Plot], slow: SlowPoint | None, window: Window) -> Figure:
     """The mechanism and its slowest point with its line, dashed, on to it where it lies beyond the link."""
-    figure = plain_mechanism(method, plot, window)
+    figure = plain_mechanism(method, plot, window, plots)
     if slow is None or slow.along is None or not _is_near(slow, shown_places(method, plot)):
         return figure
     at, marks = window(slow.place), list[Mark]()

@@ -14,12 +14,13 @@ from graphkin.sheet import symbols
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import between, joined, link_label, quantity_label
 from graphkin.sheet.marks import Mark, Place, Shows
-from graphkin.sheet.skeleton import Skeleton, off_stretch
+from graphkin.sheet.skeleton import Skeleton, crossing, off_stretch
 from graphkin.sheet.wheels import circles, follower, wheels_of
 from graphkin.sheet.window import Figure
 
-_REACH, _AWAY, _STUB = 13.0, 18.0, 6.5
-"""How far a fixed guide is drawn to each side of its block; away from a bar over it, and under it [mm]."""
+_REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0
+"""How far a fixed guide is drawn to each side of its block; away from a bar over it, and where it ends unseen under the
+block [mm]."""
 _OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its block under a smaller angle
 _APART = 3.0  # between two arcs about one point [mm]
 
@@ -122,9 +123,22 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _FixedStretch:
             if abs(here - block) < 0.1 < abs(there - block):
                 turned.append(((there - block) / abs(there - block) * along.conjugate()).real)
     back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
-    before, beyond = (_REACH, _REACH) if back == on else (_STUB, _AWAY) if back else (_AWAY, _STUB)
-    low, high = min(stops) - before, max(stops) + beyond
+    before, beyond = (_REACH, _REACH) if back == on else (_HIDDEN, _AWAY) if back else (_AWAY, _HIDDEN)
+    low, high = _uncrossed(at, along, (min(stops), max(stops)), (before, beyond), skeleton, *others)
     return _FixedStretch(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
+
+
+def _uncrossed(
+    at: Place, along: complex, stops: tuple[float, float], reach: tuple[float, float], *skeletons: Skeleton
+) -> tuple[float, float]:
+    """The ends of a guide: before links that would cross it; under the block where little would be seen of it."""
+    ends = []
+    for way, stop, far in ((-1, -stops[0], reach[0]), (1, stops[1], reach[1])):
+        start, tip = at + along * way * (stop + _HIDDEN), at + along * way * (stop + far + 2)
+        met = (crossing(start, tip, one, other) for each in skeletons for one, other in each.segments())
+        most = min([far, *(abs(place - start) + _HIDDEN - 2 for place in met if place is not None)])
+        ends.append(way * (stop + (most if most > symbols.BLOCK.real / 2 + 3 else _HIDDEN)))
+    return ends[0], ends[1]
 
 
 def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:
@@ -149,11 +163,11 @@ def drives(skeleton: Skeleton) -> Figure:
             continue
         if driver.kind == "slide":
             _slide_arrow(skeleton, driver, figure)
-        elif driver.vector is not None:  # about the vector's tail, starting at the link in the sense of its rotation
+        elif driver.vector is not None:  # about the vector's tail, across the link
             at, tip = (skeleton.at(point) for point in driver.vector)
             if abs(tip - at) >= 1:
                 towards, radius = (tip - at) / abs(tip - at), min(9.0, max(6.0, 0.45 * abs(tip - at)))
-                starts = [towards * cmath.rect(1, math.radians(turn)) for turn in (-14, 76, -149)]
+                starts = [towards * cmath.rect(1, math.radians(turn)) for turn in (14, 22)]
                 mirrored = [towards**2 * start.conjugate() for start in starts]
                 _arcs(skeleton, driver, figure, driver.vector, radius, {1: starts, -1: mirrored})
         elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
@@ -182,17 +196,19 @@ def _arcs(
     called = between([skeleton.mechanism.called(link) for link in links])
     for sense, text in letters.items():
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
-        room = [_room(skeleton, at + start * half * radius) for start in starts[sense]]  # about the middle of each arc
-        start = starts[sense][room.index(max(room))]
+        rooms = [clearance(skeleton, at + start * half * radius) for start in starts[sense]]  # about their middles
+        start = starts[sense][rooms.index(max(rooms))]
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
         figure.marks += marks
-        middle, label = start * half, joined([quantity_label(letter, called) for letter in text])
-        figure.wanted.append(LabelRequest(label, at + middle * radius, gap=0.3, away=middle, step=marks[0].step))
+        # off the link, on the side where its angle is not
+        beyond = start * half ** (1.5 if (sense > 0) == ((driver.value or 0.0) >= 0) else 0.0)
+        label = joined([quantity_label(letter, called) for letter in text])
+        figure.wanted.append(LabelRequest(label, at + beyond * radius, gap=0.3, away=beyond, step=marks[0].step))
         radius += _APART
 
 
-def _room(skeleton: Skeleton, place: Place) -> float:
+def clearance(skeleton: Skeleton, place: Place) -> float:
     """Distance of a place from the nearest link, as far as it matters to the eye [mm]."""
     stretches = [*skeleton.segments()]
     for point in skeleton.points:
@@ -217,7 +233,7 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
             at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
     out = 5.2 + max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0)
     out -= 1.5 if out > 6 else 0.0
-    across = max((up, -up), key=lambda side: min(_room(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
+    across = max((up, -up), key=lambda side: min(clearance(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
     start = at + across * out - along * 4
     marks = symbols.push(start, along, Shows(line.link, "push", line=driver.link), skeleton.step(point))
     figure.marks += marks

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Iterator, Sequence
 from copy import copy
 from dataclasses import field
@@ -17,7 +18,7 @@ from graphkin.sheet.boxes import OccupiedSquares
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
 
 _CLEAR = 0.6  # the distance of what is added from everything there [mm]
@@ -25,6 +26,7 @@ _WORD = np.array((2.2, -0.6))
 """Letters beside others read as theirs when nearer; how far above or below they may be for that [mm]."""
 _EDGE, _GRID = 2.0, 3.0
 """The distance of a rectangle from all others; the grid of the places that are tried for it [mm]."""
+_SLICE = 1.0  # between places of a line, and of slices of turned letters [mm]
 _STEPS = 0.5  # the steps in which a line is shortened [mm]
 
 
@@ -63,7 +65,8 @@ class FreeRoom:
         """These lie on the paper now, too."""
         self.marks += marks
         self._late = {}
-        vars(self).pop("_occupied", None)
+        for name in ("_occupied", "_signs"):
+            vars(self).pop(name, None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def _added(self, first: int) -> list[Obstacles]:
@@ -74,8 +77,7 @@ class FreeRoom:
 
     def free(self, low: Array, high: Array) -> Array:
         """True for those of many boxes (n, 2) that touch nothing and lie in the room."""
-        inside = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
-        return _clear(inside[:, 0] & inside[:, 1], low, high, [*self._standing, *self._added(self._first)])
+        return _clear(self._inside(low, high), low, high, [*self._standing, *self._added(self._first)])
 
     def reach(self, start: Place, along: complex, most: float) -> float:
         """The length of a line on from a place, without running into letters or out of the room [mm]."""
@@ -153,6 +155,39 @@ class FreeRoom:
             self.add(marks)
             yield marks
 
+    def first(self, groups: Sequence[tuple[Sequence[Mark], Sequence[Mark]]]) -> int | None:
+        """The number of the first group of marks for which there is room: those of its first part touch nothing, those
+        of its second no letters, arcs and arrow heads; None where there is none."""
+        good = np.ones(len(groups), dtype=bool)
+        for part in (0, 1):
+            marks = [(k, mark) for k, group in enumerate(groups) for mark in group[part]]
+            if not marks:
+                continue
+            covers = [(k, isinstance(mark, Text), *_cover(mark)) for k, mark in marks]
+            owner = np.concatenate([np.full(len(low), k) for k, _, low, _ in covers])
+            low, high = (np.concatenate(corners) for corners in list(zip(*covers, strict=True))[2:])
+            if part:
+                free = _clear(self._inside(low, high), low, high, [self._signs])
+            else:
+                free = self.free(low, high)
+                letters = np.concatenate([np.full(len(low), text) for _, text, low, _ in covers])
+                free[letters] &= ~_beside(low[letters], high[letters], self._letters)
+            good[owner[~free]] = False
+        return int(good.argmax()) if good.any() else None
+
+    @cached_property
+    def _signs(self) -> Obstacles:
+        """Letters, arcs and arrow heads."""
+        return obstacles(
+            mark for mark in self.marks
+            if isinstance(mark, Text | ArcMark) or (isinstance(mark, Stroke) and mark.fill == "ink")
+        )  # fmt: skip
+
+    def _inside(self, low: Array, high: Array) -> Array:
+        """True for those of many boxes (n, 2) that lie in the room."""
+        inside = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
+        return np.asarray(inside.all(axis=1))
+
     def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
         """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
         (spots,) = self.spots([want], [_half(want)])
@@ -197,5 +232,19 @@ def _beside(low: Array, high: Array, letters: Array) -> Array:
 
 def _boxes(texts: Sequence[Text]) -> Array:
     """Lower and upper corner of each text (n, 2, 2)."""
-    sides = [bounds([text]) for text in texts]
-    return np.array([((left, top), (right, bottom)) for left, top, right, bottom in sides]).reshape(-1, 2, 2)
+    return np.concatenate([np.zeros((0, 2, 2)), *(np.stack(_cover(text), axis=1) for text in texts)])
+
+
+def _cover(mark: Mark) -> tuple[Array, Array]:
+    """Boxes low..high (n, 2) that hold a mark: slices of letters where they are turned, places on a line."""
+    if isinstance(mark, Text):
+        if not mark.turn:
+            left, top, right, bottom = bounds([mark])
+            return np.array([[left, top]]), np.array([[right, bottom]])
+        (wide, up, down), turn = box(mark.label, mark.size), cmath.rect(1, mark.turn)
+        at = mark.at + turn * np.linspace(0.0, wide, int(wide / _SLICE) + 2)
+        ends = np.stack([at - 1j * turn * up, at + 1j * turn * down])
+        sides = np.stack([ends.real, ends.imag], axis=-1)
+        return sides.min(axis=0), sides.max(axis=0)
+    on = places([mark], _SLICE).T
+    return on, on

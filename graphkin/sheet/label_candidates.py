@@ -1,7 +1,7 @@
 """The candidate places of a figure's labels, and what lies about each; rated only where they are asked for.
 
 Most labels stand where they would like to. So the places at what they name come first, for all labels at once; those
-on a leader, and far off, only for labels that find none there.
+on a leader only for labels that find none there.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from graphkin.base.value import filled
 from graphkin.sheet.boxes import OccupiedSquares, xy
 from graphkin.sheet.label_requests import CRAMMED, LONGEST, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Mark, Place, PointMark, Text, VectorMark
+from graphkin.sheet.marks import Mark, PointMark, Text, VectorMark
 from graphkin.sheet.obstacles import Obstacles, obstacles, places
 from graphkin.sheet.paper import Room
 
@@ -28,9 +28,9 @@ _OWN, _SAME = 2.0, 0.15
 """A leader ends so far from what is not its own at least; closer than the second, points are one [mm]."""
 _ASIDE, _PARALLEL = 0.9, 0.05  # so far apart arrows on one line are told apart [mm]; the sine of their angle
 
-NEAR, LED, FAR, FARTHEST = range(4)
-"""Places at what a label names, on a leader about that, and farther off."""
-MANY = 150  # more labels than this are a crowd that far places do not relieve
+NEAR, LED = range(2)
+"""Places at what a label names, and on a leader about that."""
+MANY = 150  # more labels than this are a crowd that no care relieves
 _FEWER = 6  # of the places of a crowd beyond help one in so many is rated
 _CELL = 1.0  # the size of the squares that surely hold something [mm]
 _CLEAR, _EASY = 0.45, 1.3
@@ -183,12 +183,6 @@ class LabelScene:
         boxes = (box(want.label, want.size) for want in self.wanted)
         return np.array([complex(wide, up + down) / 2 for wide, up, down in boxes], dtype=complex)
 
-    @cached_property
-    def crowd(self) -> Place:
-        """The middle of what is named."""
-        places = [want.place for want in self.wanted]
-        return complex(_middle([place.real for place in places]), _middle([place.imag for place in places]))
-
     def rated(self, labels: Iterable[int], tier: int, lines: bool = False) -> list[Rated]:
         """The candidates of some labels up to a tier; lines: with what leaders cross."""
         labels = list(labels)
@@ -236,10 +230,7 @@ class LabelScene:
         Farther off, none that surely lies on something, where it has others."""
         spots, thinned = list[LabelCandidates](), slice(None, None, _FEWER if self.beyond_help else 1)
         for want, half in ((self.wanted[label], complex(self.halves[label])) for label in labels):
-            if tier in (NEAR, LED):
-                each = want.near(half) if tier == NEAR else want.led(half)
-            else:
-                each = want.far(half, self.crowd, farthest=tier == FARTHEST)
+            each = want.near(half) if tier == NEAR else want.led(half)
             spots.append(LabelCandidates(*(part[thinned] for part in each)))
         owner, every = np.repeat(labels, [len(each.cost) for each in spots]), LabelCandidates.joined(spots)
         boxes = Boxes.of(every, self.halves[owner])
@@ -331,10 +322,3 @@ class Arrows:
             across = np.maximum(np.maximum(left - end.real, end.real - right), 0.0)
             distances.append(np.hypot(across, np.maximum(np.maximum(top - end.imag, end.imag - bottom), 0.0)))
         return np.asarray(np.minimum.reduce(distances))
-
-
-def _middle(values: list[float]) -> float:
-    """The median; numpy's would load masked arrays, which takes longer than placing the labels."""
-    ordered = sorted(values)
-    half = len(ordered) // 2
-    return (ordered[half] + ordered[-half - 1]) / 2 if ordered else 0.0

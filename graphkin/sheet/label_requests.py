@@ -1,4 +1,4 @@
-"""A label that wants a place, and its candidates: around its point, along its line, or far off on a leader."""
+"""A label that wants a place, and its candidates: around its point, along its line, or on a leader."""
 
 from __future__ import annotations
 
@@ -28,15 +28,10 @@ _LEANING = _leaning(_TURNS)
 _LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
 """The cost of a direction where none is liked: above and to the right first."""
 _NOWHERE = complex("nan")
-_FAR, _FARTHEST = np.array([17.0, 21.5, 26.5]), np.array([32.0, 38.0, 44.5, 51.5, 59.0])
-"""Distances of labels of a crowd when nothing nearer is free [mm]."""
 _LEADER, _FARTHER = 6.0, 1.6
 """The cost of a leader, and of each millimetre from the sign."""
-LEAST = (0.0, *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR, _FARTHEST)))
-"""No place of the tiers costs less: near, led, far, farthest."""
-_FAR_TURNS = np.array([cmath.rect(1, math.tau * k / 32) for k in range(32)])
-_FAR_LEANING = _leaning(_FAR_TURNS)
-_ANCHORS = (0.5, 0.3, 0.7)  # places along a line for the end of a far leader
+LEAST = _LEADER + _FARTHER * float(_LED[0])
+"""No place on a leader costs less."""
 _LED_ALONG = (0.5, 0.35, 0.65, 0.2, 0.8)  # places along a line for the end of a leader
 _OFF_MIDDLE = 1.5  # the cost of the whole length off the middle
 _UPRIGHT = math.sin(math.radians(61))  # of the angle at which a leader meets its line at least
@@ -132,20 +127,6 @@ class LabelRequest:
         aside = np.repeat(np.abs(np.array(_LED_ALONG) - 0.5), len(off) // len(_LED_ALONG))
         every = every._replace(cost=every.cost + _OFF_MIDDLE * aside)
         return LabelCandidates(*(part[upright & (np.abs(off) <= LONGEST)] for part in every))
-
-    def far(self, half: complex, crowd: Place, farthest: bool = False) -> LabelCandidates:
-        """Wide rings, away from the middle of the crowd first."""
-        ends, rings = (self.start, self.start if self.end is None else self.end), _FARTHEST if farthest else _FAR
-        anchors = dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS)
-        sides = _sides(_FAR_LEANING, half)[:, None]
-        parts = []
-        for anchor in anchors:
-            away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
-            liking = 5.0 * (1 - (_FAR_TURNS * away).real)
-            middle = anchor + (self.gap + 0.6 + rings) * _FAR_TURNS[:, None] + sides
-            cost = _FARTHER * rings + _LEADER + liking[:, None]
-            parts.append(LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor)))
-        return LabelCandidates.joined(parts)
 
 
 def lettering(wanted: Iterable[LabelRequest]) -> float:

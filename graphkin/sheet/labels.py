@@ -2,9 +2,8 @@
 
 Each label has candidate places around its point or along its vector. All are held against everything drawn at once;
 then the label with the fewest free places left chooses first, and takes the one nearest to what it names. The same
-marks give the same places. Where nothing near is free, a thin leader goes to a place farther off. In a crowd that
-leaves no place at all, leaders go much farther (`far`), labels make way for one another, and at last those that say
-nothing new are left out.
+marks give the same places. Where nothing near is free, a thin leader goes to a place a little farther off. In a crowd
+that leaves no place at all, labels make way for one another, and at last those that say nothing new are left out.
 """
 
 from __future__ import annotations
@@ -16,8 +15,8 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import overlap
-from graphkin.sheet.label_candidates import FARTHEST, LED, MANY, NEAR, Boxes, LabelScene
-from graphkin.sheet.label_costs import CROWDED, NEARBY, LabelChoice, LabelTable, under
+from graphkin.sheet.label_candidates import LED, MANY, NEAR, Boxes, LabelScene
+from graphkin.sheet.label_costs import CROWDED, NEARBY, LabelChoice, LabelTable, Prices, under
 from graphkin.sheet.label_requests import LEAST, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Stroke
@@ -34,7 +33,7 @@ _CHEAPER = 0.5  # a label moves where that saves more
 
 
 class LabelPlacing:
-    """Labels taking their places; in a crowd farther off.
+    """Labels taking their places.
 
     boxes   of each label; stands: those that have a place
     _table  the places they choose from; _spot: the one that each takes
@@ -42,10 +41,10 @@ class LabelPlacing:
     _liked  the places that each would choose from up to a tier were it alone
     """
 
-    def __init__(self, scene: LabelScene, last: int) -> None:
+    def __init__(self, scene: LabelScene, last: int, prices: Prices) -> None:
         """last: the farthest tier in which labels look for places."""
         count = len(scene.wanted)
-        self.scene, self.prices, self._last = scene, CROWDED if last == FARTHEST else NEARBY, last
+        self.scene, self.prices, self._last = scene, prices, last
         self.boxes = Boxes(np.zeros((4, 2, count)), np.zeros(count, dtype=bool))
         self.stands = np.zeros(count, dtype=bool)
         self._spot, self._tier = np.zeros(count, dtype=np.intp), np.full(count, NEAR)
@@ -84,7 +83,7 @@ class LabelPlacing:
 
     def _enough(self) -> Array:
         """The cost of each label above which it looks for farther places."""
-        return np.where(self._tier < self._last, np.array([*LEAST, np.inf])[self._tier + 1], np.inf)
+        return np.where(self._tier < self._last, LEAST, np.inf)
 
     def _look_on(self, waiting: Sequence[int]) -> None:
         """For those that have found no good place."""
@@ -208,6 +207,12 @@ class LabelPlacing:
         self._move()
         self._relieve()
 
+    def unclear(self) -> list[int]:
+        """Labels on leaders that do not tell what they name."""
+        led = np.flatnonzero(self.stands & self.boxes.led)
+        start, end = self.boxes.taken(led).leader.swapaxes(1, 2)
+        return [int(label) for label in led[self.scene.arrows.unclear(self.scene.wanted, led, start, end)]]
+
     # --- what has no place ------------------------------------------------------------------------
 
     def clashing(self) -> list[int]:
@@ -236,7 +241,7 @@ class Settled(NamedTuple):
     """Labels and leaders at their places.
 
     clashing  which labels lie on something, or their leaders on labels
-    crowd     they had to go far off
+    crowd     some were left out
     led       which labels stand on leaders; unclear: on such as do not tell what they name, or are long
     """
 
@@ -252,31 +257,31 @@ class Settled(NamedTuple):
 
     def burdens(self, count: int) -> Array:
         """The burden of each of so many labels on the eye."""
-        led, *bad = (np.bincount([*each], minlength=count) for each in (self.led, self.unclear, self.clashing))
-        return np.asarray(led + _UNCLEAR * np.sum(bad, axis=0))
+        burdens = np.zeros(count)
+        for labels, weight in ((self.led, 1.0), (self.unclear, _UNCLEAR), (self.clashing, _UNCLEAR)):
+            burdens[[*labels]] += weight
+        return burdens
 
 
 def burden(each: Array) -> float:
     """The burden of labels together: more than a few are heavier."""
-    return float(each.sum() + _MORE * max(0, np.count_nonzero(each) - _EASY))
+    return float(each.sum() + _MORE * max(0, int(np.count_nonzero(each)) - _EASY))
 
 
-def settle(scene: LabelScene, far: bool = False) -> Settled:
-    """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
+def settle(scene: LabelScene, crowd: bool = False) -> Settled:
+    """The labels (and their leaders) at their places among what is drawn; `crowd`: on nothing else at any price, and
+    those that say nothing new left out for that."""
     if not scene.wanted:
         return Settled([], ())
-    last = NEAR if scene.beyond_help else LED if len(scene.wanted) > MANY or not far else FARTHEST
-    places = LabelPlacing(scene, last)
-    clashing = places.clashing()
-    for _ in range(_ROUNDS if far else 0):
-        if not (out := _left_out(scene.wanted, places.stands, clashing)):
+    places = LabelPlacing(scene, NEAR if scene.beyond_help else LED, CROWDED if crowd else NEARBY)
+    clashing, unclear = places.clashing(), places.unclear()
+    for _ in range(_ROUNDS if crowd else 0):
+        if not (out := _left_out(scene.wanted, places.stands, [*clashing, *unclear])):
             break
         places.leave_out(out)
-        clashing = places.clashing()
+        clashing, unclear = places.clashing(), places.unclear()
     led = np.flatnonzero(places.stands & places.boxes.led)
-    start, end = places.boxes.taken(led).leader.swapaxes(1, 2)
-    unclear = led[scene.arrows.unclear(scene.wanted, led, start, end)]
-    return Settled([*_lettered(scene.wanted, places)], clashing, far, led.tolist(), unclear.tolist())
+    return Settled([*_lettered(scene.wanted, places)], clashing, crowd, led.tolist(), unclear)
 
 
 def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[Mark]:

@@ -51,10 +51,14 @@ class Layout:
 
     def window(self, plane: Plane, extent: Extent) -> Window:
         """The figure with all its signs in the middle of its room, under its heading."""
-        times, scale = self.paper.times, self.scales[plane]
-        free, _ = _for_figure(_one(self.rooms[plane]), extent.reduced(times))
-        seen = extent.reduced(times).window(Room(*map(float, free)), scale)
-        return Window(seen.origin, scale * times, times)
+        times = self.paper.times
+        free, *_ = _for_figure(_one(self.rooms[plane]), extent.reduced(times))
+        return extent.reduced(times).window(Room(*map(float, free)), self.scales[plane], times)
+
+    def shape(self, plane: Plane, extent: Extent) -> int:
+        """The number of the shape in which its equations stand with a figure."""
+        *_, best = _for_figure(_one(self.rooms[plane]), extent.reduced(self.paper.times))
+        return int(best) // 2
 
 
 def under_heading(room: Room) -> Room:
@@ -70,18 +74,25 @@ def _under_heading(room: Rooms) -> Rooms:
     return room._replace(top=room.top + np.where(room.right - room.left < HEAD_WIDTH, HEAD + _SECOND, HEAD))
 
 
-def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array]:
-    """The parts of rooms that heading and equations leave, and the scales there: the equations stand over the figure
-    or on its left, whichever leaves it larger."""
+def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array, Array]:
+    """The parts of rooms that heading, tables and equations leave, the scales there, and which of its places the
+    equations take: over the figure or on its left, in each of their shapes, wherever they leave it largest."""
     under = _over_tables(_under_heading(room), extent.tables)
-    if extent.ladder is None:
-        return under, extent.scales_in(under)
-    wide, high = extent.ladder.real + 2 * HEAD_LEFT, extent.ladder.imag + HEAD_LEFT
-    over = under._replace(top=np.where(room.right - room.left >= wide, under.top + high, under.bottom))
-    beside = under._replace(left=np.where(under.bottom - under.top >= high, under.left + wide, under.right))
-    scale, other = extent.scales_in(over), extent.scales_in(beside)
-    better = np.isnan(scale) | (other < scale)
-    return Rooms(*(np.where(better, b, a) for a, b in zip(over, beside))), np.where(better, other, scale)
+    free = [under]
+    for pair in extent.beside:
+        first, other = (size + complex(2 * HEAD_LEFT, HEAD_LEFT) for size in pair)
+        wide, high = room.right - room.left >= first.real, under.bottom - under.top >= other.imag
+        free.append(under._replace(top=np.where(wide, under.top + first.imag, under.bottom)))
+        free.append(under._replace(left=np.where(high, under.left + other.real, under.right)))
+    free = free[1:] or free
+    scales = np.array([np.broadcast_to(extent.scales_in(each), np.shape(room.left)) for each in free])
+    best = np.where(np.isnan(scales), np.inf, scales).argmin(axis=0)
+
+    def chosen(values: Sequence[Array]) -> Array:
+        every = np.array([np.broadcast_to(value, best.shape) for value in values])
+        return np.asarray(np.take_along_axis(every, best[None], axis=0)[0])
+
+    return Rooms(*map(chosen, zip(*free, strict=True))), chosen([*scales]), best
 
 
 def _over_tables(room: Rooms, shapes: Sequence[complex]) -> Rooms:
@@ -113,15 +124,17 @@ def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
     paper, extent = layout.paper, extent.reduced(layout.paper.times)
     need = extent.size / layout.scales[plane] + extent.reach
-    strip, ladder, room = layout.strip.size.imag, extent.ladder or 0j, layout.rooms[plane]
-    (left, top, _, _), _ = _for_figure(_one(room), extent)
-    need += complex(float(left) - room.left, float(top) - under_heading(room).top)  # what its equations take
-    need = complex(max(need.real, ladder.real + 2 * HEAD_LEFT), need.imag)
+    strip, room = layout.strip.size.imag, layout.rooms[plane]
+    (left, top, _, bottom), _, best = _for_figure(_one(room), extent)
+    taken = float(top) - under_heading(room).top + room.bottom - float(bottom)
+    need += complex(float(left) - room.left, taken)  # what its equations and tables take
+    least = [size for pair in extent.beside for size in pair][int(best)] if extent.beside else 0j
+    need = complex(max(need.real, least.real + 2 * HEAD_LEFT), max(need.imag, least.imag + HEAD_LEFT))
     wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(need.real)))
 
     def high(wide: float) -> float:
         head = under_heading(Room(0.0, 0.0, replace(paper, width=wide).frame.size.real, 0.0)).top
-        return 2.0 * paper.margin + strip + math.ceil(head + max(need.imag, ladder.imag + HEAD_LEFT))
+        return 2.0 * paper.margin + strip + math.ceil(head + need.imag)
 
     wide = wide if high(wide) <= paper.height else paper.width  # in less width the heading may need more lines
     cut = replace(paper, width=wide, height=min(paper.height, high(wide)))
@@ -147,11 +160,11 @@ def headed(
 ) -> Layout:
     """As the layout, with what stands over figures for as many as have room for it: on paper of the same size, none
     drawn more than so much coarser."""
-    over = [plane for plane, extent in extents.items() if extent.ladder is not None]
+    over = [plane for plane, extent in extents.items() if extent.beside]
     area = layout.paper.enlarged.width * layout.paper.enlarged.height
     same = [paper for paper in papers if paper.width * paper.height == area]
     for planes in (over, *([plane] for plane in over if len(over) > 1)):
-        own = {plane: e if plane in planes else replace(e, ladder=None) for plane, e in extents.items()}
+        own = {plane: e if plane in planes else replace(e, beside=()) for plane, e in extents.items()}
         best = _best(same, own, strip_height, _divisions) if planes else None
         if best is not None and all(best.scales[p] <= layout.scales[p] * coarser for p in extents):
             return replace(best, headed=tuple(planes))
@@ -167,7 +180,7 @@ def _best(
         extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         field, strip = divided(paper, strip_height(paper))
         rooms, ends = _rooms(divisions, field, tuple(extents))
-        figures = {plane: _for_figure(room, extents[plane]) for plane, room in rooms.items()}
+        figures = {plane: _for_figure(room, extents[plane])[:2] for plane, room in rooms.items()}
         free = {plane: room for plane, (room, _) in figures.items()}
         wide = {plane: room.right - room.left >= _NARROWEST for plane, room in rooms.items()}
         scales = {plane: np.where(wide[plane], scale, math.nan) for plane, (_, scale) in figures.items()}

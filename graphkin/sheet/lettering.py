@@ -211,12 +211,13 @@ _SIGN = (
 _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = rf"(?:(?<=[⊥∥→·△])|(?<=× ))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
 _NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z′]*\d)(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
-_NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*")
+_NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*(?:(?<=′)\d+′*)?")
+_WORDED = r"(?<![A-Za-z])(?:[A-Za-z]\d*′+_[^\W\d_]\w*′*|[a-z]_[a-z]\w*′+)"  # b′_lever″, n_lever′
 _STRETCH = (
-    r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+|[a-z]\d+′*)+(?![A-Za-z²³])"
+    r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+(?:\d+′*)?|[a-z]\d+′*)+(?![A-Za-z²³])"
     r"|(?<=[·△])(?:[a-z]\d*)+(?![A-Za-z])|(?<![A-Za-z/])(?<!\d )[a-z]{2}(?= = )"
 )
-_ANY = re.compile(f"(?P<points>{_POINTS}|{_NUMBERED}|{_STRETCH})|{_SIGN}")
+_ANY = re.compile(f"(?P<worded>{_WORDED})|(?P<points>{_POINTS}|{_NUMBERED}|{_STRETCH})|{_SIGN}")
 
 
 @lru_cache(4096)
@@ -227,7 +228,10 @@ def formula(text: str) -> Label:
     at = 0
     for match in _ANY.finditer(text):
         runs += plain(text[at : match.start()])
-        runs += _points(match["points"]) if match["points"] else _sign(match)
+        if match["worded"]:
+            runs += point_label(match["worded"].replace("′_", "'@").replace("′", "'"))
+        else:
+            runs += _points(match["points"]) if match["points"] else _sign(match)
         at = match.end()
     return (*runs, *plain(text[at:]))
 

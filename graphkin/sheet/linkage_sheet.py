@@ -32,7 +32,7 @@ from graphkin.sheet.lettering import (
     quantity_label,
     width,
 )
-from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text
+from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.page import Panel, Sheet
 from graphkin.sheet.paper import papers_for
@@ -118,7 +118,7 @@ def _pictures(one: Report, lang: Lang, several: bool) -> list[Picture]:
 
 def _limits(one: Report, lang: Lang) -> Picture:
     def draw(window: Window) -> Figure:
-        return _over(drawn_over(one.linkage, one.limits, window), dimensioned_limits(one, window))
+        return _over(drawn_over(one.linkage, one.limits, window, around=one.critical), dimensioned_limits(one, window))
 
     texts = [_WORDS["limits"][lang].format(output=one.output)]
     if one.k is not None:
@@ -134,7 +134,7 @@ def _transmission(one: Report, lang: Lang) -> Picture:
 
     def draw(window: Window) -> Figure:
         angles = dimensioned_transmission(one, shown, window)
-        return _over(drawn_over(one.linkage, shown, window, primes=True), angles)
+        return _over(drawn_over(one.linkage, shown, window, True, (*one.limits, *one.critical)), angles)
 
     gamma, alpha = (f"{numbers.number(math.degrees(angle or 0.0))}°" for angle in (one.gamma_min, one.alpha_max))
     letter, values = "s" if one.driver == one.slide else "φ", ", ".join(amount(one, end.driver) for end in one.least)
@@ -183,7 +183,6 @@ _BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
 _SEEN = 0.05  # an arm that leaves its link's line by more does not show its direction [mm]
 _SQUARE, _PAST_BLOCK, _RIGHT = 2.4, 6.5, 1e-6
 """Side of the square in a right angle, and where it is to be seen beside a block [mm]; its cosine is no larger."""
-_NO_HEADS = 7.0  # an arc shorter than this has no arrow heads [mm]
 
 
 def pictured(positions: Row, draw: Callable[[Window], Figure], caption: Caption) -> Picture:
@@ -197,11 +196,17 @@ def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
     return [window(place) for place in position.places]
 
 
-def drawn_over(linkage: Linkage, positions: Row, window: Window, primes: bool = False) -> Figure:
-    """Ground first, then the thin positions, then the thick one; moving points lettered with numbers or primes."""
+def drawn_over(
+    linkage: Linkage, positions: Row, window: Window, primes: bool = False, around: Row = ()
+) -> Figure:
+    """Ground first, then the thin positions, then the thick one; moving points lettered with numbers or primes.
+
+    around  further positions, of other figures, for which the ground is the same
+    """
     machine = linkage.mechanism()
     first, *others = (Skeleton(machine, posed(linkage, machine, position), window, {}) for position in positions)
-    marks = list(grounds(first, *others).marks)
+    elsewhere = [Skeleton(machine, posed(linkage, machine, position), window, {}) for position in around]
+    marks = list(grounds(first, *others, *elsewhere).marks)
     for skeleton in reversed(others):
         for mark in _links(linkage, skeleton):
             marks.append(replace(mark, pen="thin") if isinstance(mark, Stroke | Disc) else mark)
@@ -254,12 +259,7 @@ def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Labe
     """An arc with arrow heads and its value; nothing for no angle."""
     if abs(sweep) < 1e-6:
         return Figure()
-    marks: list[Mark] = [ArcMark(centre, radius, begin, sweep, "thin")]
-    if abs(sweep) * radius > _NO_HEADS:
-        for angle, side in ((begin, -1), (begin + sweep, 1)):
-            turn = side * (1 if sweep > 0 else -1) * (math.pi / 2 - 1.5 / radius)
-            tip = centre + cmath.rect(radius, angle)
-            marks.append(symbols.arrow_head(tip, cmath.rect(1, angle + turn), None))
+    marks = symbols.angle_arc(centre, radius, cmath.rect(1, begin), sweep)
     middle = cmath.rect(1, begin + sweep / 2)
     return Figure(marks, [LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=LABEL)])
 
@@ -322,15 +322,10 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
     places = [on_paper(end, window) for end in report.limits]
     one, other = (there[-1] for there in places)
     side = away_from(one, along, [place for there in places for place in there])
-    start, end = one + _STROKE_OFF * side, other + _STROKE_OFF * side
-    marks: list[Mark] = []
-    for place in (one, other):
-        marks.append(Stroke((place + 4.5 * side, place + (_STROKE_OFF + 1.5) * side), "construction"))
-    forward = (end - start) / abs(end - start)
-    heads = [symbols.arrow_head(start, -forward, None), symbols.arrow_head(end, forward, None)]
-    marks += [Stroke((start, end), "thin"), *heads]
+    line, extensions, heads = symbols.dimension_line((one, other), side, _STROKE_OFF)
     label: Label = (Run("H", True), Run(" = "), *number(length * 1e3), Run(" mm"))
-    return Figure(marks, [LabelRequest(label, start, end, gap=0.4, away=side, size=LABEL)])
+    request = LabelRequest(label, line.places[0], line.places[1], gap=0.4, away=side, size=LABEL)
+    return Figure([line, *extensions, *heads], [request])
 
 
 def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:

@@ -19,6 +19,8 @@ Place = complex
 Fill = Literal["none", "paper", "ink", "grey", "tint"]  # a tint hides nothing under it
 Layer = Plane | Literal["centres", "detail"]
 """The layer of a mark: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
+Accent = Plane | Literal["grey"]
+"""A mark that has another colour than its layer: a plane's, or grey, as what is not given."""
 Half = Literal["", "left", "right"]
 Form = Literal["bar", "guide", "block", "slot", "wheel", "arc", "path", "omega", "alpha", "push", "ruler"]
 
@@ -48,7 +50,7 @@ class Shows:
 class Stroke:
     """A line through `places`; `closed` back to the first; `shows`: of lines of links.
 
-    accent  of marks: the plane whose colour it has where that is not its layer's
+    accent  its colour where that is not its layer's
     """
 
     places: tuple[Place, ...]
@@ -58,7 +60,7 @@ class Stroke:
     shows: Shows | None = None
     step: int | None = None
     new: bool = False
-    accent: Plane | None = None
+    accent: Accent | None = None
 
 
 @frozen
@@ -72,7 +74,7 @@ class Disc:
     shows: Shows | None = None
     step: int | None = None
     new: bool = False
-    accent: Plane | None = None
+    accent: Accent | None = None
 
 
 @frozen
@@ -86,19 +88,20 @@ class ArcMark:
     pen: PenName = "thin"
     step: int | None = None
     new: bool = False
-    accent: Plane | None = None
+    accent: Accent | None = None
 
 
 @frozen
 class Text:
-    """Letters; `at` is the left end of the base line."""
+    """Letters; `at` is the left end of the base line, which is turned about it [rad, clockwise on paper]."""
 
     label: Label
     at: Place
     size: float
     step: int | None = None
     new: bool = False
-    accent: Plane | None = None
+    accent: Accent | None = None
+    turn: float = 0.0
 
 
 @frozen

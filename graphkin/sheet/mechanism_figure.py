@@ -22,25 +22,30 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, plain, point_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.polygons import named_site
-from graphkin.sheet.skeleton import Skeleton, hull, in_line
+from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.wheels import circular_slot, equivalents, follower, profiles, rims, wheels, wheels_of
 from graphkin.sheet.window import Figure, Window, corners
 
+_JOINED = 3.0  # lines that cross so near to a point are joined there [mm]
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 
-def mechanism_figure(skeleton: Skeleton, method: Method, drawn: list[complex]) -> Figure:
+def mechanism_figure(
+    skeleton: Skeleton, method: Method, drawn: list[complex], others: Sequence[Skeleton] = ()
+) -> Figure:
     """Wheels and ground first, then links, blocks over their guides, hinges over links, arrows last.
 
-    drawn  the places that the figure has room for [m]
+    drawn   the places that the figure has room for [m]
+    others  all positions of which it is one: the ground is the same in each
     """
-    return _figure(skeleton, method, specials(method, skeleton, drawn), grounds(skeleton), drives(skeleton))
+    ground = grounds(*(others or [skeleton]))
+    return _figure(skeleton, method, specials(method, skeleton, drawn), ground, drives(skeleton))
 
 
 def moving_figure(skeleton: Skeleton, method: Method, others: Sequence[Skeleton], driving: Figure) -> Figure:
-    """One position of many that are shown in turn: its ground suits the others, its drivers' arrows are given."""
-    return _figure(skeleton, method, Figure(), grounds(skeleton, *others), driving)
+    """One position of many that are shown in turn: its ground suits them all, its drivers' arrows are given."""
+    return _figure(skeleton, method, Figure(), grounds(*others), driving)
 
 
 def _figure(skeleton: Skeleton, method: Method, special: Figure, ground: Figure, driving: Figure) -> Figure:
@@ -75,8 +80,26 @@ def _bodies(skeleton: Skeleton) -> Figure:
         if len(names) > 1:
             figure.marks += _body(names, places, link, step)
         figure.wanted += _link_number(skeleton, link, places, step)
-    figure.marks += _signs(skeleton, OVER_LINKS)
-    return figure
+    return Figure([*_broken(skeleton, figure.marks), *_signs(skeleton, OVER_LINKS)], figure.wanted)
+
+
+def _broken(skeleton: Skeleton, marks: Sequence[Mark]) -> Iterator[Mark]:
+    """Bars and guides, each over a gap in those of other links that it crosses where nothing joins them."""
+    joints = [skeleton.at(point) for point in skeleton.points]
+    under: list[tuple[str, Place, Place]] = []
+    for mark in marks:
+        shown = mark.shows.form if isinstance(mark, Stroke) and mark.shows is not None else ""
+        if isinstance(mark, Stroke) and (mark.pen == "visible" or shown in ("bar", "guide")):
+            link = mark.shows.link if mark.shows is not None else ""
+            corners = (*mark.places, *mark.places[: mark.closed])
+            for start, end in pairwise(corners):
+                for other, one, far in under:
+                    at = crossing(start, end, one, far) if other != link else None
+                    if at is not None and min((abs(at - joint) for joint in joints), default=9.0) > _JOINED:
+                        along = 0.3 * (end - start) / abs(end - start)
+                        yield Stroke((at - along, at + along), "gap", step=mark.step)
+            under += [(link, *pair) for pair in pairwise(corners)]
+        yield mark
 
 
 def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
@@ -237,10 +260,11 @@ def shown_places(method: Method, plot: Plot) -> list[complex]:
     return [*places, *named_specials(method, plot, places).values()]
 
 
-def plain_mechanism(method: Method, plot: Plot, window: Window) -> Figure:
-    """The mechanism's own figure with its points as circles."""
+def plain_mechanism(method: Method, plot: Plot, window: Window, others: Sequence[Plot] = ()) -> Figure:
+    """The mechanism's own figure with its points as circles; others: all positions of which it is one."""
     born = births(method, "position")
-    figure = mechanism_figure(Skeleton(method.mechanism, plot, window, born), method, shown_places(method, plot))
+    here, *every = (Skeleton(method.mechanism, each, window, born) for each in (plot, *others))
+    figure = mechanism_figure(here, method, shown_places(method, plot), every)
     return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
 
 

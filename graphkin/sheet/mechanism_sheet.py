@@ -1,13 +1,14 @@
 """The sheet of a mechanism: its figure and its polygons, laid out and lettered.
 
 It is the cheapest of several arrangements. An arrangement is a paper and its division into rooms, by which all is
-composed; it costs the labels that find no place, then those at the end of a leader, and what stands in the strip off
-its figure. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
+composed; it costs the labels that find no place, those at the end of a leader, and what stands in the strip off its
+figure. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
 smallest paper that holds all, other divisions of it, details, the same paper turned, a larger paper.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -23,7 +24,9 @@ from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.sheet.composition import Planes, SheetContents, Style
+from graphkin.sheet.detail import SAVED
 from graphkin.sheet.label_requests import CRAMMED
+from graphkin.sheet.labels import burden
 from graphkin.sheet.layout import Layout, cut_to
 from graphkin.sheet.lettering import LABEL, Label, formula, plain
 from graphkin.sheet.marks import Text, enlarged
@@ -36,8 +39,10 @@ from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
 _WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
-_MANY, _STRIP = 8.0, 8.0
-"""At a higher cost other papers are tried; so high a strip costs as much as a leader [mm]."""
+_MANY, _BAD, _WORST = 8.0, 24.0, 80.0
+"""At a higher price a larger paper is tried, before it up to the second the same one turned, from the third on either
+way of a large one."""
+_STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 _TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
@@ -157,10 +162,21 @@ class Arrangement:
         above = self.layout.strip.size.imag - FOOT  # what stands over the footer takes room, and stands off its figure
         return self.near.lost, self.near.burden + max(0.0, above) / _STRIP
 
+    @property
+    def price(self) -> float:
+        """Both in one, by which arrangements are compared."""
+        return _LOST * self.cost[0] + self.cost[1]
+
+    @property
+    def knotted(self) -> list[Plane]:
+        """Planes whose labels would be worth a detail."""
+        panels = zip(self.contents.planes, self.page.panels, strict=True)
+        return [plane for plane, panel in panels if plane != "position" and burden(panel.burdens) >= SAVED]
+
     @cached_property
     def lettered(self) -> Lettered:
-        """Its labels as well as can be: where some find no place near by, they go farther off."""
-        lettered = self.page.lettered(far=True) if self.cost[0] else self.near
+        """Its labels as well as can be: some are left out where others find no good place."""
+        lettered = self.page.lettered(far=True)
         return lettered.trimmed if self.contents.tight else lettered
 
     @property
@@ -186,11 +202,11 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
     usual = papers_for(paper)
     best = _on(Arrangement(contents, usual))
-    others = [each for each in usual if each.landscape != best.layout.paper.landscape]
-    small, large = others[:1], usual[2:]
-    for papers in filter(None, (small, large)):
-        if best.cost > (0, _MANY):
-            best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.cost)
+    turned = [each for each in usual[:2] if each.landscape != best.layout.paper.landscape]
+    large = ((_MANY, usual[2:]), (_WORST, usual[2:3]), (_WORST, usual[3:]))
+    for least, most, papers in ((_MANY, _BAD, turned), *((least, math.inf, papers) for least, papers in large)):
+        if papers and least < best.price < most and papers != [best.sold]:
+            best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.price)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True).settled if cut else best
 
@@ -198,13 +214,16 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
 def _on(first: Arrangement) -> Arrangement:
     """The cheapest on the papers of an arrangement."""
     best = first.settled
+    if knots := best.knotted:
+        first = replace(first, details=True, contents=replace(first.contents, lensed=knots))
+        best = min(best, first.settled, key=lambda each: each.price)
     for weight in _WEIGHTS:
         if not best.cost[0] or best.overfull > 1:
             break
         crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
         other = replace(first, weights=dict.fromkeys(crowded, weight))
-        best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.cost)
-    return min(replace(best, details=True).settled, best, key=lambda each: each.cost) if any(best.cost) else best
+        best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.price)
+    return best
 
 
 # --- single steps -----------------------------------------------------------------------------------------------------

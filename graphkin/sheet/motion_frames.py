@@ -202,7 +202,7 @@ class _Frames:
         wide = max((width(label, LABEL) for labels in words for label in labels), default=0.0)
         size = complex(wide, PITCH * max(map(len, words)))
         extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
-        extent = replace(extent, ladder=size if wide else None)
+        extent = replace(extent, beside=((size, size),) if wide else ())
         return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
     # --- figures ------------------------------------------------------------------------------
@@ -217,13 +217,13 @@ class _Frames:
             letters = [(joined([*map(point_label, group)]), places[group[0]]) for group in named if group]
             wanted = [LabelRequest(label, at, gap=0.5, away=at - middle) for label, at in letters]
             return Figure(polygon_figure(polygon).marks, wanted)
-        first, here, *others = (
+        here, *others = (
             Skeleton(self.method.mechanism, plot, window, born)
-            for plot in (self.plots[0], self.plots[k], *self.plots[:: max(1, len(self.plots) // 8)])
+            for plot in (self.plots[k], *self.plots[:: max(1, len(self.plots) // 24)])
         )
-        owners, drivers = self.method.mechanism.owners, self.method.drivers
+        owners, drivers = self.method.mechanism.owners, self.method.drivers  # arrows at the frame stand
         stand = all(driver.vector is not None and FRAME in owners[driver.vector[0]] for driver in drivers)
-        return moving_figure(here, self.method, others, drives(first if stand else here))  # arrows at the frame stand
+        return moving_figure(here, self.method, others, drives(others[0] if stand else here))
 
     @cached_property
     def _as_one(self) -> dict[Plane, list[tuple[str, ...]]]:

@@ -206,8 +206,9 @@ def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
         case ArcMark():
             yield arc_places(mark), False
         case Text(label, at, size):
-            wide, up, down = box(label, size)
-            yield (at + 1j * down, at + wide + 1j * down, at + wide - 1j * up, at - 1j * up), True
+            (wide, up, down), turn = box(label, size), cmath.rect(1, mark.turn)
+            corners = (1j * down, wide + 1j * down, wide - 1j * up, -1j * up)
+            yield tuple(at + turn * corner for corner in corners), True
         case VectorMark(start=start, end=end):
             yield (start, end), False
             if abs(end - start) > _TIP:
@@ -231,11 +232,11 @@ def bounds(drawn: Iterable[Mark]) -> tuple[float, float, float, float]:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def places(drawn: Iterable[Mark]) -> Array:
+def places(drawn: Iterable[Mark], apart: float = _LETTER) -> Array:
     """Some places on all marks, no farther apart along their outlines than a letter is wide (2, n)."""
     outlines = [outline for mark in drawn for outline, _ in _outlines(mark)]
     start = np.array([place for outline in outlines for place in outline[:-1]], dtype=complex)
     end = np.array([place for outline in outlines for place in outline[1:]], dtype=complex)
-    count = np.ceil(abs(end - start) / _LETTER).astype(np.intp) + 1
+    count = np.ceil(abs(end - start) / apart).astype(np.intp) + 1
     number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
     return xy(np.repeat(start, count) + np.repeat((end - start) / np.maximum(count - 1, 1), count) * number)

@@ -148,9 +148,9 @@ class Panel:
 
     @cached_property
     def far(self) -> Settled:
-        """Its labels farther off, where some find no place near what they name."""
-        crowd = self.scene.crammed or self.near.clashes
-        return _settled(self.scene, far=True) if crowd else self.near
+        """Its labels in a crowd, where some find no good place otherwise."""
+        crowd = self.scene.crammed or self.near.clashes or self.near.unclear
+        return _settled(self.scene, crowd=True) if crowd else self.near
 
     @cached_property
     def off(self) -> Settled | None:
@@ -175,8 +175,8 @@ class Panel:
         return settled, self.more(FreeRoom(self.scene, [*settled.marks, *self.after]))
 
 
-def _settled(scene: LabelScene, far: bool = False) -> Settled:
-    return settle(scene, far)
+def _settled(scene: LabelScene, crowd: bool = False) -> Settled:
+    return settle(scene, crowd)
 
 
 @frozen
@@ -212,7 +212,7 @@ class Page:
         return {plane: window.printed for plane, window in self.windows.items()}
 
     def lettered(self, far: bool = True) -> Lettered:
-        """With its labels; `far`: where some of a panel find no place near what they name, all may go farther off."""
+        """With its labels; `far`: where some of a panel find no good place, some are left out."""
         return Lettered(self, [panel.far if far else panel.near for panel in self.panels])
 
     def sheet(self) -> Sheet:

@@ -20,7 +20,7 @@ from graphkin.say.reading import Reading
 from graphkin.sheet import lettering
 from graphkin.sheet.lettering import LABEL, Label, Run, bold, formula, number, plain, point_label, quantity_label
 from graphkin.sheet.text_blocks import WrittenLines
-from graphkin.sheet.titleblock import Table
+from graphkin.sheet.titleblock import Table, TableBlock
 from graphkin.sheet.window import PLANES
 
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
@@ -30,11 +30,12 @@ _WIDE = 62.0  # lines of what is given are no longer [mm]
 # --- results, as far as there is room ---------------------------------------------------------------------------------
 
 
-def tables(method: Method, plot: Plot, lang: Lang) -> dict[Plane, list[Table]]:
-    """Links, points, coincident points, slides, as each plane gives of them; empty ones left out."""
+def tables(method: Method, plot: Plot, lang: Lang) -> dict[Plane, list[TableBlock]]:
+    """Links, points, coincident points, slides, as each plane gives of them, in all shapes; empty ones left out."""
     results = _TablesInMaking(method, plot, lang, method.mechanism.usual)
     every = (results.links(), results.points(), results.coincident_points(), results.slides())
-    return {plane: own for plane in PLANES if (own := [part for table in every if (part := table.of(plane))])}
+    parts = {plane: [part for table in every if (part := table.of(plane))] for plane in PLANES}
+    return {plane: TableBlock.shapes(own) for plane, own in parts.items() if own}
 
 
 @frozen

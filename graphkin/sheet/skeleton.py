@@ -101,11 +101,15 @@ class Skeleton:
     def segments(self) -> Iterator[tuple[Place, Place]]:
         """Every bar of the moving links."""
         for link in self.mechanism.moving:
-            places = [self.at(p) for p in self.named(link)]
-            yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
-            for slide in self.guides(link):
-                cylinder = self.is_cylinder(slide)
-                yield (self.at(slide.line.origin), self.at(slide.point)) if cylinder else self.guide_bar(slide)
+            yield from self.bars(link)
+
+    def bars(self, link: str) -> Iterator[tuple[Place, Place]]:
+        """The bars of a moving link."""
+        places = [self.at(p) for p in self.named(link)]
+        yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
+        for slide in self.guides(link):
+            cylinder = self.is_cylinder(slide)
+            yield (self.at(slide.line.origin), self.at(slide.point)) if cylinder else self.guide_bar(slide)
 
     def directions(self, point: str) -> Iterator[complex]:
         """Directions in which lines leave a point, on paper."""
@@ -126,6 +130,16 @@ def off_stretch(at: Place, start: Place, end: Place) -> float:
     along = end - start
     t = ((along.conjugate() * (at - start)).real / abs(along) ** 2) if along else 0.0
     return abs(at - start - along * max(0.0, min(1.0, t)))
+
+
+def crossing(start: Place, end: Place, one: Place, other: Place) -> Place | None:
+    """Where two stretches of lines cross inside; None where they do not."""
+    along, off, way = end - start, one - start, other - one
+    turn = (along.conjugate() * way).imag
+    if abs(turn) < 1e-9:
+        return None
+    t, u = (off.conjugate() * way).imag / turn, (off.conjugate() * along).imag / turn
+    return start + t * along if 0 < t < 1 and 0 < u < 1 else None
 
 
 def in_line(places: list[Place]) -> tuple[int, int] | None:

@@ -181,3 +181,33 @@ def arrow_head(tip: Place, along: complex, step: int | None, length: float = _HE
     back = tip - length * along
     side = 0.55j * along * length / _HEAD
     return Stroke((tip, back + side, back - side), "hatch", closed=True, fill="ink", step=step)
+
+
+THIN_HEAD = 2.2  # length of the heads of dimension lines [mm]
+
+
+def angle_arc(at: Place, radius: float, first: complex, sweep: float, step: int | None = None) -> list[Mark]:
+    """An arc from a direction on, with a head at each end where it is long enough [rad, clockwise on paper]."""
+    marks: list[Mark] = [ArcMark(at, radius, cmath.phase(first), sweep, "thin", step)]
+    if abs(sweep) * radius >= 3 * THIN_HEAD:
+        for arm, sense in ((first, -math.copysign(1, sweep)), (first * cmath.rect(1, sweep), math.copysign(1, sweep))):
+            way = sense * 1j * arm * cmath.rect(1, -sense * THIN_HEAD / 2 / radius)
+            marks.append(arrow_head(at + arm * radius, way, step, THIN_HEAD))
+    return marks
+
+
+def dimension_line(
+    ends: tuple[Place, Place], across: complex, offset: float, past: float = 0.0, step: int | None = None
+) -> tuple[Stroke, list[Stroke], list[Stroke]]:
+    """The line, extension lines from what it measures, and heads (ISO 129): `offset` beyond the farther of two places
+    in the direction `across`; heads of a short one point inwards, and the line goes on `past` its second end [mm]."""
+    feet = [(end / across).real for end in ends]
+    one, other = (end + across * (max(feet) + offset - foot) for end, foot in zip(ends, feet, strict=True))
+    along = (other - one) / abs(other - one)
+    inside = abs(other - one) >= 2 * THIN_HEAD + 1.5
+    line = Stroke((one - along * 5 * (not inside), other + along * past), "thin", step=step)
+    clear = min(2 * HINGE, offset / 2)
+    starts = [(end + across * clear, tip + across * 1.5) for end, tip in zip(ends, (one, other), strict=True)]
+    ways = (-along, along) if inside else (along, -along)
+    heads = [arrow_head(tip, way, step, THIN_HEAD) for tip, way in zip((one, other), ways, strict=True)]
+    return line, [Stroke(places, "thin", step=step) for places in starts], heads

@@ -119,8 +119,8 @@ def ring_width(numbers: str) -> float:
     return max(2 * RING, width(plain(numbers), LEAST) + 0.6 * RING if "\u2013" in numbers else 0.0)
 
 
-_LINES = tuple(k * LABEL for k in (1, 2.4, 3.7))  # base lines of terms and of the rows under them [mm]
-_HIGH, _GAP, _BETWEEN = 4.4 * LABEL, 2.2, 8.0
+_LINES = tuple(k * LABEL for k in (1, 2.2, 3.3))  # base lines of terms and of the rows under them [mm]
+_HIGH, _GAP, _BETWEEN = 3.7 * LABEL, 2.2, 8.0
 AIR = 3.0  # about a ladder: what stood nearer would read as one more row [mm]
 
 
@@ -156,14 +156,14 @@ class EquationBlock:
             pen += wide + _GAP
 
     def within(self, room: float) -> Iterator[EquationBlock]:
-        """In two before its last equals sign where it is wider than that [mm]."""
+        """As two, each with the motion sought, where it is wider than that [mm]."""
         head, *columns = self.columns
         cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
-        if self.wide <= room or not cut:
+        if self.wide <= room or cut < 2:
             yield self
         else:
             yield replace(self, columns=(head, *columns[:cut]))
-            yield replace(self, columns=(head, *columns[cut:]), numbers="")
+            yield replace(self, columns=(head, (columns[0][0], (), ()), *columns[cut:]))
 
 
 @frozen

@@ -280,7 +280,7 @@ def _footer(
     free = room.size.real - (width(said, LABEL) + 4 if said else 0.0)
     title = machine.headline(lang)
     size = TITLE if width(plain(title), TITLE) <= free else LABEL
-    pen, line = complex(room.left, room.top + 6.2), two_lines(title, size, free)[:1]
+    pen, line = complex(room.left, room.top + 6.0), two_lines(title, size, free)[:1]
     yield from (Text(plain(text), pen, size) for text in line)
     if said:
         yield Text(said, complex(room.right - width(said, LABEL), pen.imag), LABEL)
@@ -293,7 +293,7 @@ def _footer(
     yield Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST)
     source = two_lines(machine.credit(lang), LEAST, at.real - room.left - 4)
     for k, text in enumerate(source):
-        yield Text(plain(text), complex(room.left, low + 1.45 * LEAST * (k - (len(source) - 1) / 2)), LEAST)
+        yield Text(plain(text), complex(room.left, low + 0.3 + 1.2 * LEAST * (k + 1 - len(source))), LEAST)
 
 
 def two_lines(text: str, size: float, room: float) -> list[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
 
 from graphkin.base.geometry import Value, place
@@ -15,16 +15,18 @@ from graphkin.sheet import symbols
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
-from graphkin.sheet.skeleton import OVERRUN, Skeleton
+from graphkin.sheet.skeleton import OVERRUN, Skeleton, off_stretch
 from graphkin.sheet.window import Figure
 
 _RIM = 3.0  # thickness of a ring's rim, and of the edge that is hatched in a fixed wheel [mm]
 _CROSS = 4.4
+_TOOTH, _DEPTH = 3.4, 0.95  # from tooth to tooth of those that are shown, and half as high as they are [mm]
 _SMALL = 9.0  # in a wheel of less radius there is no room for its number [mm]
 _REACH = 14.0  # how far a slot of the equivalent goes to both sides of its block [mm]
 _ROD, _BUSH = 34.0, (15.0, 27.0)
 """A follower's rod from its tip, and where it is guided [mm]."""
 _ARC = 15.0  # how far a slot goes on to both sides of its pin, along the arc [mm]
+_FREE = 4.0  # farther from another link nothing looks like a joint with it [mm]
 _MOST = 2.4  # half of the widest slot there is room for on a small circle [rad]
 
 
@@ -61,7 +63,8 @@ def _gears(gear: Gear) -> Iterator[Wheel]:
 
 def _rolling(roll: RollingContact) -> Iterator[Wheel]:
     turning_inside = roll.internal and roll.track_radius < roll.radius
-    yield Wheel(roll.wheel, roll.centre, roll.radius, gear=False, ring=turning_inside)
+    rack = roll.line is not None and roll.track != FRAME
+    yield Wheel(roll.wheel, roll.centre, roll.radius, gear=rack, ring=turning_inside)
     if roll.track_centre is not None:
         ring = roll.internal and not turning_inside
         yield Wheel(roll.track, roll.track_centre, roll.track_radius, gear=False, ring=ring)
@@ -76,7 +79,7 @@ def wheels(skeleton: Skeleton) -> Figure:
     figure, numbered = Figure(), set[str]()
     for wheel in wheels_of(skeleton.mechanism):
         figure.marks += _wheel(skeleton, wheel)
-        if wheel.link not in numbered and len(skeleton.named(wheel.link)) < 2 and wheel.link != FRAME:
+        if wheel.link not in numbered and wheel.link != FRAME:
             numbered.add(wheel.link)
             figure.wanted.append(_number(skeleton, wheel))
     for roll in skeleton.mechanism.of(RollingContact):
@@ -85,8 +88,39 @@ def wheels(skeleton: Skeleton) -> Figure:
             track = straight(skeleton, roll.line, roll.name, roll.centre, reach, step)
             under = (1j if roll.left else -1j) * skeleton.direction(roll.line)
             ground = symbols.guide(track.places[0], track.places[1], under, step, track.shows)
-            figure.marks += ground if roll.line.link == FRAME else [track]
+            figure.marks += ground if roll.line.link == FRAME else [track, *_rack(skeleton, roll, roll.line)]
+    for gear in skeleton.mechanism.of(Gear):
+        figure.marks += _mesh(skeleton, gear)
     return figure
+
+
+def _mesh(skeleton: Skeleton, gear: Gear) -> Iterator[Mark]:
+    """A few teeth of both gears where they touch: three of one in the gaps of the other."""
+    one, other = (skeleton.at(centre) for centre in gear.centres)
+    radii, step = [radius / skeleton.window.scale for radius in gear.radii], skeleton.step(*gear.centres)
+    for k, (at, radius, way) in enumerate(zip((one, other), radii, (other - one, one - other), strict=True)):
+        ring = gear.internal and radius == max(radii)
+        arm, out = way / abs(way) * (-1 if gear.internal and not ring else 1), -1 if ring else 1
+        if radius > 2 * _TOOTH:
+            corners = [(t, high) for t, high in _teeth((-1, 0, 1) if k else (-0.5, 0.5))]
+            places = [at + (radius + out * high) * arm * cmath.rect(1, t / radius) for t, high in corners]
+            yield Stroke(tuple(places), "thin", step=step)
+
+
+def _teeth(middles: Sequence[float]) -> Iterator[tuple[float, float]]:
+    """Corners of teeth along a pitch line, and above it [mm]."""
+    for middle in middles:
+        for share, high in ((-0.33, -_DEPTH), (-0.17, _DEPTH), (0.17, _DEPTH), (0.33, -_DEPTH)):
+            yield (middle + share) * _TOOTH, high
+
+
+def _rack(skeleton: Skeleton, roll: RollingContact, line: Line) -> Iterator[Mark]:
+    """The teeth of a rack on the side of its pinion, about where they touch."""
+    along = skeleton.direction(line)
+    up = along * (-1j if roll.left else 1j)  # to the pinion, y down
+    foot = skeleton.at(roll.centre) - up * roll.radius / skeleton.window.scale
+    places = (foot + along * t + up * (high + _DEPTH) for t, high in _teeth(range(-5, 6)))
+    yield Stroke(tuple(places), "outline", step=skeleton.step(roll.centre))
 
 
 def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
@@ -100,8 +134,23 @@ def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
         rim = radius + _RIM if wheel.ring else max(0.0, radius - _RIM)
         if wheel.ring or (fixed and rim > _RIM):
             yield Disc(at, rim, "outline", step=step)
+    if (spoke := _spoke(skeleton, wheel)) is not None:
+        bar, way = spoke
+        yield Stroke((at, at + way * radius), "outline", step=step)
+        yield Stroke((at, at + bar * _CROSS, at + way * _CROSS), "outline", closed=True, fill="ink", step=step)
     if fixed:
         yield from symbols.rim_hatch(at, rim, 1.0 if wheel.ring else -1.0, step)
+
+
+def _spoke(skeleton: Skeleton, wheel: Wheel) -> tuple[complex, complex] | None:
+    """Of a wheel that is part of a link with other points: the direction of a bar, and of the spoke welded to it."""
+    at, scale = skeleton.at(wheel.centre), skeleton.window.scale
+    arms = [place - at for place in map(skeleton.at, skeleton.named(wheel.link)) if abs(place - at) > _CROSS]
+    if not arms or wheel.link == FRAME or wheel.radius / scale <= _CROSS:
+        return None
+    bar = arms[0] / abs(arms[0])
+    taken = [*skeleton.directions(wheel.centre), 1 + 0j]  # to the right an angle may begin
+    return bar, min((1j * bar, -1j * bar), key=lambda way: max((arm * way.conjugate()).real for arm in taken))
 
 
 def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
@@ -109,7 +158,7 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
     out, gap = (radius + _RIM, 0.6) if wheel.ring else (radius, 0.4) if radius < _SMALL else (radius - 4.2, -2.6)
-    taken = list(skeleton.directions(wheel.centre))
+    taken = [*skeleton.directions(wheel.centre), *((_spoke(skeleton, wheel) or ())[1:])]
     for other in wheels_of(skeleton.mechanism):
         off = skeleton.at(other.centre) - at
         if abs(off) > 0.5:
@@ -224,10 +273,14 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
         marks = symbols.arc_ground(centre, cut, step)
     else:  # the arc of a moving link that carries the slot, joined to the nearest of the link's points
         more = half + min(OVERRUN / abs(arm), 0.4)
-        arc = symbols.arc_places(centre, arm, -more, more)
         points = [skeleton.at(point) for point in skeleton.named(slot.guide)]
-        joint = min(product((arc[0], arc[-1]), points), key=lambda ends: abs(ends[1] - ends[0]))
-        marks = [Stroke(tuple(arc), "visible", step=step), Stroke(joint, "visible", step=step)]
+        bars = [bar for link in skeleton.mechanism.moving if link != slot.guide for bar in skeleton.bars(link)]
+        ends = {centre + arm * cmath.rect(1, turn): turn for turn in (-more, more)}
+        near = {end: min([_FREE, *(off_stretch(end, *bar) for bar in bars)]) for end in ends}
+        joint = min(product(near, points), key=lambda pair: (-near[pair[0]], abs(pair[1] - pair[0])))  # no false joint
+        arc = symbols.arc_places(centre, arm, math.copysign(half, -ends[joint[0]]), ends[joint[0]])
+        held = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
+        marks = [Stroke(tuple(arc), "visible", shows=held, step=step), Stroke(joint, "visible", step=step)]
     shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     marks += symbols.arc_slot(centre, cut, shows, step)
     return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]

@@ -90,7 +90,8 @@ class Extent:
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
-    labels  their number; lettering: the room that they take [mm^2]; ladder: the size of its equations
+    labels  their number; lettering: the room that they take [mm^2]
+    beside  the sizes of its equations and its detail, over it and on its left, in each of their shapes [mm]
     tables  the sizes in which its tables may stand under it [mm]
     """
 
@@ -103,7 +104,7 @@ class Extent:
     given: float | None = None
     labels: int = 10
     lettering: float = 0.0
-    ladder: complex | None = None
+    beside: tuple[tuple[complex, complex], ...] = ()
     tables: tuple[complex, ...] = ()
 
     @classmethod
@@ -166,12 +167,12 @@ class Extent:
         whole = self.size / self.given
         return np.where(fits & (whole.real <= wide) & (whole.imag <= high), self.given, np.nan)
 
-    def window(self, room: Room, scale: float) -> Window:
-        """The window through which it is in the middle of a room with all its signs."""
+    def window(self, room: Room, scale: float, times: float = 1.0) -> Window:
+        """The window through which it is in the middle of a room with all its signs; times: as it is reduced."""
         whole = self.size / scale + self.reach
         x = (room.left + room.right - whole.real) / 2 + self.left
         y = (room.top + room.bottom - whole.imag) / 2 + self.top + self.size.imag / scale
-        return Window(complex(x, y) - self.low.conjugate() / scale, scale)
+        return Window(complex(x, y) - self.low.conjugate() / scale, scale * times, times)
 
 
 def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import shutil
 import subprocess
@@ -113,11 +114,21 @@ def test_letter_paper() -> None:
     assert fromstring(text("ex3-1", paper="letter")).get("width") == "215.9mm"
 
 
-def test_three_widths_and_no_small_letters() -> None:
+def test_five_widths_and_three_sizes_of_letters() -> None:
     root = fromstring(text("p3-20"))
-    assert {e.get("stroke-width") for e in root.iter()} - {None} == {"0.18", "0.35", "0.7"}
-    sizes = {float(e.get("font-size", "")) for e in root.iter() if e.get("font-size")}
-    assert min(sizes) >= 2.5
+    assert {e.get("stroke-width") for e in root.iter()} - {None} == {"0.13", "0.18", "0.35", "0.5", "0.7"}
+    texts = [e for e in root.iter() if e.tag.endswith("}text")]
+    assert {float(e.get("font-size", "")) for e in texts} == {5.0, 3.5, 2.5}
+    assert {float(e.get("font-size", "")) for text in texts for e in text if e.get("font-size")} == {2.45}
+
+
+def test_letters_of_a_large_paper_are_as_high_as_the_least_of_iso_3098_when_it_is_printed_as_a4() -> None:
+    root = fromstring(text("ex3-1", paper="A3"))
+    sizes = sorted({float(e.get("font-size", "")) for e in root.iter() if e.tag.endswith("}text")})
+    assert sizes == pytest.approx([2.75, 3.85, 5.5])
+    assert 0.662 * 3.85 / math.sqrt(2) == pytest.approx(1.8, abs=0.005)
+    ruler = next(e for e in root.iter() if e.get("data-form") == "ruler")
+    assert float(ruler.get("x2", "")) - float(ruler.get("x1", "")) == pytest.approx(100, abs=1e-3)
 
 
 def test_black_ink_is_all_black() -> None:

@@ -1,0 +1,133 @@
+"""A datum of a problem as its file states it: symbol, value and unit, and where it lies in the drawing."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import replace
+from math import isclose
+from typing import Literal
+
+from graphkin.base.value import frozen
+from graphkin.files.values import UNITS
+from graphkin.model.mechanism import Dimension, KeyPath
+from graphkin.say.numbers import given_figure
+from graphkin.say.reading import Reading
+
+
+@frozen
+class Span:
+    """A length in the drawing, between two places [m], measured in the direction `along`.
+
+    points  of the mechanism from which on it can be drawn
+    form    "bar": along a link, on which no other of its points lies between; "radius": from a centre to a rim
+    """
+
+    start: complex
+    end: complex
+    along: complex
+    points: tuple[str, ...] = ()
+    form: Literal["bar", "apart", "radius"] = "apart"
+
+
+@frozen
+class Corner:
+    """An angle in the drawing: at a place [m], from a direction on, counter-clockwise where positive [rad]."""
+
+    at: complex
+    start: complex
+    turn: float
+    points: tuple[str, ...] = ()
+
+
+@frozen
+class Size:
+    """A symbol with its value in a unit: `r2 = 20 mm`.
+
+    written  the value as the file has it, where it states it
+    worked   the value in the unit of the solution, where the file has another: ` = 50.8 mm`
+    shape    where it lies in the drawing
+    """
+
+    symbol: str
+    value: float
+    unit: str
+    written: str = ""
+    worked: str = ""
+    shape: Span | Corner | None = None
+
+    @property
+    def figure(self) -> str:
+        return self.written or f"{given_figure(self.value)}{'' if self.unit == '°' else ' '}{self.unit}"
+
+    @property
+    def text(self) -> str:
+        return f"{self.symbol} = {self.figure}"
+
+    @property
+    def bare(self) -> Size:
+        """Without its sign, where words or arrows tell its sense."""
+        written, worked = (text.replace("−", "") for text in (self.written, self.worked))
+        return replace(self, value=abs(self.value), written=written, worked=worked)
+
+    @property
+    def whole(self) -> str:
+        """With the value in the unit of the solution."""
+        return self.text + self.worked
+
+
+_UNITS: Mapping[Dimension, str] = {
+    "length": "mm", "angle": "°", "velocity": "m/s", "acceleration": "m/s²",
+    "angular velocity": "rad/s", "angular acceleration": "rad/s²",
+}  # fmt: skip
+"""The units of the solution."""
+_TURNS = {"r/min": "/60", "rev/s": ""}
+_PRINTED = {"deg": "°", "rpm": "r/min", "rpm/s": "r/min/s"}
+
+
+def sized(
+    reading: Reading, symbol: str, value: float, dimension: Dimension, *places: KeyPath,
+    shape: Span | Corner | None = None,
+) -> Size:  # fmt: skip
+    """A value [SI] as the file states it at one of these places, or in the unit that the file uses."""
+    unit, given = _UNITS[dimension], reading.mechanism.given
+    there = (given[place] for place in places if place in given)
+    value = 0.0 if dimension == "length" and abs(value) <= reading.noise else value
+    size = Size(symbol, in_unit(value, unit, dimension), unit, shape=shape)
+    stated = next((one for one in there if one.si is not None and isclose(abs(one.si), abs(value), rel_tol=1e-9)), None)
+    if stated is None:
+        used = length_unit(reading) if dimension == "length" else unit
+        own = f"{given_figure(in_unit(value, used, dimension))} {used}"
+        return size if used == unit else replace(size, written=own, worked=f" = {size.figure}")
+    if not isinstance(stated.written, str):
+        return replace(size, written=size.figure)
+    figure, other = _split(stated.written)
+    if (printed := _PRINTED.get(other, other)) == unit:
+        return replace(size, written=size.figure)
+    sign = "−" if value < 0 else ""
+    size = replace(size, written=f"{sign}{figure.lstrip('+-')} {printed}", worked=f" = {size.figure}")
+    if printed in _TURNS:  # n1 = 60 r/min, and ω1 = 2πn1/60 of it
+        turns = "n" + symbol.removeprefix("ω")
+        size = replace(size, symbol=turns, worked=f", {symbol} = 2π{turns}{_TURNS[printed]}{size.worked}")
+    return size
+
+
+def _split(text: str) -> tuple[str, str]:
+    """The figure of a stated value, and its unit."""
+    text = text.strip().replace("^2", "²")
+    figure = text.rstrip("abcdefghijklmnopqrstuvwxyz/²° ")
+    return figure, text[len(figure) :].replace(" ", "")
+
+
+def in_unit(value: float, unit: str, dimension: Dimension) -> float:
+    """A value [SI] in a unit."""
+    times, divided = UNITS[dimension][unit]
+    return value * divided / times
+
+
+def length_unit(reading: Reading) -> str:
+    """The unit in which the file states most of its lengths."""
+    stated = [each for each in reading.mechanism.given.values() if each.dimension == "length" and each.si]
+    lengths = (each.written for each in stated if each.path[0] != "sketch")
+    units = Counter(_split(text)[1] if isinstance(text, str) else "mm" for text in lengths)
+    return next((unit for unit, _ in units.most_common(1)), "mm")

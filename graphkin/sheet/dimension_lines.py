@@ -1,0 +1,231 @@
+"""The data of a mechanism where they lie: lengths along links, dimension lines (ISO 129), radii, angles at joints.
+
+Each has several places; the first for which figure and letters leave room is taken. A line with its letters is tried as
+a whole: `free` touches nothing, `crossing` may cross other lines but no letters.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from itertools import product
+
+from graphkin.base.value import frozen
+from graphkin.say.sizes import Corner, Size, Span
+from graphkin.sheet.fixed_link import clearance
+from graphkin.sheet.free_room import FreeRoom
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import LABEL, Label, box, formula, plain
+from graphkin.sheet.marks import Accent, ArcMark, Mark, Place, Stroke, Text
+from graphkin.sheet.obstacles import arc_places
+from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
+from graphkin.sheet.window import Figure
+
+_ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
+_GAPS = (1.1, 1.9)  # between a line and its letters [mm]
+_OFFSETS = (7.5, 10.5, 14.0, 18.0, 23.0)  # of a dimension line from what it measures [mm]
+_RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
+_BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
+_SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
+_CLEAR = 2.2  # between an arc and what else there is [mm]
+
+
+@frozen
+class _Trial:
+    """One way to draw a datum."""
+
+    free: Sequence[Mark]
+    crossing: Sequence[Mark] = ()
+    touching: Sequence[Mark] = ()
+
+
+@frozen
+class DimensionLines:
+    """Draws data on a mechanism.
+
+    accent  grey where they are no data but measured
+    """
+
+    skeleton: Skeleton
+    free: FreeRoom
+    accent: Accent | None = None
+
+    def draw(self, size: Size) -> list[Mark]:
+        """A datum where there is room for it, else nothing."""
+        trials = list(self._trials(size))
+        number = self.free.first([(trial.free, trial.crossing) for trial in trials])
+        if number is None:
+            return []
+        trial = trials[number]
+        marks = [*trial.touching, *trial.crossing, *trial.free]
+        self.free.add(marks)
+        return marks
+
+    def _trials(self, size: Size) -> Iterator[_Trial]:
+        match size.shape:
+            case Span(form="radius") as span:
+                yield from self._radius(span, formula(size.text))
+            case Span() as span:
+                start, end = self.skeleton.window(span.start), self.skeleton.window(span.end)
+                step = self.skeleton.step(*span.points)
+                if self.accent is not None:
+                    yield from self._measured(start, end, formula(size.text), step)
+                if span.form == "bar":
+                    yield from self._beside(start, end, formula(size.bare.figure), step)
+                if self.accent is None:
+                    along = self.skeleton.window.turned(span.along)
+                    yield from self._dimension(start, end, along, formula(size.bare.figure), step)
+            case Corner() | None:
+                pass
+
+    def _text(self, label: Label, middle: Place, along: complex, off: float, step: int | None) -> Text:
+        """Letters along a line, `off` mm above it as they are read, or below it where less than 0."""
+        turn = cmath.phase(along)
+        turn -= math.copysign(math.pi, turn) if abs(turn) > math.pi / 2 + 1e-6 else 0.0
+        turn = -math.pi / 2 if turn > math.pi / 2 - 1e-6 else turn
+        (wide, up, down), on = box(label, LABEL), cmath.rect(1, turn)
+        base = -1j * on * (off + down) if off > 0 else 1j * on * (up - off)
+        turn = 0.0 if abs(turn) < 1e-6 else turn
+        return Text(label, middle + base - on * wide / 2, LABEL, step, accent=self.accent, turn=turn)
+
+    def _beside(self, start: Place, end: Place, label: Label, step: int | None) -> Iterator[_Trial]:
+        """Letters along a link, nothing more."""
+        if box(label, LABEL)[0] < abs(end - start) - 4 * HINGE:
+            for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
+                yield _Trial([self._text(label, start + (end - start) * t, end - start, side * gap, step)])
+
+    def _measured(self, start: Place, end: Place, label: Label, step: int | None) -> Iterator[_Trial]:
+        """A dashed line between two points, where no bar is, with letters along it."""
+        if abs(end - start) > box(label, LABEL)[0] + 6 * HINGE:
+            along = (end - start) / abs(end - start)
+            on_bar = any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in self.skeleton.segments())
+            pieces = [] if on_bar else self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
+            lines = [Stroke(piece, "measured", step=step) for piece in pieces]
+            for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
+                text = self._text(label, start + (end - start) * t, end - start, side * gap, step)
+                yield _Trial([text], touching=lines)
+
+    def _dimension(
+        self, start: Place, end: Place, along: complex, label: Label, step: int | None
+    ) -> Iterator[_Trial]:
+        """A dimension line with two heads between extension lines, to either side."""
+        if abs(end - start) < 0.5:
+            return
+        along *= math.copysign(1, ((end - start) / along).real)
+        wide, long = box(label, LABEL)[0], ((end - start) / along).real
+        for crossing, offset, across in product((False, True), _OFFSETS, (1j * along, -1j * along)):
+            past = 0.0 if wide + 1 <= long else wide + 5
+            line, both, heads = dimension_line((start, end), across, offset, past, step)
+            middle = line.places[1] - along * (past - wide / 2 - 4 if past else long / 2)
+            text = self._text(label, middle, along, 0.8, step)
+            yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
+
+    def _radius(self, span: Span, label: Label) -> Iterator[_Trial]:
+        """A line from a centre to its rim, with letters along it, inside or beyond."""
+        centre, rim = self.skeleton.window(span.start), self.skeleton.window(span.end)
+        step, radius, wide = self.skeleton.step(*span.points), abs(rim - centre), box(label, LABEL)[0]
+        ways = [(rim - centre) / radius]
+        if len(span.points) == 1:
+            ways = [cmath.rect(1, math.radians(turn)) for turn in range(-45, 315, 15)]
+        for way, side in product(ways, (1, -1)):
+            tip = centre + way * radius
+            inner, from_rim = centre + way * 2 * HINGE, tip - way * THIN_HEAD
+            head = arrow_head(tip, way, step, THIN_HEAD)
+            if radius > wide + 2 * HINGE + THIN_HEAD + 1:
+                middle = (inner + from_rim) / 2
+                text = self._text(label, middle, way, side * 0.8, step)
+                yield _Trial([Stroke((inner, from_rim), "thin", step=step), text], touching=[head])
+                if len(span.points) > 1:  # on a line that is there
+                    yield _Trial([self._text(label, middle, way, side * _GAPS[0], step)])
+            else:
+                far = tip + way * (wide + 3)
+                text = self._text(label, tip + way * (wide / 2 + 2), way, side * 0.8, step)
+                line = Stroke((tip + way, far), "thin", step=step)
+                yield _Trial([line, text], [Stroke((inner, tip - way), "thin", step=step)], [head])
+
+
+def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Figure:
+    """Given angles as arcs between two arms with their values; arms that no link has are drawn, that along +x with
+    its letter.
+
+    drawn  arcs that they keep off
+    """
+    figure, others = Figure(), [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
+    for size in data:
+        if isinstance(size.shape, Corner):
+            angle = _Angle.of(size.shape, skeleton)
+            rooms = [min(_CLEAR, angle.room(skeleton, radius, others)) for radius in _RADII]
+            radius = _RADII[rooms.index(max(rooms))]
+            others += angle.places(radius)
+            figure.marks += angle.marks(skeleton, radius)
+            figure.wanted += angle.labels(size, skeleton, radius)
+    return figure
+
+
+@frozen
+class _Angle:
+    """An angle on paper: its corner, the unit vector of its first arm, and how far on its second lies [rad].
+
+    axis  the first arm is the x axis at a driven link
+    """
+
+    at: Place
+    first: complex
+    sweep: float
+    axis: bool
+    step: int | None
+
+    @classmethod
+    def of(cls, corner: Corner, skeleton: Skeleton) -> _Angle:
+        first, axis = skeleton.window.turned(corner.start), abs(corner.start - 1) < 1e-9 and len(corner.points) > 1
+        return cls(skeleton.window(corner.at), first, -corner.turn, axis, skeleton.step(*corner.points))
+
+    @property
+    def last(self) -> complex:
+        return self.first * cmath.rect(1, self.sweep)
+
+    def places(self, radius: float) -> list[Place]:
+        """Places on the arc, off its ends."""
+        long = abs(self.sweep) * radius
+        parts = [k / 12 for k in range(13) if 2.0 <= k / 12 * long <= long - 2.0]
+        return [self.at + radius * self.first * cmath.rect(1, self.sweep * part) for part in parts or [0.5]]
+
+    def room(self, skeleton: Skeleton, radius: float, others: Sequence[Place]) -> float:
+        """Distance of its arc from links and other arcs [mm]."""
+        on = self.places(radius)
+        apart = [abs(place - other) for place in on for other in others]
+        return min([clearance(skeleton, place) for place in on] + apart)
+
+    def marks(self, skeleton: Skeleton, radius: float) -> list[Mark]:
+        marks = angle_arc(self.at, radius, self.first, self.sweep, self.step)
+        for arm in self._open(skeleton):
+            ends = self.at + arm * 2 * HINGE, self.at + arm * (radius + _BEYOND)
+            marks.append(Stroke(ends, "thin", step=self.step))
+        return marks
+
+    def labels(self, size: Size, skeleton: Skeleton, radius: float) -> Iterator[LabelRequest]:
+        """Its value; the x beside its first arm."""
+        out = self.first * cmath.rect(1, self.sweep / 2)
+        yield LabelRequest(angle_label(size), self.at + out * radius, gap=0.5, away=out, step=self.step)
+        if self.axis and any(abs(arm - self.first) < 1e-9 for arm in self._open(skeleton)):
+            end = self.at + self.first * (radius + _BEYOND)
+            yield LabelRequest(plain("x", italic=True), end, gap=0.3, away=self.first, step=self.step, spare=True)
+
+    def _open(self, skeleton: Skeleton) -> list[complex]:
+        """The arms that no bar of a link has."""
+        bars = list(skeleton.segments())
+        return [arm for arm in (self.first, self.last) if not any(_lies_on(self.at, arm, bar) for bar in bars)]
+
+
+def _lies_on(at: Place, arm: complex, bar: tuple[Place, Place]) -> bool:
+    """True where a bar leaves a place in a direction."""
+    offs = [(end - at) / arm for end in bar]
+    level = all(abs(off.imag) < max(0.05, _SLANT * abs(off)) for off in offs)
+    return level and min(off.real for off in offs) < 0.1 and max(off.real for off in offs) > 1
+
+
+def angle_label(size: Size) -> Label:
+    """`φ1 = 60°`; of an angle between points the value alone."""
+    return formula(size.figure if size.symbol.startswith("∠") else size.text)

@@ -1,0 +1,142 @@
+"""Annotations of a mechanism, drawn last: how asked links turn, what is given, what is measured in the drawing."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import field, replace
+from itertools import islice, product
+
+from graphkin.base.value import frozen
+from graphkin.construction import Plane
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import Rotation, read
+from graphkin.planning.method import rate_found
+from graphkin.say.dimensions import length_size, measured_lengths, sizes
+from graphkin.say.reading import Reading
+from graphkin.say.sizes import Corner
+from graphkin.sheet.dimension_lines import DimensionLines, angle_label
+from graphkin.sheet.free_room import Annotations, FreeRoom
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, quantity_label
+from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
+from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.symbols import SWEEP, spin
+from graphkin.sheet.text_blocks import EquationBlock, WrittenLines
+
+_RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
+_MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler [mm]
+_AROUND = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
+_NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
+_TOLD = 5.0  # a shorter length is told by words alone [mm]
+_TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
+_CROSSING = 1.6  # half of the stretch of an arc that lies on its own link [mm]
+_LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
+
+Arc = tuple[tuple[str, ...], float, complex, bool]
+"""The points about whose middle it lies, its radius [mm], the direction of its middle, whether a bar passes there."""
+
+
+@frozen
+class MechanismNotes:
+    """Annotations of a mechanism with what the solution reads off it.
+
+    planes  of which results may be shown; none where only what is given is drawn
+    """
+
+    skeleton: Skeleton
+    reading: Reading
+    planes: Sequence[Plane] = field(default_factory=tuple)
+    loose: Sequence[EquationBlock] = ()
+
+    def lines(self) -> list[Mark]:
+        return []
+
+    def __call__(self, free: FreeRoom) -> Annotations:
+        """All of it among what stands there; data that find no room are written in lines at the foot of the figure."""
+        added, machine = Annotations(), self.reading.mechanism
+        asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
+        for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
+            if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
+                added.over.extend(self._arc(half, free))
+        given, unsaid = DimensionLines(self.skeleton, free), list[Label]()
+        lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
+        for datum in sizes(self.reading):
+            marks = given.draw(datum)
+            added.over.extend(marks)
+            if not marks and not (isinstance(datum.shape, Corner) and angle_label(datum) in lettered):
+                unsaid.append(formula(datum.text))
+        for one, other in measured_lengths(self.reading) if self.planes else ():
+            if abs(self.skeleton.at(one) - self.skeleton.at(other)) >= _TOLD:
+                added.over.extend(replace(given, accent="grey").draw(length_size(self.reading, one, other)))
+        widths = (free.room.size.real - 8, *_NARROWER)
+        for size, wide in product((LABEL, LEAST), widths) if self.planes else ():
+            lines = WrittenLines.of(unsaid, wide, size)
+            if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
+                marks = [*lines.marks(corner)]
+                free.add(marks)
+                added.over.extend(marks)
+                break
+        return added
+
+    def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
+        """An arc in the sense in which the link turns, across its bar, with its letter."""
+        (letter, plane), link = _LETTERS[rotation.word], rotation.link
+        value = float((self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha)[link])
+        driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
+        if driven or not self.reading.usual.rate(value, plane):
+            return []
+        step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, value)
+        label = quantity_label(letter, self.reading.mechanism.called(link))
+        form: Form = "omega" if plane == "velocity" else "alpha"
+        for points, radius, middle, crossing in islice(self._places(link, free), _TRIED):
+            at, turn = self._middle(points), cmath.rect(1, -sense * SWEEP / 2)
+            arc = spin(at, middle / turn, sense, radius, step, Shows(link, form, points))
+            for away in (middle / turn, middle * turn) if crossing else (middle,):
+                want = LabelRequest(label, at + away * radius, gap=0.9, away=away, step=step)
+                if letters := free.letters_with(arc, want):  # in the colour of the polygon
+                    marks = [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
+                             for mark in (*arc, *letters)]  # fmt: skip
+                    free.add(marks)
+                    return marks
+        return []
+
+    def _middle(self, points: Sequence[str]) -> Place:
+        return sum(map(self.skeleton.at, points)) / len(points)
+
+    def _places(self, link: str, free: FreeRoom) -> Iterator[Arc]:
+        """Places with room for such an arc: across a bar beside its pivot, or at the middle of a coupler; about a point
+        of a link that has no bar."""
+        arcs = list(self._arcs(link))
+        rooms: list[Sequence[Mark]] = []
+        for points, radius, middle, crossing in arcs:
+            at, half = self._middle(points), SWEEP / 2
+            cut = _CROSSING / radius if crossing else 0.0
+            pieces = ((-half, -cut), (cut, half)) if crossing else ((-half, half),)
+            start = cmath.phase(middle)
+            rooms.append([ArcMark(at, radius, start + low, high - low) for low, high in pieces])
+        while (number := free.first([(room, ()) for room in rooms])) is not None:
+            yield arcs[number]
+            arcs, rooms = arcs[number + 1 :], rooms[number + 1 :]
+
+    def _arcs(self, link: str) -> Iterator[Arc]:
+        owners, skeleton = self.reading.mechanism.owners, self.skeleton
+        points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
+        pivot = points[:1] if points and FRAME in owners[points[0]] else []
+        ends = sorted(skeleton.bars(link), key=lambda pair: -abs(pair[0] - pair[1]))
+        for point in pivot:
+            at = skeleton.at(point)
+            for radius, (start, end) in product(_RADII, ends):
+                for one, other in ((start, end), (end, start)):
+                    if abs(one - at) < 0.1 and abs(other - at) > radius + 2:
+                        yield (point,), radius, (other - at) / abs(other - at), True
+        pairs = [(a, b) for k, a in enumerate(points) for b in points[k + 1 :]]
+        for tail, head in sorted(pairs, key=lambda pair: -abs(skeleton.at(pair[0]) - skeleton.at(pair[1]))):
+            start, end = skeleton.at(tail), skeleton.at(head)
+            for radius in _MIDDLE:
+                if abs(end - start) > 2 * radius + 6:
+                    yield from (((tail, head), radius, way * (end - start) / abs(end - start), True) for way in (1, -1))
+        if not ends:
+            for point, radius, middle in product(points, _RADII, _AROUND):
+                yield (point,), radius, middle, False
