@@ -15,7 +15,7 @@ from graphkin.sheet.paper import PENS
 
 _PAPER = "#ffffff"
 _INK, _NEW, _PALE = "#000000", "#c00000", "#777777"
-_ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d", "grey": _PALE}
+ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d", "grey": _PALE}
 """Dark in print without colours; widths, not colours, tell what is what."""
 Ink = Literal["accent", "black"]
 
@@ -41,7 +41,7 @@ class Colours:
         plane: str | None = getattr(mark, "accent", None) or layer.plane
         if isinstance(mark, Stroke) and mark.pen in ("construction", "measured") and not mark.new:
             return _PALE
-        return _ACCENTS.get(plane or "", _NEW if mark.new else _INK)
+        return ACCENTS.get(plane or "", _NEW if mark.new else _INK)
 
     def paint(self, layer: Layer, mark: Mark) -> tuple[tuple[str, str], ...]:
         """The attributes a viewer paints a mark by; in a detail an arrow's head is part of its outline."""

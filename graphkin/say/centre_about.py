@@ -12,7 +12,7 @@ from graphkin.errors import Lang
 from graphkin.say import catalogue, names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Operand
-from graphkin.say.numbers import SentenceNumber, at_edge, number, sense, sensed
+from graphkin.say.numbers import SentenceNumber, at_edge, circled, number, sense, sensed
 from graphkin.studies.centres.about import About, Circle
 from graphkin.studies.centres.about_bobillier import Bobillier
 from graphkin.studies.centres.centrodes import Centrodes
@@ -89,13 +89,10 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     data = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
     data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
     stages, pivots = [], any(entry.centre[2] for entry in drawn.guides)
-    for stage in drawn.construction.stages:  # whose lines may be parallel
-        if stage.say == "Q" and not pivots:
-            stages.append(say("about.bobillier Q line", lang, **data))
-        else:
-            far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
-            key = f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}"
-            stages.append(say(key, lang, **data))
+    for count, stage in enumerate(drawn.construction.stages, start=1):  # whose lines may be parallel
+        far = " far" if stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name)) else ""
+        far = " line" if stage.say == "Q" and not pivots else far
+        stages.append(f"{circled(count)} {say(f'about.bobillier {stage.say}{far}', lang, **data)}")
     sources = []
     for entry in drawn.guides:
         kind = "measured" if entry.measured else "pivoted" if entry.pivoted else "guided"

@@ -11,21 +11,21 @@ import numpy as np
 from graphkin.base.geometry import place as as_place
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.construction.drafting import INFINITE, LineStep, PointStep, drawn_through
+from graphkin.construction.drafting import INFINITE, CarriedAngle, LineStep, PointStep, drawn_through
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
 from graphkin.say.centre_about import bobillier_words, link_words
+from graphkin.sheet import symbols
 from graphkin.sheet.centre_figure import coordinates
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
-from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
+from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName, finest
 from graphkin.sheet.path_figure import circle, clipped
-from graphkin.sheet.single_figure import SingleFigure, place_for
-from graphkin.sheet.symbols import arrow_head
+from graphkin.sheet.single_figure import SingleFigure, place_for, stage_number
 from graphkin.sheet.titleblock import Table
 from graphkin.sheet.window import Entry, Figure, corners, enlarged
 from graphkin.studies.centres.about import About, Circle, InflectionLine
@@ -39,8 +39,9 @@ _LIGHT = 0.5  # the field's arrows are so much shorter than the scale says, not 
 _AXIS = 38.0  # half of the pole tangent, and of the normal [mm]
 _TOWARDS = 30.0  # how far a ray goes to a pole that is not on the paper [mm]
 
-_CURVATURE, _BEYOND = 2.6, 7.0
-"""So many times larger Bobillier's figure may become; how far its lines go on past their points [mm]."""
+_CURVATURE, _BEYOND, _ARC = 2.6, 7.0, 12.0
+"""So many times larger Bobillier's figure may become; how far its lines go on past their points, and how long the arcs
+of its equal angles are [mm]."""
 
 HEADING: dict[Lang, str] = {"en": "Link {link} about its instant centre", "zh": "构件 {link} 绕瞬心的运动"}
 BOBILLIER: dict[Lang, str] = {
@@ -159,7 +160,7 @@ class _LinkDrawing:
                 for ray in clipped([at, at + along * _TOWARDS], room, "construction"):
                     last = ray.places[-1], along
                     yield ray
-                    yield arrow_head(*last, None)
+                    yield symbols.arrow_head(*last, None)
         if last is not None:
             x, y = (numbers.number(1e3 * part, 1e-6) for part in (link.pole.real, link.pole.imag))
             label = (*self.name, *plain(" → ∞" if cmath.isinf(link.pole) else f" ({x}, {y})"))
@@ -184,8 +185,8 @@ class _LinkDrawing:
             inside = room.holds(at) and room.holds(at + arrow)
             if 1.0 < abs(arrow) <= _FIELD and inside and all(abs(at - p) > 5 for p in places):
                 tip, along = at + arrow, arrow / abs(arrow)
-                yield Stroke((at, tip), "thin")
-                yield Stroke((tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along), "thin")
+                head = tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along
+                yield from (Stroke(line, "thin", accent="velocity") for line in ((at, tip), head))
 
     def velocities(self) -> Iterator[Entry]:
         """The velocity of each point, to the scale of velocities."""
@@ -193,9 +194,8 @@ class _LinkDrawing:
             arrow = self.on.window.turned(carried.velocity / self.pace)
             if abs(arrow) < 0.3:
                 continue
-            start, along = self.on.window(carried.place), arrow / abs(arrow)
-            yield Stroke((start, start + arrow - 0.5 * along), "vector")
-            yield arrow_head(start + arrow, along, None)
+            start = self.on.window(carried.place)
+            yield from symbols.arrow(start, start + arrow, "velocity")
             yield LabelRequest(quantity_label("v", name), start, start + arrow, gap=0.7)
 
     def poles(self) -> Iterator[Entry]:
@@ -252,12 +252,34 @@ class _BobillierDrawing:
     on: SingleFigure
     new: bool
 
-    def lines(self) -> Iterator[Mark]:
-        """Every line, past the points on it; thin, the axes as centre lines."""
-        for step_number, step in enumerate(self.solution.construction.steps, start=1):
-            if isinstance(step, LineStep):
-                pen: PenName = "centre" if step.name in ("axis", "axis c") else "construction"
-                yield from clipped(self._ends(step), self.on.room, pen, step_number)
+    def lines(self) -> Iterator[Entry]:
+        """Every line with its stage's number, past the points on it; thin, the axes as centre lines; equal angles."""
+        stages = self.solution.construction.stages
+        numbered = [(count, made) for count, stage in enumerate(stages, start=1) for made in stage.steps]
+        for step, (count, made) in enumerate(numbered, start=1):
+            if isinstance(made, LineStep):
+                pen: PenName = "centre" if made.name in ("axis", "axis c") else "construction"
+                for stroke in clipped(self._ends(made), self.on.room, pen, step):
+                    yield from (stroke, stage_number(stroke, count))
+            if isinstance(made, CarriedAngle):
+                yield from self._equal_angles(made, step)
+
+    def _equal_angles(self, carried: CarriedAngle, step: int) -> Iterator[Mark]:
+        """The angle between two rays of the pole, and the same between the axes: arcs with a dash."""
+        pole = self.on.window(as_place(self.solution.board.at(carried.at)))
+        lines = self.solution.construction.made_by
+        ends = {name: max(self._ends(line), key=lambda at: abs(at - pole), default=pole) - pole
+                for name in (carried.start, carried.end, carried.line, carried.name)
+                if isinstance(line := lines[name], LineStep)}  # fmt: skip
+        if not all(ends.values()) or not self.on.room.holds(pole):
+            return
+        turn = cmath.phase((ends[carried.end] / ends[carried.start]) ** 2) / 2  # of lines: by less than a right angle
+        radius = min(max(_ARC / max(abs(turn), 1e-9), _ARC), min(map(abs, ends.values())) - _BEYOND)
+        for name in (carried.end, carried.name):
+            begin = cmath.phase(ends[name]) - turn
+            middle = cmath.rect(1, begin + turn / 2)
+            yield ArcMark(pole, radius, begin, turn, "construction", step)
+            yield Stroke((pole + (radius - 1) * middle, pole + (radius + 1) * middle), "construction", step=step)
 
     def _ends(self, line: LineStep) -> list[Place]:
         """From the first to the last point on a line and beyond, farther towards infinity; empty for the line there."""

@@ -67,7 +67,8 @@ def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:
     assert grid.strip is not None, "a sheet of centres has a title block"
     base = [*layout.table.drawn(complex(grid.strip.room.left + 3, grid.strip.room.top + 1.5))]
     base += heading(_HEADING[lang], "position", scale, layout.figure)
-    other = complex(circle.left, circle.bottom) if grid.paper.landscape else complex(circle.right, circle.top)
+    beside = circle.left > layout.figure.left
+    other = complex(circle.left, circle.bottom) if beside else complex(circle.right, circle.top)
     base += [Stroke((complex(circle.left, circle.top), other), "thin"), *circle_diagram(found, circle, lang)]
     room = layout.figure.inset(2, HEAD, 2)
     panel = Panel(centre_figure(OnPaper(found, layout.window, room)), layout.window, room)
@@ -145,14 +146,23 @@ class CentreLayout:
 def _layouts(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
     """On one paper, with more or less room for centres outside the mechanism.
 
-    The circle diagram stands at the right, or under the figure on upright paper; the table in the strip at the foot.
+    The circle diagram stands at the right, on upright paper beside the table in the strip at the foot; where both have
+    no room there, over it.
     """
-    table = centre_table(measures.found, lang, tables_room(paper), 0.4 * paper.height)
-    grid, size = SheetGrid.over(paper, least=table.height), circle_size(measures.found)
-    field, right, bottom = grid.field, grid.field.right - size.real, grid.field.bottom - size.imag
-    figure, circle = replace(field, bottom=bottom), replace(field, top=bottom)
-    if paper.landscape:
-        figure, circle = replace(field, right=right), replace(field, left=right)
+    size, wide, most = circle_size(measures.found), paper.frame.size.real, 0.4 * paper.height
+    table = centre_table(measures.found, lang, tables_room(paper), most)
+    beside = centre_table(measures.found, lang, wide - size.real - 6, most)
+    if not paper.landscape and not beside.lost and beside.height < table.height + size.imag:
+        grid = SheetGrid.over(paper, least=max(size.imag, beside.height))
+        assert grid.strip is not None
+        foot, table, figure = grid.strip.room, beside, grid.field
+        circle = Room(foot.right - size.real, foot.top, foot.right, foot.top + size.imag)
+    else:
+        grid = SheetGrid.over(paper, least=table.height)
+        field, right, bottom = grid.field, grid.field.right - size.real, grid.field.bottom - size.imag
+        figure, circle = replace(field, bottom=bottom), replace(field, top=bottom)
+        if paper.landscape:
+            figure, circle = replace(field, right=right), replace(field, left=right)
     room = figure.inset(0, HEAD, 0)
     inner = room.size - measures.extent.reach
     if min(inner.real, inner.imag) < 15:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import chain
@@ -17,24 +17,24 @@ from graphkin import planning
 from graphkin.base import geometry
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, drafting
-from graphkin.construction.drafting import Bisector, Board, ChosenPoint, Drafting, LineStep, Step
+from graphkin.construction.drafting import Bisector, Board, ChosenPoint, Drafting, LineStep, Stage, Step
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.proof.roads import proved
-from graphkin.say.design import error, mechanism_of
+from graphkin.say.design import error, mechanism_of, sentences
+from graphkin.say.numbers import circled
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LABEL, Label, Run, joined, number, plain, point_label
-from graphkin.sheet.marks import ArcMark, Disc, Place, Stroke, Text
+from graphkin.sheet.lettering import LABEL, Label, Run, joined, number, plain, point_label, quantity_label
+from graphkin.sheet.marks import ArcMark, Disc, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.path_figure import clipped
-from graphkin.sheet.single_figure import SingleFigure, place_for
+from graphkin.sheet.single_figure import SingleFigure, place_for, stage_number
+from graphkin.sheet.titleblock import Table
 from graphkin.sheet.window import Entry, Figure, enlarged
 from graphkin.studies.design import Design, Family, Solution
 
-_COLUMN, _LINE = 42.0, 6.2
-"""Between sizes in the strip [mm]."""
 _MOST = 3.0  # so many times larger than the linkage the figure may become, for centres and circles
 _HEADING: dict[Lang, str] = {"en": "Design by construction", "zh": "图解设计"}
 
@@ -46,7 +46,8 @@ def design_sheet(design: Design, *, paper: str | None = None, lang: Lang = "en")
         raise error(design) or AssertionError("a design without a best solution has none")
     method = planning.plan(mechanism_of(chosen, design.kind))
     plot, last = proved(method).plot, len(chosen.construction.stages) + 1
-    on = _page(chosen, method, plot, paper)
+    told = [f"{circled(k)} {text}" for k, text in enumerate(sentences(chosen.construction, chosen.board(), lang), 1)]
+    on = _page(chosen, method, plot, paper, told)
     construction, machine = DesignFigure(chosen, on, design.families), on.mechanism(plot).numbered(last)
     for k, want in enumerate(machine.wanted):  # with the construction's letters for that place; pivots from the start
         name = next((name for name in "ABCD" if want.label == point_label(name)), "")
@@ -54,13 +55,10 @@ def design_sheet(design: Design, *, paper: str | None = None, lang: Lang = "en")
             machine.wanted[k] = replace(want, step=chosen.construction.born(name))
         elif name and (also := construction.also(name)):
             machine.wanted[k] = replace(want, label=joined([want.label, *map(point_label, also)]))
-    corner = complex(on.layout.strip.left + 3, on.layout.strip.top + 6)
-    sizes = [Text(label, corner + complex(_COLUMN * (k % 2), _LINE * (k // 2)), LABEL, last)
-             for k, label in enumerate(_sizes(chosen))]  # fmt: skip
-    return on.sheet(plot, _HEADING[lang], construction.figure() + machine, lang, after=sizes)
+    return on.sheet(plot, _HEADING[lang], construction.figure() + machine, lang)
 
 
-def _page(one: Solution, method: Method, plot: Plot, paper: str | None) -> SingleFigure:
+def _page(one: Solution, method: Method, plot: Plot, paper: str | None, told: Sequence[str]) -> SingleFigure:
     """Room for the linkage at all positions, the construction's points, and its circle if that is not too large."""
     board = one.board()
     values = shown_places(method, plot) + [place for places in one.limits for place in places.values()]
@@ -70,20 +68,21 @@ def _page(one: Solution, method: Method, plot: Plot, paper: str | None) -> Singl
         sides = [centre + radius * side for side in (1, 1j, -1, -1j)]
         wider = enlarged(values, sides, _MOST)
         values = wider if all(place in wider for place in sides) else values
-    rows = -(-len([*_sizes(one)]) // 2)
-    return place_for(method, [plot], values, paper, least=_LINE * rows)
+    return place_for(method, [plot], values, paper, [_sizes(one)], told)
 
 
-def _sizes(one: Solution) -> Iterator[Label]:
+def _sizes(one: Solution) -> Table:
+    """The linkage's lengths, and its least transmission angle."""
     named = {"AB": one.a, "BC": one.b, "CD": one.c, ("AC" if one.shape == "guide-bar" else "AD"): one.d}
-    for name, size in named.items():
-        if size is not None:
-            yield (Run("l", True), Run(name, True, "sub"), Run(" = "), *number(1e3 * size, 5), *plain(" mm"))
+    sizes = [(quantity_label("l", name), (*number(1e3 * size, 5), *plain(" mm")))
+             for name, size in named.items() if size is not None]  # fmt: skip
     if one.shape == "slider-crank" and one.e is not None:
-        yield (Run("e", True), Run(" = "), *number(1e3 * one.e, 5), *plain(" mm"))
+        sizes.append((plain("e", italic=True), (*number(1e3 * one.e, 5), *plain(" mm"))))
     if one.gamma_min is not None:
-        gamma = number(math.degrees(one.gamma_min), 5)
-        yield (Run("γ", True), Run("min", False, "sub"), Run(" = "), *gamma, *plain("°"))
+        least = (*number(math.degrees(one.gamma_min), 5), *plain("°"))
+        sizes.append(((Run("γ", True), Run("min", False, "sub")), least))
+    names, values = zip(*sizes, strict=True)
+    return Table(names, (values,))
 
 
 # --- the figure -------------------------------------------------------------------------------------------------------
@@ -133,8 +132,15 @@ class DesignFigure:
     def figure(self) -> Figure:
         """Construction, positions and angles; marks carry the number of their stage."""
         stages = enumerate(self.construction.stages, start=1)
-        drawn = (entry for number, stage in stages for step in stage.steps for entry in self._step(step, number))
-        return Figure.of(chain(drawn, self._positions(), self._points(), self._angles()))
+        drawn = (self._stage(stage, number) for number, stage in stages)
+        return Figure.of(chain(*drawn, self._positions(), self._points(), self._angles()))
+
+    def _stage(self, stage: Stage, number: int) -> Iterator[Entry]:
+        """The steps of a stage, and its number at the longest of its lines."""
+        entries = [entry for step in stage.steps for entry in self._step(step, number)]
+        yield from entries
+        if strokes := [entry for entry in entries if isinstance(entry, Stroke)]:
+            yield stage_number(max(strokes, key=lambda stroke: abs(stroke.places[-1] - stroke.places[0])), number)
 
     def _step(self, step: Step, stage: int) -> Iterator[Entry]:
         if isinstance(step, LineStep):

@@ -73,15 +73,14 @@ def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | No
     Raises UnknownPaper.
     """
     chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
-    heads = (tuple(run for name in one.linkage.names for run in point_label(name)) for one in reports)
-    tables = [Table((head, ()), tuple(_rows(one))) for head, one in zip(heads, reports, strict=True)]
-    grid, several = SheetGrid.over(chosen, tables), len(reports) > 1
+    several = len(reports) > 1
+    grid = SheetGrid.over(chosen, [_sizes(one, several) for one in reports])
     panels: list[Panel] = []
     for one, row in zip(reports, grid.field.cells(len(reports), 1), strict=True):
         pictures = _pictures(one, lang, several)
-        columns = len(pictures) if several or chosen.landscape else 1
-        cells = row.cells(len(pictures), columns)
-        scale = max(picture.scale(cell) for picture, cell in zip(pictures, cells, strict=True))
+        divisions = [row.cells(len(pictures), columns) for columns in {len(pictures), len(pictures) if several else 1}]
+        scales = [max(each.scale(cell) for each, cell in zip(pictures, cells, strict=True)) for cells in divisions]
+        scale, cells = min(zip(scales, divisions, strict=True), key=lambda pair: pair[0])
         if several:
             pictures = [picture.captioned(f"(1:{scale * 1e3:g}) ") for picture in pictures]
         panels += panels_in(pictures, cells, scale)
@@ -124,7 +123,7 @@ def _limits(one: Report, lang: Lang) -> Picture:
     texts = [_WORDS["limits"][lang].format(output=one.output)]
     if one.k is not None:
         key = "timed" if one.timed_by else "one" if one.slow is None else "k"
-        texts.append(_WORDS[key][lang].format(k=numbers.number(one.k, digits=5), crank=one.timed_by))
+        texts.append(_WORDS[key][lang].format(k=numbers.number(one.k), crank=one.timed_by))
     texts += [_dead(one, name, lang) for name in one.dead if name != one.driver][:1]
     return pictured(one.limits, draw, Caption(tuple(texts), _CAPTION))
 
@@ -137,7 +136,7 @@ def _transmission(one: Report, lang: Lang) -> Picture:
         angles = dimensioned_transmission(one, shown, window)
         return _over(drawn_over(one.linkage, shown, window, True, (*one.limits, *one.critical)), angles)
 
-    gamma, alpha = numbers.angle(one.gamma_min or 0.0), numbers.angle(one.alpha_max or 0.0)
+    gamma, alpha = (f"{numbers.number(math.degrees(angle or 0.0))}°" for angle in (one.gamma_min, one.alpha_max))
     letter, values = "s" if one.driver == one.slide else "φ", ", ".join(amount(one, end.driver) for end in one.least)
     least = _WORDS["least"][lang].format(gamma=gamma, alpha=alpha, letter=letter, driver=one.driver, values=values)
     texts = [_WORDS["gamma"][lang].format(driver=one.driver), least]
@@ -157,19 +156,18 @@ def _dead(one: Report, driver: str, lang: Lang) -> str:
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=shown)
 
 
-def _rows(one: Report) -> Iterator[tuple[Label, Label]]:
-    for name, size in one.linkage.sizes.items():
-        yield points_label(name), (*number(size * 1e3), Run(" mm"))
-    amounts = (
-        (quantity_label("ψ", ""), one.swing, "°"), (quantity_label("H", ""), one.stroke, " mm"),
-        (quantity_label("θ", ""), one.theta, "°"), (quantity_label("K", ""), one.k, ""),
-        ((Run("γ", True), Run("min", place="sub")), one.gamma_min, "°"),
-        ((Run("α", True), Run("max", place="sub")), one.alpha_max, "°"),
-    )  # fmt: skip
-    for name_label, value, unit in amounts:
-        if value is not None:
-            shown = {"°": math.degrees(value), " mm": value * 1e3}.get(unit, value)
-            yield name_label, (*number(shown), *((Run(unit),) if unit else ()))
+def _sizes(one: Report, several: bool) -> Table:
+    """Its lengths, and what was found; among several after its name."""
+    turn, psi, theta, high, k = math.degrees(1), *(quantity_label(letter, "") for letter in "ψθHK")
+    least, most = (Run("γ", True), Run("min", place="sub")), (Run("α", True), Run("max", place="sub"))
+    sizes: list[tuple[Label, float | None, float, str]] = []
+    sizes += [(points_label(name), size, 1e3, " mm") for name, size in one.linkage.sizes.items()]
+    sizes += [(psi, one.swing, turn, "°"), (high, one.stroke, 1e3, " mm"), (theta, one.theta, turn, "°"),
+              (k, one.k, 1.0, ""), (least, one.gamma_min, turn, "°"), (most, one.alpha_max, turn, "°")]  # fmt: skip
+    columns: list[tuple[Label, Label]] = [((), points_label("".join(one.linkage.names)))] if several else []
+    columns += [(name, (*number(s * factor), *plain(unit))) for name, s, factor, unit in sizes if s is not None]
+    heads, values = zip(*columns, strict=True)
+    return Table(heads, (values,))
 
 
 # --- the figures ------------------------------------------------------------------------------------------------------
@@ -247,9 +245,9 @@ def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> I
 
 
 def _degrees(sign: str, angle: float, primes: int = 0) -> Label:
-    """`ψ = 40.54°`, `γ′ = 32.98°`."""
+    """`ψ = 40.54°`, `γ′ = 32.98°`: four digits, as on paper."""
     index = (Run("′" * primes),) if primes else ()
-    return (Run(sign, True), *index, Run(f" = {math.degrees(angle):.2f}°"))
+    return (Run(sign, True), *index, Run(" = "), *number(math.degrees(angle)), Run("°"))
 
 
 def _arc(centre: Place, radius: float, start: complex, end: complex, label: Label) -> Figure:
@@ -325,7 +323,7 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
     one, other = (there[-1] for there in places)
     side = away_from(one, along, [place for there in places for place in there])
     line, extensions, heads = symbols.dimension_line((one, other), side, _STROKE_OFF, clear=(4.5, 4.5))
-    label: Label = (Run("H", True), Run(f" = {length * 1e3:.2f} mm"))
+    label: Label = (Run("H", True), Run(" = "), *number(length * 1e3), Run(" mm"))
     request = LabelRequest(label, line.places[0], line.places[1], gap=0.4, away=side, size=LABEL)
     return Figure([line, *extensions, *heads], [request])
 

@@ -1,9 +1,9 @@
 """A mechanism and its polygons through its whole motion: one sheet a position, all at the same scales.
 
 Where the first driver turns fully, once round; else as far as it gets to both sides, there and back. What would hop
-from side to side from one position to the next is drawn as it suits all of them: the ground, and letters. A letter
-keeps one side of what it names, on which it lies on the fewest lines and letters, all positions together; arrows are
-not lettered, as the letters at their ends say as much.
+from side to side from one position to the next is drawn as it suits all of them: the ground. A letter goes about what
+it names where it lies on the fewest lines and letters, on a short way; arrows are not lettered, as the letters at their
+ends say as much. What is asked for stands under the headings with its running values.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import EDGE, centre_of
 from graphkin.planning import Method
 from graphkin.planning.method import births
 from graphkin.running import replay_all
@@ -27,23 +29,26 @@ from graphkin.running.path import along, stride
 from graphkin.sheet.boxes import overlap
 from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import lay_out
-from graphkin.sheet.lettering import LABEL, Label, box, joined, plain, point_label
+from graphkin.sheet.layout import HEAD_LEFT, lay_out, under_heading
+from graphkin.sheet.lettering import LABEL, Label, box, joined, number, plain, point_label, width
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import KEYS, Room, TooLargeForPaper, papers_for
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
+from graphkin.sheet.results import label_of
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.titleblock import Strip, strip_height
+from graphkin.sheet.titleblock import PITCH, Strip, strip_height
 from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
-from graphkin.studies.sweeps import Course, course, prove
+from graphkin.studies.sweeps import Course, asked, course, drawable, prove, quantities_at
 
 FRAMES = 60
 _SHORT_OF_STOP = 1e-3  # the distance from a dead point at which the motion ends [of the path between two of them]
 _ASIDE_DEG, _ASIDE_PART = 0.05, 0.001
 """The distance from a change point at which its position is drawn, where the polygons would be 0/0."""
+_ROWS = 6  # so many values run along under a heading
+_PLANE: dict[str, Plane] = {"rad/s": "velocity", "m/s": "velocity", "rad/s^2": "acceleration", "m/s^2": "acceleration"}
 _ONE = 1e-6  # points of a polygon that are never farther apart are one [of its size]
 _LARGE, _ENDLESS = 4.0, 12.0
 """A polygon so many times larger than half of them are is not drawn: near a dead point; where a turn has none, but a
@@ -66,12 +71,25 @@ def motion_frames(
     moved = course(method, ())
     prove(moved)
     aside = stride(method, moved.path.pace, _ASIDE_DEG, _ASIDE_PART)
-    plots = list[Plot]()
-    for t in _times(moved, count):
-        t += 2 * aside if any(abs(t - change.at) < aside for change in moved.path.changes) else 0.0
-        plots.append(replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))))
-    frames = _Frames(method, plots, (only,) if only else PLANES, lang, bool(moved.path.stops) or not moved.angular)
+    times = [t + 2 * aside if any(abs(t - change.at) < aside for change in moved.path.changes) else t
+             for t in _times(moved, count)]  # fmt: skip
+    plots = [replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))) for t in times]
+    back = bool(moved.path.stops) or not moved.angular
+    frames = _Frames(method, plots, (only,) if only else PLANES, lang, back, _running_values(moved, times))
     return list(frames.sheets(paper))
+
+
+def _running_values(moved: Course, times: Sequence[float]) -> dict[Plane, list[list[Label]]]:
+    """What is asked for, and the driver's place: by plane a row a quantity, in it a label a position."""
+    machine, driver = moved.method.mechanism, moved.driver
+    names = [f"theta {driver.link}"] if driver.kind == "angle" and driver.from_vector is None else []
+    names = [*names, *(name for name in drawable(machine, asked(machine)) if centre_of(machine, name) is None)]
+    rows: dict[Plane, list[list[Label]]] = {}
+    for series in quantities_at(moved, [*dict.fromkeys(names)], np.array(times)).series:
+        unit, letters = EDGE[series.unit], (*label_of(series.quantity), *plain(" = "))
+        row = [(*letters, *number(value * unit.factor), *plain(unit.after)) for value in series.signed]
+        rows.setdefault(_PLANE.get(series.unit, "position"), []).append(row)
+    return {plane: every[:_ROWS] for plane, every in rows.items()}
 
 
 def _times(moved: Course, count: int) -> list[float]:
@@ -88,20 +106,26 @@ def _times(moved: Course, count: int) -> list[float]:
 
 @frozen
 class _Frames:
-    """The positions and the planes that are drawn of each; `back`: the mechanism goes there and back."""
+    """The positions and the planes that are drawn of each.
+
+    back    the mechanism goes there and back
+    values  by plane: rows of labels, one a position
+    """
 
     method: Method
     plots: Sequence[Plot]
     planes: tuple[Plane, ...]
     lang: Lang
     back: bool
+    values: Mapping[Plane, Sequence[Sequence[Label]]]
 
     def sheets(self, paper: str | None) -> Iterator[Sheet]:
+        papers = [one for one in papers_for(paper) if one.landscape or paper]  # as screens are
         try:
-            layout = lay_out(self._extents, strip_height, papers_for(paper))
+            layout = lay_out(self._extents, strip_height, papers)
         except TooLargeForPaper:  # a given scale at which the whole motion does not fit is not kept
             free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
-            layout = lay_out(free, strip_height, papers_for(paper))
+            layout = lay_out(free, strip_height, papers)
         windows = {plane: layout.window(plane, self._extents[plane]) for plane in self.planes}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
         heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].printed, layout.rooms[plane])
@@ -110,24 +134,28 @@ class _Frames:
         for plane, shown in self._shown.items():
             every = range(len(self.plots))
             figures = [self._figure(plane, windows[plane], k) if k in shown else Figure() for k in every]
-            drawn[plane] = lettered(figures, rooms[plane], heads[plane])
+            drawn[plane] = lettered(figures, rooms[plane], [*heads[plane], *self._texts(plane, 0, layout.rooms[plane])])
         for k, plot in enumerate(self.plots):
             panels = []
             for plane in self.planes:
-                figure = Figure(drawn[plane][k])
-                if k not in self._shown[plane]:
-                    figure = Figure([self._note(TOO_LARGE, heads[plane])])
-                elif plane == "position" and self.back:
-                    figure.marks.append(self._note(BACK, heads[plane]))
-                panels.append(Panel(figure, windows[plane], rooms[plane], heads[plane], (), plane))
+                figure, room = Figure(drawn[plane][k]), layout.rooms[plane]
+                before = *heads[plane], *self._texts(plane, k, room)
+                panels.append(Panel(figure, windows[plane], rooms[plane], before, (), plane))
             strip, values = Strip(layout.strip), plot.facts.values
             yield Page(layout.paper, panels, self.method.mechanism, values, self.lang, strip).sheet()
 
-    def _note(self, words: Mapping[Lang, str], head: Sequence[object]) -> Text:
-        """Under a heading."""
-        lowest = max((mark.at for mark in head if isinstance(mark, Text)), key=lambda at: at.imag)
-        left = min(mark.at.real for mark in head if isinstance(mark, Text))
-        return Text(plain(words[self.lang]), complex(left, lowest.imag + 5.5), LABEL)
+    def _texts(self, plane: Plane, k: int, room: Room) -> Iterator[Text]:
+        """A note and the values of a position, under the heading."""
+        corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
+        for row, label in enumerate(self._words(plane, k)):
+            yield Text(label, corner + 1j * PITCH * (row + 0.75), LABEL)
+
+    def _words(self, plane: Plane, k: int) -> Iterator[Label]:
+        if k not in self._shown[plane]:
+            yield plain(TOO_LARGE[self.lang])
+        elif plane == "position" and self.back:
+            yield plain(BACK[self.lang])
+        yield from (row[k] for row in self.values.get(plane, ()))
 
     # --- how large ----------------------------------------------------------------------------
 
@@ -170,7 +198,11 @@ class _Frames:
             figures = [self._figure(plane, window, k) for k in spread]
             return Figure([mark for figure in figures for mark in figure.marks], figures[0].wanted)
 
+        words = [[*self._words(plane, k)] for k in range(len(self.plots))]
+        wide = max((width(label, LABEL) for labels in words for label in labels), default=0.0)
+        size = complex(wide, PITCH * max(map(len, words)))
         extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
+        extent = replace(extent, beside=((size, size),) if wide else ())
         return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
     # --- figures ------------------------------------------------------------------------------
@@ -220,6 +252,7 @@ _ALONG = (0.5, 0.35, 0.65)  # the places beside a line for its number
 _CLEAR = 0.4  # the room that letters keep from lines [mm]
 _SELDOM = 0.1
 """Letters that points share for a moment, where they lie on one another, flash up: those on fewer of the figures."""
+_WAY = 0.15  # the cost of a letter's way about what it names [1/mm]
 _OUTSIDE = 6.0  # leaving its room counts like lying on so many lines
 _CHOICES = (1 + len(_SIDES)) * len(_RINGS)
 
@@ -237,7 +270,7 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
             every.setdefault((want.label, want.end is None), {}).setdefault(k, want)
     often = (wants for wants in every.values() if len(wants) >= _SELDOM * len(figures))
     for wants in sorted(often, key=len, reverse=True):  # the most frequent come first, seldom ones not at all
-        middles = np.array([_middles(want) for want in wants.values()])
+        middles, places = np.array([_middles(want) for want in wants.values()]), [want.place for want in wants.values()]
         wide, up, down = box(*next((want.label, want.size) for want in wants.values()))
         half = complex(wide, up + down) / 2
         costs = []
@@ -249,14 +282,31 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
             outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
             costs.append(cost + _OUTSIDE * outside)
         far = np.arange(_CHOICES) >= _CHOICES // len(_RINGS)
-        best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _FARTHER * far))
-        for (k, want), row in zip(wants.items(), middles, strict=True):
+        chosen = _gliding(middles - np.array(places)[:, None], np.array(costs) + _FARTHER * far)
+        for (k, want), row, best in zip(wants.items(), middles, chosen, strict=True):
             place = _boxes(row[best : best + 1], half)
             if not any(_lies(place, other) for other in letters[k]):  # hidden while it would lie on another
                 at = complex(row[best]) + complex(-wide, up - down) / 2
                 marks[k].append(Text(want.label, at, want.size, want.step))
                 letters[k].append(place)
     return marks
+
+
+def _gliding(sides: np.ndarray, costs: np.ndarray) -> list[int]:
+    """The place a letter takes on each figure, round and round: cheap ones, with little way from each to the next.
+
+    sides  of its places from what it names (n, places), complex [mm]
+    """
+    rounds = [*range(len(costs))] * 2
+    total, before = costs[0], list[np.ndarray]()
+    for last, k in pairwise(rounds):
+        ways = total + _WAY * abs(sides[k][:, None] - sides[last])
+        before.append(ways.argmin(axis=1))
+        total = ways.min(axis=1) + costs[k]
+    chosen = [int(total.argmin())]
+    for cheapest in reversed(before[len(costs) :]):
+        chosen.append(int(cheapest[chosen[-1]]))
+    return chosen[::-1]
 
 
 def _middles(want: LabelRequest) -> list[Place]:

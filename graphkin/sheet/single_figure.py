@@ -13,11 +13,13 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.say.dimensions import sizes
+from graphkin.say.numbers import circled
 from graphkin.say.reading import Reading
 from graphkin.sheet.dimension_lines import angles
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import HEAD, Layout, alone, divided
-from graphkin.sheet.lettering import LABEL, formula, width
-from graphkin.sheet.marks import Mark, Text
+from graphkin.sheet.lettering import LABEL, formula, plain, width
+from graphkin.sheet.marks import Mark, Stroke, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
 from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
@@ -63,11 +65,11 @@ class SingleFigure:
 
 def place_for(
     method: Method, plots: Sequence[Plot], places: Sequence[complex], paper: str | None,
-    found: Sequence[Table] = (), told: Sequence[str] = (), least: float = 0.0,
+    found: Sequence[Table] = (), told: Sequence[str] = (),
 ) -> SingleFigure:  # fmt: skip
     """On the smallest paper where these places [m] fit; a given scale that is too fine is not kept.
 
-    plots  at which the mechanism is to be drawn; found, told: its tables and sentences; least: room for more
+    plots  at which the mechanism is to be drawn; found, told: tables and sentences for the strip.
     Raises UnknownPaper.
     """
 
@@ -75,8 +77,14 @@ def place_for(
         return sum((plain_mechanism(method, plot, window) for plot in plots), Figure())
 
     extent = replace(Extent.of(places, drawn), given=method.mechanism.scales.get("length"), labels=_LABELS)
-    layout = alone(extent, partial(strip_height, found=found, told=told, least=least), paper)
+    layout = alone(extent, partial(strip_height, found=found, told=told), paper)
     return SingleFigure(method, layout, layout.window("position", extent), found, told)
+
+
+def stage_number(line: Stroke, count: int) -> LabelRequest:
+    """The number of a sentence at what it says is drawn."""
+    start, end = line.places[len(line.places) // 2 - 1 :][:2]
+    return LabelRequest(plain(circled(count)), start, end, gap=0.5, size=LABEL, step=line.step)
 
 
 @frozen

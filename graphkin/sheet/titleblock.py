@@ -157,7 +157,8 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
                 at = pen + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
                 for column, (cell, wide, gap) in enumerate(zip(row, part.widths, part.gaps, strict=True)):
                     if cell:
-                        accent = _PLANES.get(part.head[column][0].text) if k and part.head[column] else None
+                        head = part.head[column]
+                        accent = _PLANES.get(head[0].text) if k and head and "[" in head[-1].text else None
                         marks.append(Text(cell, at + (part.before(cell, column) if k else 0), LABEL, accent=accent))
                     at += wide + gap
             under = pen + 1j * (PITCH * 1.05)

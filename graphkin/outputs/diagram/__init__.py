@@ -16,7 +16,8 @@ from graphkin.errors import GraphkinError, Lang
 from graphkin.model.quantities import centre_of
 from graphkin.outputs import files
 from graphkin.outputs.diagram.curves import curves
-from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, has_chinese, letters
+from graphkin.outputs.diagram.fonts import LATIN, NoChineseFont, chinese_font, has_chinese, letters
+from graphkin.outputs.typesetting import LATIN as SERIFS
 from graphkin.studies.sweeps import Course, Road
 
 if TYPE_CHECKING:
@@ -74,6 +75,8 @@ def write(
     drawing = figure(course, names, lang, by)
     with files.beside(path, force, (MARK.encode(),)) as draft, settings():
         drawing.savefig(draft, format=kind[1:], dpi=DPI, metadata=metadata(kind, title))
+        if kind == ".svg":  # letters of the same widths, where a machine has others
+            draft.write_bytes(draft.read_bytes().replace(f"'{LATIN}'".encode(), f"'{LATIN}', {SERIFS}".encode()))
     chinese = lang == "zh" or any(map(has_chinese, (title, *names)))
     return NoChineseFont() if chinese and chinese_font() is None else None
 

@@ -15,6 +15,7 @@ from graphkin.outputs.diagram import panels
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
 from graphkin.outputs.diagram.notes import DrawnPanel, note_peaks
+from graphkin.outputs.paint import ACCENTS
 from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import Label, joined, width
 from graphkin.sheet.results import label_of
@@ -33,12 +34,10 @@ TOP, FOOT, LINE, BETWEEN = 14.0, 10.5, 4.0, 3.5
 ROW = 4.8  # height of a row of a legend [mm]
 BROAD, THIN = 0.35, 0.18  # lines after ISO 128 [mm]
 GREY = "#d8d8d8"
-Style = tuple[str, str | tuple[float, tuple[float, ...]]]
-STYLES: tuple[Style, ...] = (
-    ("#000000", "-"), ("#0b4f9e", (0, (7, 2))), ("#b0221a", (0, (8, 2, 1.5, 2))), ("#1c6e34", (0, (2.5, 1.5))),
-    ("#6a2c91", (0, (8, 2, 1.5, 2, 1.5, 2))), ("#8a5a00", (0, (1, 1.4))),
+DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
+    "-", (0, (7, 2)), (0, (8, 2, 1.5, 2)), (0, (2.5, 1.5)), (0, (8, 2, 1.5, 2, 1.5, 2)), (0, (1, 1.4)),
 )  # fmt: skip
-"""Colour and dashes: told apart in print without colours, too."""
+"""By these curves of a panel are told apart; their colour is that of the plane, as on sheets."""
 
 
 def draw(curves: Curves, lang: Lang) -> Figure:
@@ -107,10 +106,10 @@ def _panel(
     lines: dict[int, tuple[Axes, Line2D]] = {}
     across = curves.course.value(curves.t) * EDGE[curves.course.unit].factor
     for side, k in ((side, k) for side, axis in zip(sides, panel.axes, strict=True) for k in axis.curves):
-        (colour, dashes), entry = STYLES[len(lines) % len(STYLES)], curves.series[k]
+        dashes, entry = DASHES[len(lines) % len(DASHES)], curves.series[k]
         (line,) = side.plot(
-            across, entry.signed * EDGE[entry.unit].factor, color=colour, linestyle=dashes, linewidth=BROAD / POINT,
-            label=typeset(_label(curves, k)), gid=f"curve-{k}", solid_joinstyle="round",
+            across, entry.signed * EDGE[entry.unit].factor, color=ACCENTS.get(panel.kind, "black"), linestyle=dashes,
+            linewidth=BROAD / POINT, label=typeset(_label(curves, k)), gid=f"curve-{k}", solid_joinstyle="round",
         )  # fmt: skip
         lines[k] = side, line
     first.set_title(say(f"diagrams.panel {panel.kind}", lang), loc="left", fontsize=9, pad=4, y=1.0)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 ON_A_CURVE, ON_A_NOTE = 60.0, 1000.0  # the cost of standing on a curve, or on another text, in points of distance
 WRONG_SIDE = 8.0
 STEPS = (4.0, 7.0, 11.0, 16.0, 22.0, 29.0, 37.0, 46.0)  # distances from its dot at which a text is tried [pt]
-GAP, CLOSE = 1.5, 3.0  # room kept around a text, and between it and its dot [pt]
+GAP, CLOSE = 3.0, 3.0  # room kept around a text, and between it and its dot [pt]
 FAR = 10.0  # from here on a thin line leads from the dot to its text [pt]
 SIZE = 7.5
 THIN_PT = 0.18 * 72 / 25.4
@@ -92,7 +92,7 @@ def _write_peaks(page: Figure, curves: Curves, drawn: DrawnPanel, paths: Sequenc
         (side, line), unit = drawn.lines[k], EDGE[curves.series[k].unit]
         place = number(curves.course.value(peak.t)) * across, peak.value * unit.factor
         degree = unit.sign if unit.sign == "°" else ""
-        text = f"{figure_of(place[1])}{degree} @ {place_of(curves, peak.t)}"
+        text = f"{figure_of(place[1])}{degree} ({place_of(curves, peak.t)})"
         x, y = (float(part) for part in side.transData.transform(place))
         name = f"peak-{k}-{'greatest' if peak.sign > 0 else 'least'}"
         side.plot(*place, color=line.get_color(), marker="o", markersize=2.6, linestyle="", gid=name)
