@@ -20,7 +20,7 @@ from itertools import pairwise
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, IN_GRAVITY
 from graphkin.model.units import significant
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import is_phrase, say, say_close
 
 DIGITS = 4  # of what is read off paper
 _COMPUTED = 6
@@ -75,6 +75,12 @@ def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
 
 
+def heading(angle: str, lang: Lang) -> str:
+    """`at 153.4° to +x`, `along −y`: a direction with its angle from +x in words."""
+    key = f"derivation.at direction {angle}"
+    return say_close(key if is_phrase(key) else "derivation.at direction", lang, angle=angle)
+
+
 _CIRCLED = ((1, 0x2460), (21, 0x3251), (36, 0x32B1), (51, 0))  # from which number on the signs begin at which code
 
 
@@ -88,15 +94,13 @@ def circled(count: int) -> str:
 
 def exact(value: float | None) -> str:
     """Six significant digits, zero without a sign; `-` where there is none."""
-    if value is None:
-        return "-"
-    return significant(value, _COMPUTED) if abs(value) > 1e-12 else "0"
+    return "-" if value is None else number(value, 1e-12, _COMPUTED)
 
 
 def quantity(value: float, unit: str, *, gravity: bool = False) -> str:
     """`26.38 deg`, `188.8 mm`, `0.4 m/s`; accelerations in g, too, where `gravity`."""
     if math.isinf(value):
-        return "∞" if value > 0 else "-∞"
+        return "∞" if value > 0 else "−∞"
     shown = EDGE[unit]
     text = f"{exact(value * shown.factor)} {shown.name}".rstrip()
     return f"{text} ({exact(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if gravity and unit == "m/s^2" else text
@@ -113,13 +117,12 @@ def in_print(text: str) -> str:
 def at_edge(value: float, unit: str) -> str:
     """`41.2°`, `20 mm`, `0.36 m/s`."""
     name = "°" if unit == "rad" else f" {EDGE[unit].name}".rstrip()
-    size = value * EDGE[unit].factor
-    return f"{significant(size, _COMPUTED)}{name}" if abs(size) > 1e-9 else f"0{name}"
+    return f"{number(value * EDGE[unit].factor, 1e-9, _COMPUTED)}{name}"
 
 
 def millimetres(length: float) -> str:
     """`20 mm`; less than a millionth of one is none."""
-    return f"{significant(length * 1e3, _COMPUTED)} mm".replace("-", "−") if abs(length) > 1e-9 else "0 mm"
+    return f"{number(length * 1e3, 1e-6, _COMPUTED)} mm"
 
 
 def angle(value: float) -> str:

@@ -6,6 +6,8 @@ from cmath import rect
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import count
+from math import degrees as degrees_of
+from math import tau
 from typing import assert_never
 
 from graphkin.base.geometry import cross, dot
@@ -15,7 +17,7 @@ from graphkin.planning.method import made
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
-from graphkin.say.numbers import degrees
+from graphkin.say.numbers import degrees, given_figure, heading
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.rolling import rolled, touched
 from graphkin.say.simultaneous import fitted, link_angle, special_point
@@ -67,7 +69,7 @@ class PositionReader(Tangents):
         for slide in (slide for slide in reading.mechanism.slides if slide.guide == FRAME):
             origin = slide.line.origin
             place = names.point(origin) if slide.line.named else reading.place_on_paper(shape[origin])
-            words = {"guide": reading.path(slide.name), "angle": degrees(slide.line.direction)}
+            words = {"guide": reading.path(slide.name), "heading": heading(degrees(slide.line.direction), reading.lang)}
             yield Sentence(reading.say("derivation.fixed guide", place=place, **words))
         yield from equivalents(reading)
         for part in reading.method.position.parts:
@@ -136,7 +138,7 @@ class PositionReader(Tangents):
         length = self._reach(step.term.size, names.stretch(step.start, step.tip) if nameless else "")
         length = length if reading.named(step.start) or not nameless else length.partition(" = ")[2]
         words = {"start": reading.place(step.start), "tip": reading.place(step.tip), "length": length}
-        words["angle"] = degrees(arrow)
+        words["heading"] = heading(self._stated(step) or degrees(arrow), reading.lang)
         if isinstance(direction, terms.AlongGuide):
             return reading.say("derivation.lay off slide", guide=reading.path(direction.slide), **words)
         part, line = step.term.size.parts[0], ""  # two points that are drawn, on whose line an arm of their link lies
@@ -147,6 +149,14 @@ class PositionReader(Tangents):
         if line:
             return reading.say("derivation.lay off on line", line=line, **words)
         return reading.say("derivation.lay off link", **words)
+
+    def _stated(self, step: kinds.LayOff) -> str:
+        """The angle of a driven line as the file states it, where that is not one from 0 to 360 degrees."""
+        values = self.reading.plot.facts.values
+        for driver, value in zip(self.reading.method.drivers, values, strict=True):
+            if driver.vector == (step.start, step.tip) and driver.from_link == FRAME and not 0 <= float(value) < tau:
+                return f"{given_figure(degrees_of(float(value)))}°"
+        return ""
 
     def _over_reach(self, step: kinds.LayOff) -> str:
         """A point between the ends of a reach made of several arms: by arcs about both ends; "" of others."""
@@ -199,8 +209,7 @@ class PositionReader(Tangents):
                 pass
             case _:
                 assert_never(locus.direction)
-        angle = degrees(complex(reading.plot.direction(locus.direction)))
-        at = reading.say("derivation.at direction", angle=angle)
+        at = heading(degrees(complex(reading.plot.direction(locus.direction))), reading.lang)
         return reading.say("derivation.line parallel", through=reading.place(locus.through), direction=at)
 
     def _open(self) -> Iterator[tuple[int, Driver]]:

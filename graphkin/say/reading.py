@@ -20,7 +20,7 @@ from graphkin.planning.method import Act, made
 from graphkin.planning.needed import Fact, turnings
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
-from graphkin.say.numbers import degrees, direction, number
+from graphkin.say.numbers import degrees, direction, heading, number
 
 if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
@@ -232,6 +232,10 @@ class Reading:
     def angle(self, vector: complex) -> str:
         """A measured direction."""
         return degrees(vector, self.ruler.angle) if self.ruler else degrees(vector)
+
+    def heading(self, vector: complex) -> str:
+        """The same from +x in words."""
+        return heading(self.angle(vector), self.lang)
 
     def direction(self, vector: complex) -> float:
         """The same as a number [deg]."""
