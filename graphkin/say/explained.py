@@ -204,7 +204,9 @@ def derivation(
     parts: list[Callable[..., Iterator[Entry]]]
     parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
     if not as_planned and (centres := goal.centred) is not None:
-        parts.insert(1 if centres.from_velocities and parts else 0, centres.entries)
+        from graphkin.say.centre_velocities import shorter_road
+
+        parts.insert(1 if centres.from_velocities and parts else 0, partial(shorter_road, goal))
     for count, part in enumerate(parts, start=2):
         body += part(number=count)
     acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]

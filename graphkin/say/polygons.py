@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
-from graphkin.base.geometry import cross
+from graphkin.base.geometry import cross, dot
 from graphkin.construction import Equation, Plane, Step, kinds
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.at_rest import held_points, moving_parts
@@ -226,6 +226,9 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
         formula = f"{words['small']} × {names.pair(first, third)}/{names.pair(first, second)}"
         name, numbers = names.stretch(corners[0], step.point), Operand(small) * figured[0] / figured[1]
         ratio = Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text
+        along = float(dot(one, reading.arm(first, second))) / abs(reading.arm(first, second)) ** 2
+        key = "between" if 0 <= along <= 1 else "beyond" if along > 1 else "before"
+        words["side"] = reading.say(f"derivation.image {key}", base=corners[0], end=corners[1], small=words["small"])
         sentence = reading.say("derivation.image line", ratio=ratio, **words)
     else:
         words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}

@@ -15,6 +15,7 @@ from graphkin.construction import Equation, Step, kinds, terms
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.planning.method import made
 from graphkin.say import names
+from graphkin.say.dimensions import Size, measures
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
 from graphkin.say.numbers import degrees, given_figure, heading
@@ -31,7 +32,7 @@ _LEVEL = 0.5  # a line whose slope is above this part of its length is called up
 class PositionReader(Tangents):
     """Reads the steps of the position plane in the order of the pencil.
 
-    angles   links whose angles are asked for, None for all
+    angles   links whose angles are asked for
     waiting  links whose angles can be measured as soon as their points are there
     measured_links  links whose angles are measured, or said to be driven
     placed   points that are there by now
@@ -39,7 +40,7 @@ class PositionReader(Tangents):
     ends     by link, the two points between which its angle has been found
     """
 
-    angles: frozenset[str] | None = None
+    angles: frozenset[str] = frozenset()
     waiting: list[str] = field(default_factory=list)
     measured_links: set[str] = field(default_factory=set)
     placed: set[str] = field(default_factory=set)
@@ -181,6 +182,12 @@ class PositionReader(Tangents):
             line = names.pair(first, second)
             return reading.say("derivation.shape line", line=line, length=reading.joined(lengths), **words)
         ccw = float(cross(reading.arm(first, second), one)) > 0
+        for angle in measures(reading, link):
+            if len(angle.points) == 3 and angle.points[1] != third and {*angle.points} == {*corners}:
+                words |= {"angle": Size(angle.symbol, degrees_of(angle.value), "°").text}
+                words["way"] = reading.way_round(corners, ccw)
+                length = lengths[angle.points[1] == second]
+                return reading.say("derivation.shape angle", length=length, **words)
         words |= {"first": lengths[0], "second": lengths[1], "way": reading.way_round(corners, ccw)}
         return reading.say("derivation.shape corner", **words)
 
@@ -229,8 +236,7 @@ class PositionReader(Tangents):
             if len(points) > 1 and not last and not {*points[:2]} <= self.placed:
                 waiting.append(member)
             elif len(points) > 1:
-                asked = self.angles is None or member in self.angles
-                if member not in self.measured_links and asked:
+                if member not in self.measured_links and member in self.angles:
                     angles.append(link_angle(reading, member, reading.angle))
                 self.measured_links.add(member)
         self.waiting = waiting

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from cmath import phase
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
@@ -12,13 +13,14 @@ from graphkin.base.geometry import dot
 from graphkin.model.mechanism import FRAME, Driver, KeyPath
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, millimetres, radius, sides
+from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, measures, millimetres, radius, sides
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
 from graphkin.say.numbers import direction, given_figure, heading, number, sensed
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.structure import redundant_constraints
 
+_WRITTEN = re.compile(r"\s*([-+]?[.\d]+(?:[eE][-+]?\d+)?)\s*(.*\S)?")
 _SCALES = (("length", "μ_l", "m/mm"), ("velocity", "μ_v", "(m/s)/mm"), ("acceleration", "μ_a", "(m/s²)/mm"))
 """Each scale of the paper with its symbol and its unit."""
 
@@ -66,13 +68,28 @@ def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.numbers left out"))
 
 
-def _as_stated(reading: Reading, value: float, unit: str, *places: KeyPath) -> str:
-    """` = 60 rpm`: a value [SI] in the file's own words, where these are of another unit than the one it is told in."""
+def _stated(reading: Reading, value: float, unit: str, *places: KeyPath) -> Size | None:
+    """A value [SI] in the file's own unit, where this is another than the one it is told in."""
     there = (reading.mechanism.given[place] for place in places if place in reading.mechanism.given)
     stated = next((each for each in there if each.si is not None and isclose(each.si, value)), None)
-    text = stated.written.strip() if stated is not None and isinstance(stated.written, str) else ""
-    own = text.lstrip("+-0123456789.eE ").replace("^2", "²").replace("deg", "°")
-    return f" = {text.replace('-', '−')}" if own not in ("", unit) else ""
+    if stated is None or not isinstance(stated.written, str):
+        return None
+    figure, own = _WRITTEN.findall(stated.written)[0]
+    own = own.replace("^2", "²").replace("deg", "°").replace("rpm", "r/min")
+    return Size("", float(figure), own) if own not in ("", unit) else None
+
+
+def _as_stated(reading: Reading, size: Size, value: float, *places: KeyPath) -> Size:
+    """`l_AB = 2 in` as the symbol of 50.8 mm."""
+    stated = _stated(reading, value, size.unit, *places)
+    return replace(size, symbol=size.symbol + stated.text) if stated is not None else size
+
+
+def _rim(reading: Reading, table: str, size: Size) -> str:
+    """A radius of wheels, profiles or slots, from the file's `[[table]]`."""
+    keys = {"radius", "radii", "on_radius"}
+    places = (place for place in reading.mechanism.given if place[0] == table and keys & {*place})
+    return _as_stated(reading, size, size.value / 1000, *places).text
 
 
 def _points(line: tuple[str, str]) -> str:
@@ -89,22 +106,20 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     """A driven line or slide, its value, and its rates; no angle of a wheel, or of a line that a pose has fixed."""
     keys = ("at", "velocity", "acceleration") if driver.kind == "slide" else ("angle", "omega", "alpha")
     facts = reading.plot.facts
-    values = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
-    place, *rates = (
-        replace(size, symbol=size.symbol + _as_stated(reading, value, size.unit, ("driver", k, key)))
-        for size, key, value in zip(driven(reading, k, driver), keys, values, strict=True)
-    )
+    place, *rates = driven(reading, k, driver)
+    place = _as_stated(reading, place, float(facts.values[k]), ("driver", k, keys[0]))
     now, drawn = (float(facts.values[k]) for facts in (reading.plot.facts, reading.method.facts()))
     shown = None if driver.value is None and abs(now - drawn) < 1e-12 else place
     if driver.kind == "slide":
-        texts = [size.text if size.value else f"{size.symbol} = 0" for size in rates]
+        rows = ((size, size.value, ("driver", k, key)) for size, key in zip(rates, keys[1:], strict=True))
+        texts = [_as_stated(reading, *row).text if row[1] else f"{row[0].symbol} = 0" for row in rows]
         kind, slide = _kind(reading, driver.link), reading.slide_name(driver.link)
         if shown is None:
             start = reading.say(f"derivation.driven {kind} free", slide=slide)
         else:
             start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.text)
         return reading.joined([start, *texts])
-    texts = [sensed(size.symbol, size.value, size.unit, reading.lang) for size in rates]
+    texts = [_rate(reading, k, key, size) for size, key in zip(rates, keys[1:], strict=True)]
     words, key = {"link": reading.link(driver.link)}, "derivation.driven wheel"
     if driver.vector is not None:
         words["line"], key = _points(driver.vector), "derivation.driven line free"
@@ -116,32 +131,58 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     return reading.joined([reading.say(key, **words), *texts])
 
 
+def _rate(reading: Reading, k: int, key: str, size: Size) -> str:
+    """`ω1 = 10 rad/s (..)`, `n1 = 60 r/min (..), ω1 = 2πn1/60 = 6.283 rad/s`, `v_B = 2 m/s, ω1 = v_B/l_AB = ..`."""
+    driver, own = reading.mechanism.drivers[k], _stated(reading, size.value, size.unit, ("driver", k, key))
+    speed, symbol = reading.mechanism.given.get(("driver", k, "velocity")), size.symbol
+    if key == "omega" and speed is not None and speed.si is not None and driver.vector is not None and size.value:
+        tip, line = f"v_{names.point(driver.vector[1])}", names.pair(*driver.vector)
+        told = sensed(f"{symbol} = {tip}/l_{line}", size.value, size.unit, reading.lang)
+        return reading.joined([f"{tip} = {given_figure(abs(speed.si))} m/s", told])
+    if own is not None and own.unit == "r/min":
+        turns = symbol.replace("ω", "n")
+        told = f"{symbol} = 2π{turns}/60 = {given_figure(abs(size.value))} {size.unit}"
+        return reading.joined([sensed(turns, own.value, own.unit, reading.lang), told])
+    symbol += replace(own, value=abs(own.value)).text if own is not None else ""
+    return sensed(symbol, size.value, size.unit, reading.lang)
+
+
+def _lengths(reading: Reading, link: str) -> Iterator[str]:
+    """`l_BD = 50 mm`, `∠BDE = 90°` as the file gives a link, then the distances that follow from these."""
+    stated, texts = measures(reading, link), list[str]()
+    for one in stated:
+        factor, unit = (1000, "mm") if len(one.points) == 2 else (degrees(1), "°")
+        texts.append(_as_stated(reading, Size(one.symbol, one.value * factor, unit), one.value, one.place).text)
+    others = [Size(f"l_{side.name}", millimetres(reading, side.length), "mm").text for side in sides(reading, link)
+              if not any({side.first, side.second} == {*one.points} for one in stated)]  # fmt: skip
+    if texts and others:
+        texts[-1] += reading.note(reading.say("solution.hence", lengths=reading.joined(others)))
+    yield from texts or others
+
+
 def _dimensions(reading: Reading) -> Iterator[str]:
     """A sentence each: lengths, fixed points, guides, rolling circles, profiles."""
     say, mechanism = reading.say, reading.mechanism
-    lengths = []
-    for link in mechanism.moving:
-        for side in sides(reading, link):
-            places = (("links", link, name) for name in (side.first + side.second, side.second + side.first))
-            stated = _as_stated(reading, side.length, "mm", *places)
-            lengths.append(Size(f"l_{side.name}{stated}", millimetres(reading, side.length), "mm").text)
-    if lengths:
+    if lengths := [text for link in mechanism.moving for text in _lengths(reading, link)]:
         yield say("solution.lengths", lengths=reading.joined(lengths))
     shapes = [reading.way_round(*corners) for link in mechanism.moving for corners in beside(reading, link)]
     if shapes:
         yield say("solution.lettered", shapes=reading.joined(shapes))
     shape, frame = mechanism.links[FRAME].points, names.point(mechanism.called(FRAME))
-    fixed = [f"{names.point(p)}{_place(reading, shape[p])}" for p in mechanism.named(FRAME)]
+    fixed = [f"{names.point(p)}{_place(reading, shape[p], ('frame', p))}" for p in mechanism.named(FRAME)]
     yield say("solution.frame points" if fixed else "solution.frame", link=frame, points=reading.joined(fixed))
     for kind, sentence in PAIR_SENTENCES.items():
         for pair in mechanism.of(kind):
             yield sentence(reading, pair)
 
 
-def _place(reading: Reading, place: complex) -> str:
-    """Coordinates of the mechanism itself, in mm."""
-    x, y = (given_figure(millimetres(reading, value)) for value in (place.real, place.imag))
-    return f"({x}, {y})"
+def _place(reading: Reading, place: complex, key: KeyPath = ()) -> str:
+    """Coordinates of the mechanism itself, in mm, as the file has them under a key: `(78, 2 in = 50.8)`."""
+    texts = []
+    for k, value in enumerate((place.real, place.imag)):
+        own, figure = _stated(reading, value, "mm", (*key, k)), given_figure(millimetres(reading, value))
+        texts.append(figure if own is None else f"{own.text.removeprefix(' = ')} = {figure}")
+    return f"({', '.join(texts)})"
 
 
 def _slide(reading: Reading, pair: Slide) -> str:
@@ -175,21 +216,22 @@ def _axis(reading: Reading, pair: Slide) -> str:
 
 def _circular_slot(reading: Reading, pair: CircularSlot) -> str:
     words = {"pin": names.point(pair.point), "centre": names.point(pair.centre), "link": reading.link(pair.guide)}
-    return reading.say("solution.circular slot", radius=circle(reading, pair.centre, pair.radius).text, **words)
+    words["radius"] = _rim(reading, "slide", circle(reading, pair.centre, pair.radius))
+    return reading.say("solution.circular slot", **words)
 
 
 def _gears(reading: Reading, pair: Gear) -> str:
     words = {"wheels": reading.links(pair.links), "centres": reading.listed([*map(names.point, pair.centres)])}
-    words["radii"] = reading.joined(radius(reading, link, size).text for link, _, size in pair.circles)
+    words["radii"] = reading.joined(_rim(reading, "gear", radius(reading, *rim[::2])) for rim in pair.circles)
     return reading.say("solution.internal gears" if pair.internal else "solution.gears", **words)
 
 
 def _rolling(reading: Reading, pair: RollingContact) -> str:
     words = {"wheel": reading.link(pair.wheel), "centre": names.point(pair.centre), "track": reading.link(pair.track)}
-    words["radius"] = radius(reading, pair.wheel, pair.radius).text
+    words["radius"] = _rim(reading, "roll", radius(reading, pair.wheel, pair.radius))
     if pair.line is None:
         about = names.point(pair.track_centre or "")
-        other = radius(reading, pair.track, pair.track_radius).text
+        other = _rim(reading, "roll", radius(reading, pair.track, pair.track_radius))
         where = reading.say("solution.inside" if pair.internal else "solution.outside")
         return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
     side = reading.say("solution.wheel left" if pair.left else "solution.wheel right", centre=words["centre"])
@@ -207,7 +249,7 @@ def _cam(reading: Reading, pair: Cam) -> str:
         elif not profile.radius:
             texts.append(reading.say("solution.knife edge", link=link, point=centre))
         else:
-            size = circle(reading, profile.centre or "", profile.radius).text
+            size = _rim(reading, "cam", circle(reading, profile.centre or "", profile.radius))
             texts.append(reading.say("solution.circle", link=link, centre=centre, radius=size))
     where = reading.say("solution.inside" if pair.internal else "solution.outside")
     touch = reading.note(where) if all(profile.radius for profile in pair.profiles) else ""
@@ -240,8 +282,8 @@ def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
     if ends := _points_along(reading, line):
         return reading.say("solution.along", line=(names.pair if either else names.arrow)(*ends))
     if line.base is None and line.link == FRAME:
-        angle = f"{given_figure(direction(line.direction))}°"
-        return reading.say("solution.line", start=through, heading=heading(angle, reading.lang))
+        towards = heading(f"{given_figure(direction(line.direction))}°", reading.lang)
+        return reading.say("solution.line", start=through, heading=towards)
     shape, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
     apart = (ends for ends in combinations(points, 2) if abs(shape.arm(*ends)) > reading.noise)
     # where no file says it, a line is measured from the points of γ, else from the link's first

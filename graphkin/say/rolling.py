@@ -13,8 +13,11 @@ from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Formula, Operand, joined_sum
+from graphkin.say.numbers import DIGITS
 from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
+
+_CANCELLED = 1e-9  # the part of one side that is left of both where they cancel
 
 
 @frozen
@@ -47,9 +50,10 @@ class RollingRelation:
 
     @property
     def figures(self) -> str:
-        """The two sides of a pair of wheels in figures, which cancel."""
+        """`0.03 × 10 + 0.02 × (−15) = 0` of the two sides of a pair of wheels; ≈ where figures are cut off."""
         one, other = (self._half(k)[1] for k in self._order)
-        return (one + other if self._sign == "+" else one - other).text()
+        both = one + other if self._sign == "+" else one - other
+        return f"{both.text()} {'=' if abs(both.worth(DIGITS)) < _CANCELLED * abs(one.worth(DIGITS)) else '≈'} 0"
 
     @property
     def _order(self) -> tuple[int, int]:

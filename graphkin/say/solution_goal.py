@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Tangential, Turning
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Cam
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
@@ -42,13 +43,27 @@ class SolutionGoal:
 
     @cached_property
     def centred(self) -> CentrePart | None:
-        """The part of the solution that finds the instant centres asked for."""
-        centres = tuple(one for one in self.wanted if isinstance(one, Centre))
+        """The part of the solution that finds the instant centres asked for, and that of a pushed link."""
+        centres = [one for one in self.wanted if isinstance(one, Centre)]
+        centres += [Centre("P", "", links) for links in self.pushed]
         if not centres:
             return None
         from graphkin.say.centre_steps import centre_part
 
         return centre_part(self.reading, centres)
+
+    @cached_property
+    def pushed(self) -> Mapping[tuple[str, str], list[Quantity]]:
+        """The velocities asked of a link that the driven one pushes in sliding contact, both joined to the frame."""
+        mechanism, pushed = self.reading.mechanism, dict[tuple[str, str], list[Quantity]]()
+        joined = {link for owners in mechanism.owners.values() if FRAME in owners for link in owners}
+        joined |= {slide.block for slide in mechanism.slides if slide.guide == FRAME and slide.block is not None}
+        for cam in mechanism.of(Cam) if len(mechanism.drivers) == 1 and self.reading.ruler is None else ():
+            for link, other in (cam.links, cam.links[::-1]):
+                if link in _driven_links(mechanism) and {link, other} <= joined:
+                    speeds = [one for one in self.wanted if one is not None and _is_speed(one, mechanism, other)]
+                    pushed |= {(link, other): speeds} if speeds else {}
+        return pushed
 
     @property
     def levers(self) -> tuple[tuple[str, str], ...]:
@@ -68,11 +83,11 @@ class SolutionGoal:
             yield from arms(part)
 
     @property
-    def angles(self) -> frozenset[str] | None:
-        """The links whose angles are asked for; None for all."""
+    def angles(self) -> frozenset[str]:
+        """The links whose angles are asked for."""
         halves = [half for one in self.wanted if one is not None for half in one.halves]
         rotations = [half for half in halves if isinstance(half, Rotation)]
-        return frozenset(half.link for half in rotations if half.word == "theta") if self.chosen else None
+        return frozenset(half.link for half in rotations if half.word == "theta")
 
     def question(self) -> Iterator[Entry]:
         """The part of a solution that says what is to be found."""
@@ -119,9 +134,10 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     facts = {fact for one in answerable for fact in _facts(reading, one)}
     if everything or not facts:
         placed = (one for one in answerable if isinstance(one, Centre) or _plane(one) == "position")
-        # omega and alpha of every link, v and a of every point that moves
+        # omega and alpha of every link that is not driven, v and a of every point that moves
+        driven = _driven_links(mechanism)
         rotations = [Rotation("omega" if plane == "velocity" else "alpha", mechanism.called(link), link)
-                     for plane in planes for link in mechanism.moving]  # fmt: skip
+                     for plane in planes for link in mechanism.moving if link not in driven]  # fmt: skip
         moving = [point for point in mechanism.points if FRAME not in mechanism.owners[point]]
         motions = [read(mechanism, f"{plane[0]} {point}") for plane in planes for point in moving]
         wanted = (*placed, *rotations, *(motion for motion in motions if motion is not None))
@@ -136,6 +152,19 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
         if direct or any(not isinstance(part, Given) for part in led[plane]):
             shown[plane] = led[plane]
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
+
+
+def _driven_links(mechanism: Mechanism) -> set[str]:
+    """The links that drivers turn against the frame."""
+    return {driver.link for driver in mechanism.drivers if driver.kind == "angle" and driver.from_link == FRAME}
+
+
+def _is_speed(quantity: Quantity, mechanism: Mechanism, link: str) -> bool:
+    """True of the angular velocity of a link, and of the velocity of a point of it."""
+    if isinstance(quantity, Rotation):
+        return quantity.word == "omega" and quantity.link == link
+    absolute = isinstance(quantity, Moving) and quantity.word == "v" and quantity.seen_from is None
+    return absolute and link in mechanism.owners.get(quantity.sites[0].point, ())
 
 
 def _plane(quantity: Quantity) -> Plane:

@@ -66,7 +66,7 @@ PHRASES: Phrases = {
                              "构件 {first} 在静止的构件 {second} 上作纯滚动，接触点 {point} 为构件 {first} 的绝对瞬心：{of} = {other} = "
                              "0，其影像点与 {node} 重合。"),
     "contacts.rolling relation": ("Pure rolling of links {wheels}: {relation}.", "由构件 {wheels} 的纯滚动，有 {relation}。"),
-    "contacts.check relation": ("Check: {relation}; in figures {figures} ≈ 0.", "校核：{relation}；代入数值，{figures} ≈ 0。"),
+    "contacts.check relation": ("Check: {relation}; in figures {figures}.", "校核：{relation}；代入数值，{figures}。"),
     "contacts.contact points": ("{of} and {seen_from} are the contact points of pure rolling, whose accelerations "
                                 "differ along the common normal only",
                                 "纯滚动接触点 {of}、{seen_from}（两点加速度仅沿公法线方向不同）之间"),

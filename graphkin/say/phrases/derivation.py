@@ -90,6 +90,8 @@ PHRASES: Phrases = {
                               "{first}；{second}；两者交于 {point}（{way}）。"),
     "derivation.shape corner": ("{point} on link {link}: {first} and {second} ({way}).",
                                 "构件 {link} 上的 {point}：{first}，{second}（{way}）。"),
+    "derivation.shape angle": ("{point} on link {link}: {angle} ({way}) and {length}.",
+                               "构件 {link} 上的 {point}：作 {angle}（{way}），取 {length}。"),
     "derivation.shape line": ("{point} on link {link} lies on the line {line}: {length}.",
                               "构件 {link} 上的 {point} 在直线 {line} 上：{length}。"),
     "derivation.measured angles": ("Measured: {angles}.", "量得：{angles}。"),
@@ -169,9 +171,7 @@ PHRASES: Phrases = {
     "derivation.measured": ("Measured: {lengths}; hence", "由图量得 {lengths}，于是得"),
     "derivation.at direction": ("at {angle} to +x", "与 x 轴正向成 {angle}"),
     "derivation.at direction 0°": ("along +x", "沿 x 轴正向"),
-    "derivation.at direction 90°": ("along +y", "沿 y 轴正向"),
     "derivation.at direction 180°": ("along −x", "沿 x 轴负向"),
-    "derivation.at direction 270°": ("along −y", "沿 y 轴负向"),
     "derivation.sense rule": ("{sense}: {stretch}, carried to {head} in the mechanism, turns {head} about {tail} in "
                               "the sense of {rate}",
                               "{sense}：将 {stretch} 平移至机构图上的 {head} 点，其绕 {tail} 点的转向即为 {rate} 的方向"),
@@ -189,9 +189,12 @@ PHRASES: Phrases = {
     "derivation.image triangle": ("{image} of link {link}: {small} is similar to {large}, both lettered {sense}; this "
                                   "gives {point}.",
                                   "利用{image}：作 {small} ∽ {large}（构件 {link}），字母顺序同为{sense}，得 {point}。"),
-    "derivation.image line": ("{image} of link {link}: {point} lies on the line {small} as {corner} lies on {large}: "
+    "derivation.image line": ("{image} of link {link}: {corner} lies on the line {large}, so {point} lies {side}: "
                               "{ratio}.",
-                              "利用{image}：{corner} 在 {large} 线上（构件 {link}），故 {point} 在 {small} 线上：{ratio}。"),
+                              "利用{image}：{corner} 在 {large} 线上（构件 {link}），故 {point} 在{side}：{ratio}。"),
+    "derivation.image between": ("between {base} and {end}", "线段 {small} 上"),
+    "derivation.image beyond": ("on {small} produced beyond {end}", "{small} 的延长线上"),
+    "derivation.image before": ("on {small} produced backwards beyond {base}", "{small} 的反向延长线上"),
     "derivation.image point": ("{image} of link {link}: {small} is a single point, so {point} falls on it too.",
                                "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。"),
     "derivation.grows": ("So {stretch} increases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率增大。"),
@@ -215,6 +218,7 @@ PHRASES: Phrases = {
     "solution.solution": ("Solution", "解"),
     "solution.answer": ("Answer", "答"),
     "solution.lengths": ("Lengths: {lengths}.", "各构件尺寸：{lengths}。"),
+    "solution.hence": ("hence {lengths}", "由此得 {lengths}"),
     "solution.lettered": ("Corners in order: {shapes}.", "各构件上点的绕行方向：{shapes}。"),
     "solution.frame points": ("Link {link} is the frame; fixed points, in mm: {points}.",
                               "构件 {link} 为机架，固定点（mm）：{points}。"),
