@@ -1,8 +1,8 @@
 """Formulas with their figures put in: `0.01 × 27.12/(0.001 × 69.2)`.
 
 What is printed is worth what stands behind it: factors have four digits, and where the result would come out otherwise
-by half a unit of its last digit a fifth, rounded up or down as the result needs it; seldom more. So every result is the right one to its last digit, whatever road led to it,
-and whoever puts the figures into a calculator gets it.
+by half a unit of its last digit a fifth, rounded up or down as the result needs it; seldom more. So every result is the
+right one to its last digit, whatever road led to it, and whoever puts the figures into a calculator gets it.
 """
 
 from __future__ import annotations
