@@ -16,7 +16,7 @@ from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading, aside
-from graphkin.say.rolling import checked, contacted, rolling, same_velocities
+from graphkin.say.rolling import checked, contacted, rolling, same_velocities, steady
 from graphkin.say.simultaneous import solved_together
 
 
@@ -32,6 +32,7 @@ def polygon_entries(reading: Reading, plane: Plane, parts: tuple[Step | Equation
                 yield from _renamed(polygon)
                 yield from _pole(polygon, part)
                 yield from _driven_groups(polygon)
+                yield from steady(polygon)
             case kinds.LayOff():
                 yield from known_arrow(polygon, part)
             case kinds.Image():
@@ -79,7 +80,7 @@ def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.pole", pole=pole))
     else:
         nodes = reading.listed([names.point(node) for node in step.also])
-        fixed = reading.listed([names.point(polygon.of(node)) for node in step.also])
+        fixed = reading.listed([_fixed_point(polygon, node) for node in step.also])
         key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
         yield Sentence(reading.say(key, pole=pole, points=fixed, nodes=nodes))
     links = [link for link in reading.mechanism.moving if reading.stands(link)]
@@ -90,6 +91,15 @@ def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
         fixed = reading.say(key, points=reading.listed(points), pole=names.point(polygon.construction.pole))
         key = "derivation.held still" if len(links) == 1 else "derivation.held still, several"
         yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
+
+
+def _fixed_point(polygon: PolygonReading, node: str) -> str:
+    """`D`; `D4 (D of link 4)` where a point of a moving link lies there too."""
+    of, site = polygon.of(node), polygon.construction.nodes[node].site
+    if site is None or of == site.point:
+        return names.point(of)
+    words = {"point": names.point(site.point), "link": polygon.reading.link(FRAME)}
+    return names.point(of) + polygon.reading.note(polygon.reading.say("derivation.point of link", **words))
 
 
 def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:

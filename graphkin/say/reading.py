@@ -14,7 +14,7 @@ from graphkin.errors import Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
 from graphkin.planning import Method
-from graphkin.planning.at_rest import at_rest
+from graphkin.planning.at_rest import at_rest, steady_turnings
 from graphkin.planning.labels import Labels
 from graphkin.planning.method import Act, made
 from graphkin.planning.needed import Fact, turnings
@@ -71,6 +71,11 @@ class Reading:
     def rested(self) -> frozenset[Fact]:
         """Facts of both polygons that drivers at rest hold still."""
         return frozenset() if self.apart else at_rest(self.method, self.plot.facts)
+
+    @cached_property
+    def steady(self) -> frozenset[Fact]:
+        """Angular accelerations that are nothing, as all turns and slides at steady rates."""
+        return frozenset() if self.apart else steady_turnings(self.method, self.plot.facts)
 
     def say(self, key: str, /, **words: object) -> str:
         return say_close(key, self.lang, **words)

@@ -199,9 +199,6 @@ def _constant_ratio(polygon: PolygonReading, step: kinds.Simultaneous, members: 
         return []
     input_, wheels = moved[0], list(dict.fromkeys(members))
     rate, turning = reading.rate("α", input_), reading.rate("ω", input_)
-    if not plot.alpha[input_]:
-        zero = " = ".join([*(reading.rate("α", link) for link in wheels), "0"])
-        return [Sentence(reading.say("contacts.constant ratio at rest", rate=rate, zero=zero))]
     if reading.ruler is not None:
         return []  # velocities that were read have not quite the ratio of the radii
     said: list[Entry] = [Sentence(reading.say("contacts.constant ratio"))]

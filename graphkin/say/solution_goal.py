@@ -143,8 +143,11 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
         wanted = (*placed, *rotations, *(motion for motion in motions if motion is not None))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
+        if reading.steady:
+            led = needed(reading.method, {fact for one in wanted for fact in _facts(reading, one)}, reading.steady)
+            parts = {plane: led[plane] for plane in planes}
         return SolutionGoal(reading, wanted, tuple(one.text for one in wanted), parts, False)
-    led = needed(reading.method, {*facts})
+    led = needed(reading.method, {*facts}, reading.steady)
     shown: dict[Plane, tuple[Part, ...]] = {}
     for plane in planes:  # in which something is drawn, or needs no step, as a driven rotation does
         kinds = ("omega" if plane == "velocity" else "alpha", plane)

@@ -101,8 +101,8 @@ PHRASES: Phrases = {
     "contacts.instant centre": ("Both legs are joined to the fixed link: {point} is the absolute instant centre of "
                                 "link {link}, {name} = 0. (Its acceleration is not 0.)",
                                 "两支路均与机架相连，{point} 即为构件 {link} 的绝对瞬心，{name} = 0（但其加速度一般不为零）。"),
-    "contacts.constant ratio at rest": ("The ratios of the train are constant and {rate} = 0, so {zero}.",
-                                        "轮系的传动比为常数，且 {rate} = 0，故 {zero}。"),
+    "contacts.steady": ("Pure rolling: {relations} at all times, with {rates} constant; so {zero}.",
+                        "纯滚动关系 {relations} 始终成立，其中 {rates} 为常量，故 {zero}。"),
     "contacts.constant ratio": ("The ratios of the train are constant, so the angular accelerations have those of the "
                                 "angular velocities:",
                                 "轮系的传动比为常数，故角加速度之比等于角速度之比："),
