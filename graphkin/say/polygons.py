@@ -238,7 +238,8 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
         ratio = Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text
         along = float(dot(one, reading.arm(first, second))) / abs(reading.arm(first, second)) ** 2
         key = "between" if 0 <= along <= 1 else "beyond" if along > 1 else "before"
-        words["side"] = reading.say(f"derivation.image {key}", base=corners[0], end=corners[1], small=words["small"])
+        ends = {"base": names.point(corners[0]), "end": names.point(corners[1])}
+        words["side"] = reading.say(f"derivation.image {key}", small=words["small"], **ends)
         sentence = reading.say("derivation.image line", ratio=ratio, **words)
     else:
         words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}

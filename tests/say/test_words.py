@@ -261,7 +261,7 @@ def test_a_loop_and_a_gear_together() -> None:
         ("ex3-2", "en", ["v_S4 = (v_EF + v_S4E) = (v_DG + v_S4D)", "v_S4 = 0. (Its acceleration is not 0.)"]),
         ("ex3-2", "zh", ["样板法", "S 即为构件 4 的绝对瞬心，v_S4 = 0", "(aᵗ_EF + aᵗ_S4E)"]),
         ("ex3-2", "en", ["link 4 on tracing paper is shifted until BC = 75 mm, EF = 82 mm and DG = 71 mm fit"]),
-        ("ex3-3", "en", ["v_K3 = v_K2. So k2 serves both", "ratios of the train are constant and α2 = 0, so α3 = α4 = 0", "ω3 = v_L3K3/l_KL"]),
+        ("ex3-3", "en", ["v_K3 = v_K2. So k2 serves both", "at all times, with ω2 constant; so α3 = α4 = 0", "ω3 = v_L3K3/l_KL"]),
         ("p3-12", "zh", ["纯滚动接触点 K2、K1（两点加速度仅沿公法线方向不同）", "v_K2 = v_K1"]),
         ("p3-15", "en", ["the line through C at right angles to guide ram", "(a_C + aᵗ_S3C)", "B on CD"]),
         ("p3-16", "en", ["v_L3 = v_L7 = 0 at the contact L, the instant centre of link 3", "⊥track"]),
@@ -318,7 +318,7 @@ def test_rolling_relations_hold_in_figures(name: str) -> None:
     checks = [e.text for e in entries_of(name, "en") if isinstance(e, Sentence) and e.text.startswith("Check: ")]
     assert checks
     for text in checks:
-        figures = text.partition("in figures ")[2].removesuffix(" ≈ 0.")
+        figures = re.sub(" [=≈] 0.$", "", text.partition("in figures ")[2])
         assert calculated(figures) == pytest.approx(0, abs=2e-3)
 
 
@@ -379,7 +379,7 @@ def test_rows_stand_under_their_terms(name: str) -> None:
         text = whole(*found, lang)
         label = phrase("derivation.direction row", lang)
         rows = [k for k, line in enumerate(text) if line.strip().startswith(label)]
-        assert rows
+        assert rows or name == "s4-ex4"  # a train at a steady rate needs no vector equation
         for k in rows:
             equation, directions = text[k - 1], text[k]
             assert width(directions) <= width(equation) + 1

@@ -193,9 +193,9 @@ PHRASES: Phrases = {
     "derivation.image line": ("{image} of link {link}: {corner} lies on the line {large}, so {point} lies {side}: "
                               "{ratio}.",
                               "利用{image}：{corner} 在 {large} 线上（构件 {link}），故 {point} 在{side}：{ratio}。"),
-    "derivation.image between": ("between {base} and {end}", "线段 {small} 上"),
-    "derivation.image beyond": ("on {small} produced beyond {end}", "{small} 的延长线上"),
-    "derivation.image before": ("on {small} produced backwards beyond {base}", "{small} 的反向延长线上"),
+    "derivation.image between": ("on {small}, between {base} and {end}", "线段 {small} 上（{base}、{end} 之间）"),
+    "derivation.image beyond": ("on {small} produced beyond {end}", "{small} 的延长线上（{end} 一侧）"),
+    "derivation.image before": ("on {small} produced beyond {base}", "{small} 的反向延长线上（{base} 一侧）"),
     "derivation.image point": ("{image} of link {link}: {small} is a single point, so {point} falls on it too.",
                                "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。"),
     "derivation.grows": ("So {stretch} increases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率增大。"),
