@@ -24,6 +24,7 @@ from graphkin.say.catalogue import is_phrase, say, say_close
 
 DIGITS = 4  # of what is read off paper
 _COMPUTED = 6
+_DESIGNED = 5
 _PLAIN = range(-6, 9)  # powers of ten that are still written out
 
 
@@ -138,15 +139,11 @@ class SentenceNumber(float):
 
     def __format__(self, spec: str) -> str:
         if spec == "mm":
-            return f"{_five(self * 1e3)} mm"
+            return f"{number(self * 1e3, 1e-9, _DESIGNED)} mm"
         if spec == "deg":
-            return f"{_five(math.degrees(self))}°"
+            return f"{number(math.degrees(self), 1e-9, _DESIGNED)}°"
         if spec == "read":
             return number(self)
-        return _five(self) if spec == "n" else format(round(self) if spec == "d" else float(self), spec)
-
-
-def _five(value: float) -> str:
-    size = abs(value)
-    text = significant(value, 5) if size >= 1e-9 else "0"
-    return (f"{value:.0f}" if "e" in text and size >= 1 else text).replace("-", "−")
+        if spec == "n":
+            return number(self, 1e-9, _DESIGNED)
+        return format(round(self) if spec == "d" else float(self), spec)

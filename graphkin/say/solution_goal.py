@@ -60,9 +60,9 @@ class SolutionGoal:
         joined |= {slide.block for slide in mechanism.slides if slide.guide == FRAME and slide.block is not None}
         for cam in mechanism.of(Cam) if len(mechanism.drivers) == 1 and self.reading.ruler is None else ():
             for link, other in (cam.links, cam.links[::-1]):
-                if link in _driven_links(mechanism) and {link, other} <= joined:
-                    speeds = [one for one in self.wanted if one is not None and _is_speed(one, mechanism, other)]
-                    pushed |= {(link, other): speeds} if speeds else {}
+                speeds = [one for one in self.wanted if one is not None and other in _moved(one, mechanism)]
+                if link in _driven_links(mechanism) and {link, other} <= joined and speeds:
+                    pushed[link, other] = speeds
         return pushed
 
     @property
@@ -162,12 +162,11 @@ def _driven_links(mechanism: Mechanism) -> set[str]:
     return {driver.link for driver in mechanism.drivers if driver.kind == "angle" and driver.from_link == FRAME}
 
 
-def _is_speed(quantity: Quantity, mechanism: Mechanism, link: str) -> bool:
-    """True of the angular velocity of a link, and of the velocity of a point of it."""
-    if isinstance(quantity, Rotation):
-        return quantity.word == "omega" and quantity.link == link
-    absolute = isinstance(quantity, Moving) and quantity.word == "v" and quantity.seen_from is None
-    return absolute and link in mechanism.owners.get(quantity.sites[0].point, ())
+def _moved(speed: Quantity, mechanism: Mechanism) -> tuple[str, ...]:
+    """The links of which a quantity is the angular velocity, or the velocity of a point."""
+    if isinstance(speed, Moving) and speed.word == "v" and speed.seen_from is None:
+        return mechanism.owners.get(speed.site.point, ())
+    return (speed.link,) if isinstance(speed, Rotation) and speed.word == "omega" else ()
 
 
 def _plane(quantity: Quantity) -> Plane:
