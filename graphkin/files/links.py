@@ -13,7 +13,7 @@ from graphkin.files.schema import File, LinkTable
 from graphkin.files.shapes import AngleMeasure, Length, Measure, ShapeMeasures, check_round, own_axes, solve_shape
 from graphkin.files.toml import Document
 from graphkin.files.values import POINT, above_zero, shown_value, si_quantity, split_points, tidy
-from graphkin.model.mechanism import FRAME, KeyPath, Link
+from graphkin.model.mechanism import FRAME, KeyPath, Link, Mechanism
 
 OWN_KEYS = ("points", "ccw", "shape")  # the keys of a link that are not measures
 
@@ -51,6 +51,17 @@ def read_measures(links: object, where: Placing) -> tuple[dict[str, list[Measure
             else:
                 of_link.append(measure)
     return measures, problems
+
+
+def stated_measures(mechanism: Mechanism, link: str) -> dict[KeyPath, Measure]:
+    """The lengths and angles by which its file gives a link, by place; none of one whose shape is another by now."""
+    table = {place: given for place, given in mechanism.given.items() if place[:2] == ("links", link)}
+    stated: dict[KeyPath, Measure] = {}
+    for place, given in table.items():
+        if len(place) == 3 and given.si is not None:
+            stated[place] = _measure(str(place[2]), given.written)
+    noise, points = mechanism.usual.least("m"), mechanism.links[link].points
+    return stated if all(abs(measure.miss(points)) <= noise for measure in stated.values()) else {}
 
 
 def link_points(table: Mapping[str, object]) -> tuple[str, ...]:

@@ -9,13 +9,13 @@ from cmath import phase, rect
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations, pairwise
-from math import degrees, isclose, pi
+from math import degrees, pi
 
 from graphkin.base.geometry import cross
 from graphkin.base.value import frozen
 from graphkin.construction import LayOff, Normal, Swing, Tangential, Term, Turning, kinds
-from graphkin.files.values import split_points
-from graphkin.model.mechanism import FRAME, ROUNDING, Driver, KeyPath, Link
+from graphkin.files.shapes import Length, Measure
+from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Cam, Gear, RollingContact, Slide
 from graphkin.say import names
 from graphkin.say.numbers import given_figure, number
@@ -56,36 +56,11 @@ def sides(reading: Reading, link: str) -> list[Side]:
     return [Side(first, second, abs(shape.arm(first, second))) for first, second in pairs]
 
 
-@frozen
-class Measure:
-    """What a file states of a link: the distance of two points, or the angle at the second of three [m, rad]."""
-
-    points: tuple[str, ...]
-    value: float
-    place: KeyPath
-
-    @property
-    def symbol(self) -> str:
-        """`l_AB`, `∠BDE`."""
-        if len(self.points) == 2:
-            return f"l_{names.pair(*self.points)}"
-        return f"∠{''.join(map(names.point, self.points))}"
-
-    def of(self, shape: Link) -> float:
-        """The same of a link as it is."""
-        apex, other = self.points[-2:]
-        arm = shape.arm(apex, other)
-        return abs(arm) if len(self.points) == 2 else abs(phase(arm / shape.arm(apex, self.points[0])))
-
-
-def measures(reading: Reading, link: str) -> list[Measure]:
-    """The lengths and angles by which a file gives a link; none of one whose shape is no longer that of its file."""
-    stated, shape = list[Measure](), reading.mechanism.links[link]
-    for place, given in reading.mechanism.given.items():
-        if place[:2] == ("links", link) and len(place) == 3 and given.si is not None:
-            stated.append(Measure(split_points(str(place[2])), given.si, place))
-    holds = all(isclose(one.of(shape), one.value, rel_tol=ROUNDING, abs_tol=ROUNDING) for one in stated)
-    return stated if holds else []
+def measure_size(measure: Measure) -> Size:
+    """`l_AB = 24 mm`, `∠BDE = 90°`, by which a file gives a link."""
+    if isinstance(measure, Length):
+        return Size(f"l_{names.pair(*measure.points)}", measure.value * 1000, "mm")
+    return Size(f"∠{''.join(map(names.point, measure.points))}", degrees(measure.value), "°")
 
 
 def beside(reading: Reading, link: str) -> Iterator[tuple[tuple[str, str, str], bool]]:

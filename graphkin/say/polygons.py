@@ -94,12 +94,11 @@ def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
 
 
 def _fixed_point(polygon: PolygonReading, node: str) -> str:
-    """`D`; `D4 (D of link 4)` where a point of a moving link lies there too."""
-    of, site = polygon.of(node), polygon.construction.nodes[node].site
+    """`D`; `D4 (at D)` where points of several links lie there."""
+    of, site, reading = polygon.of(node), polygon.construction.nodes[node].site, polygon.reading
     if site is None or of == site.point:
         return names.point(of)
-    words = {"point": names.point(site.point), "link": polygon.reading.link(FRAME)}
-    return names.point(of) + polygon.reading.note(polygon.reading.say("derivation.point of link", **words))
+    return names.point(of) + reading.note(reading.say("derivation.at point", point=names.point(site.point)))
 
 
 def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:

@@ -12,10 +12,11 @@ from typing import assert_never
 
 from graphkin.base.geometry import cross, dot
 from graphkin.construction import Equation, Step, kinds, terms
+from graphkin.files.links import stated_measures
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.planning.method import made
 from graphkin.say import names
-from graphkin.say.dimensions import Size, measures
+from graphkin.say.dimensions import measure_size
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
 from graphkin.say.numbers import degrees, given_figure, heading
@@ -182,9 +183,9 @@ class PositionReader(Tangents):
             line = names.pair(first, second)
             return reading.say("derivation.shape line", line=line, length=reading.joined(lengths), **words)
         ccw = float(cross(reading.arm(first, second), one)) > 0
-        for angle in measures(reading, link):
-            if len(angle.points) == 3 and angle.points[1] != third and {*angle.points} == {*corners}:
-                words |= {"angle": Size(angle.symbol, degrees_of(angle.value), "°").text}
+        for angle in stated_measures(reading.mechanism, link).values():
+            if angle.points[1] != third and {*angle.points} == {*corners}:
+                words["angle"] = measure_size(angle).text
                 words["way"] = reading.way_round(corners, ccw)
                 length = lengths[angle.points[1] == second]
                 return reading.say("derivation.shape angle", length=length, **words)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from cmath import phase
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
@@ -10,17 +9,17 @@ from itertools import combinations
 from math import degrees, isclose, remainder
 
 from graphkin.base.geometry import dot
+from graphkin.files.links import stated_measures
 from graphkin.model.mechanism import FRAME, Driver, KeyPath
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, measures, millimetres, radius, sides
+from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, measure_size, millimetres, radius, sides
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
 from graphkin.say.numbers import direction, given_figure, heading, number, sensed
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.structure import redundant_constraints
 
-_WRITTEN = re.compile(r"\s*([-+]?[.\d]+(?:[eE][-+]?\d+)?)\s*(.*\S)?")
 _SCALES = (("length", "μ_l", "m/mm"), ("velocity", "μ_v", "(m/s)/mm"), ("acceleration", "μ_a", "(m/s²)/mm"))
 """Each scale of the paper with its symbol and its unit."""
 
@@ -72,11 +71,9 @@ def _stated(reading: Reading, value: float, unit: str, *places: KeyPath) -> Size
     """A value [SI] in the file's own unit, where this is another than the one it is told in."""
     there = (reading.mechanism.given[place] for place in places if place in reading.mechanism.given)
     stated = next((each for each in there if each.si is not None and isclose(each.si, value)), None)
-    if stated is None or not isinstance(stated.written, str):
-        return None
-    figure, own = _WRITTEN.findall(stated.written)[0]
+    figure, own = (stated and stated.own) or (0.0, unit)
     own = own.replace("^2", "²").replace("deg", "°").replace("rpm", "r/min")
-    return Size("", float(figure), own) if own not in ("", unit) else None
+    return Size("", figure, own) if own != unit else None
 
 
 def _as_stated(reading: Reading, size: Size, value: float, *places: KeyPath) -> Size:
@@ -149,12 +146,10 @@ def _rate(reading: Reading, k: int, key: str, size: Size) -> str:
 
 def _lengths(reading: Reading, link: str) -> Iterator[str]:
     """`l_BD = 50 mm`, `∠BDE = 90°` as the file gives a link, then the distances that follow from these."""
-    stated, texts = measures(reading, link), list[str]()
-    for one in stated:
-        factor, unit = (1000, "mm") if len(one.points) == 2 else (degrees(1), "°")
-        texts.append(_as_stated(reading, Size(one.symbol, one.value * factor, unit), one.value, one.place).text)
+    stated = stated_measures(reading.mechanism, link)
+    texts = [_as_stated(reading, measure_size(one), one.value, place).text for place, one in stated.items()]
     others = [Size(f"l_{side.name}", millimetres(reading, side.length), "mm").text for side in sides(reading, link)
-              if not any({side.first, side.second} == {*one.points} for one in stated)]  # fmt: skip
+              if not any({side.first, side.second} == {*one.points} for one in stated.values())]  # fmt: skip
     if texts and others:
         texts[-1] += reading.note(reading.say("solution.hence", lengths=reading.joined(others)))
     yield from texts or others

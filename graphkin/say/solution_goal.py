@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, assert_never
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Tangential, Turning
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.pairs import Cam
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
@@ -55,15 +54,11 @@ class SolutionGoal:
     @cached_property
     def pushed(self) -> Mapping[tuple[str, str], list[Quantity]]:
         """The velocities asked of a link that the driven one pushes in sliding contact, both joined to the frame."""
-        mechanism, pushed = self.reading.mechanism, dict[tuple[str, str], list[Quantity]]()
-        joined = {link for owners in mechanism.owners.values() if FRAME in owners for link in owners}
-        joined |= {slide.block for slide in mechanism.slides if slide.guide == FRAME and slide.block is not None}
-        for cam in mechanism.of(Cam) if len(mechanism.drivers) == 1 and self.reading.ruler is None else ():
-            for link, other in (cam.links, cam.links[::-1]):
-                speeds = [one for one in self.wanted if one is not None and other in _moved(one, mechanism)]
-                if link in _driven_links(mechanism) and {link, other} <= joined and speeds:
-                    pushed[link, other] = speeds
-        return pushed
+        mechanism = self.reading.mechanism
+        links = mechanism.pushed if len(mechanism.drivers) == 1 and self.reading.ruler is None else ()
+        speeds = {pair: [one for one in self.wanted if one is not None and pair[1] in _moved(one, mechanism)]
+                  for pair in links}  # fmt: skip
+        return {pair: asked for pair, asked in speeds.items() if asked}
 
     @property
     def levers(self) -> tuple[tuple[str, str], ...]:
@@ -135,9 +130,8 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     if everything or not facts:
         placed = (one for one in answerable if isinstance(one, Centre) or _plane(one) == "position")
         # omega and alpha of every link that is not driven, v and a of every point that moves
-        driven = _driven_links(mechanism)
         rotations = [Rotation("omega" if plane == "velocity" else "alpha", mechanism.called(link), link)
-                     for plane in planes for link in mechanism.moving if link not in driven]  # fmt: skip
+                     for plane in planes for link in mechanism.moving if link not in mechanism.driven]  # fmt: skip
         moving = [point for point in mechanism.points if FRAME not in mechanism.owners[point]]
         motions = [read(mechanism, f"{plane[0]} {point}") for plane in planes for point in moving]
         wanted = (*placed, *rotations, *(motion for motion in motions if motion is not None))
@@ -155,11 +149,6 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
         if direct or any(not isinstance(part, Given) for part in led[plane]):
             shown[plane] = led[plane]
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
-
-
-def _driven_links(mechanism: Mechanism) -> set[str]:
-    """The links that drivers turn against the frame."""
-    return {driver.link for driver in mechanism.drivers if driver.kind == "angle" and driver.from_link == FRAME}
 
 
 def _moved(speed: Quantity, mechanism: Mechanism) -> tuple[str, ...]:
