@@ -154,6 +154,7 @@ def instant_centre(polygon: PolygonReading, part: Equation) -> str:
     if polygon.plane != "velocity" or len(both_sides) != 2 or not legs or site is None:
         return ""
     words = {"point": names.point(site.point), "link": polygon.reading.link(site.link)}
+    words |= {"node": names.point(part.left[-1].head), "pole": names.point(pole)}
     return polygon.reading.say("contacts.instant centre", name=polygon.seen(part.of, ""), **words)
 
 

@@ -99,8 +99,9 @@ PHRASES: Phrases = {
                          "vectors of each leg lie on one line and are drawn as one:",
                          "取构件 {link} 上的特殊点 {of}，分别由 {first} 和 {second} 列方程；每一支路的两个未知矢量在同一方向线上，合为一个矢量作出："),
     "contacts.instant centre": ("Both legs are joined to the fixed link: {point} is the absolute instant centre of "
-                                "link {link}, {name} = 0. (Its acceleration is not 0.)",
-                                "两支路均与机架相连，{point} 即为构件 {link} 的绝对瞬心，{name} = 0（但其加速度一般不为零）。"),
+                                "link {link}, so {name} = 0, and {node} falls on {pole}. (Its acceleration is not 0.)",
+                                "两支路均与机架相连，特殊点 {point} 即为构件 {link} 的绝对瞬心，故 {name} = 0，{node} 与 {pole} "
+                                "重合（但其加速度一般不为零）。"),
     "contacts.steady": ("Pure rolling: {relations} at all times, with {rates} constant; so {zero}.",
                         "纯滚动关系 {relations} 始终成立，其中 {rates} 为常量，故 {zero}。"),
     "contacts.constant ratio": ("The ratios of the train are constant, so the angular accelerations have those of the "
