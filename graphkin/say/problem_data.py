@@ -131,11 +131,12 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
 def _rate(reading: Reading, k: int, key: str, size: Size) -> str:
     """`ω1 = 10 rad/s (..)`, `n1 = 60 r/min (..), ω1 = 2πn1/60 = 6.283 rad/s`, `v_B = 2 m/s, ω1 = v_B/l_AB = ..`."""
     driver, own = reading.mechanism.drivers[k], _stated(reading, size.value, size.unit, ("driver", k, key))
-    speed, symbol = reading.mechanism.given.get(("driver", k, "velocity")), size.symbol
-    if key == "omega" and speed is not None and speed.si is not None and driver.vector is not None and size.value:
-        tip, line = f"v_{names.point(driver.vector[1])}", names.pair(*driver.vector)
-        told = sensed(f"{symbol} = {tip}/l_{line}", size.value, size.unit, reading.lang)
-        return reading.joined([f"{tip} = {given_figure(abs(speed.si))} m/s", told])
+    given, symbol = reading.mechanism.given.get(("driver", k, "velocity")), size.symbol
+    if given is not None and given.si and key == "omega" and driver.vector is not None and driver.from_link == FRAME:
+        speed, tip, line = abs(given.si), f"v_{names.point(driver.vector[1])}", names.pair(*driver.vector)
+        if isclose(speed, abs(size.value * reading.mechanism.links[driver.link].arm(*driver.vector))):
+            told = sensed(f"{symbol} = {tip}/l_{line}", size.value, size.unit, reading.lang)
+            return reading.joined([f"{tip} = {given_figure(speed)} m/s", told])
     if own is not None and own.unit == "r/min":
         turns = symbol.replace("ω", "n")
         told = f"{symbol} = 2π{turns}/60 = {given_figure(abs(size.value))} {size.unit}"
