@@ -49,7 +49,7 @@ def shorter_road(goal: SolutionGoal, number: int) -> Iterator[Entry]:
         reader, scale = goal.centred.reader, goal.reading.scales["length"]
         levers = LeverReader(reader, Levers(reader.found, scale))
         levers.levers.start(goal.reading.mechanism.drivers[0])
-        yield Sentence(reader.say("centres.shorter", scale=f"{scale:g}"))
+        yield Sentence(reader.say("centres.shorter", scale=Operand(scale).text()))
         yield from dict.fromkeys(entry for asked in goal.pushed.values() for entry in _answer(levers, *asked))
         yield Sentence(reader.say("centres.second way"))
 
