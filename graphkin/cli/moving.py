@@ -125,7 +125,7 @@ def find(
     mechanism: str, condition: str, ranges: tuple[str, ...], dimensions: tuple[str, ...], by: Road, as_json: bool,
     output: Path | None, paper: str | None, force: bool, lang: Lang,
 ) -> None:  # fmt: skip
-    """Find all positions with a property, extremes, strokes, the slowest point of a line, the speed that is wanted.
+    """Find all positions with a property, extremes, strokes, the slowest point of a line, the speed that is asked for.
 
     CONDITION is `QUANTITY = VALUE` (also < or >), `max QUANTITY`, `min QUANTITY`, `range QUANTITY`,
     `stroke QUANTITY`, `slowest BC`, or `QUANTITY = VALUE by omega 1`.

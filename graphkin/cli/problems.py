@@ -41,7 +41,7 @@ def problems(
     """Write a problem for each student: one mechanism, each with numbers of their own.
 
     TEMPLATE is a mechanism file in which numbers may be ranges: AB = { from = 20, to = 30, step = 1 }. A student's
-    numbers hang on the seed and the student's id alone, as long as no two students get the same problem.
+    numbers depend on the seed and the student's id alone, as long as no two students get the same problem.
 
     What may be handed out lies in DIR/students: each student's problem, what to hand in, a workbook to fill in. Keys
     and all else lie in DIR/teacher: `graphkin grade DIR`. The same command again goes on where it was broken off.

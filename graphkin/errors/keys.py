@@ -80,14 +80,14 @@ class NotOneOf(Choice):
 
 class UnknownUnit(Choice, quantity=QUANTITIES):
     quantity: str
-    en = "{where}: {given} is not a unit graphkin knows; {quantity} is wanted. {hint}"
+    en = "{where}: {given} is not a unit graphkin knows; {quantity} is needed. {hint}"
     zh = "{where}：不认识单位 {given}，此处应为{quantity}。{hint}"
 
 
 class OtherDimension(Choice, quantity=QUANTITIES, found=QUANTITIES):
     quantity: str
     found: str
-    en = "{where}: {given} is the unit of {found}, but {quantity} is wanted. {hint}"
+    en = "{where}: {given} is the unit of {found}, but {quantity} is needed. {hint}"
     zh = "{where}：{given} 是{found}的单位，此处应为{quantity}。{hint}"
 
 
@@ -164,7 +164,7 @@ class NoMeaning(LocatedError, why=_MEANINGLESS):
 class WrongType(LocatedError, expected=KINDS):
     expected: str
     given: str
-    en = "{where}: {given} stands where {expected} is wanted. Replace it."
+    en = "{where}: {given} stands where {expected} is needed. Replace it."
     zh = "{where}：此处应为{expected}，而不是 {given}，请改正。"
 
 

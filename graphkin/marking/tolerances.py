@@ -163,7 +163,7 @@ _COUNTS = 1e-4  # a step with a smaller part of the scatter is left out
 
 @frozen
 class Cost:
-    """The cost of one step: its part of each quantity's scatter (variance), by quantity; `name`: the arrow laid off."""
+    """The cost of one step: its part of each quantity's scatter (variance), by quantity. name: of an arrow, a guide."""
 
     mark: Mark
     name: str
@@ -201,7 +201,7 @@ def tolerances(key: Key, method: Method) -> Tolerances:
     values = every.values(quantities)[0]
     right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
     whole, asked = spread(values, right, sorts), np.array([entry.points != 0 for entry in key.entries], dtype=bool)
-    names = _arrows(method)
+    names = {"position": _guides(method)}
     costs = []
     for mark in list(every.slips.seen):
         slips = Slips(seed_of(method.mechanism), _FEWER, lambda one, mark=mark: one == mark)  # type: ignore[misc]
@@ -212,7 +212,8 @@ def tolerances(key: Key, method: Method) -> Tolerances:
         # both are sampled: of one step's scatter alone there may come out a little more
         *of_each, over_all = map(float, np.where(parts > ROUNDING, np.minimum(parts, 1.0), 0.0))
         by_text = {entry.text: part for entry, part in zip(key.entries, of_each, strict=True)}
-        costs.append(Cost(mark, names.get(mark.of, ""), by_text, over_all))
+        named = names.setdefault(mark.plane, _arrows(method))
+        costs.append(Cost(mark, named.get(mark.of, ""), by_text, over_all))
     costly = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
     failed = every.failed + (1 - every.failed) * float(np.isnan(values).any(axis=1).mean())
     return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed, _untold(key, method, quantities))
@@ -236,6 +237,15 @@ def _untold(
                 scales = {name: scale / times for name, scale in key.marking.scales.items()}
                 untold[entry.text] = parts[entry.text], scales
     return untold
+
+
+def _guides(method: Method) -> dict[tuple[str, ...], str]:
+    """Guides, and the starts of their lines, that have no name of their own: by the point that slides."""
+    names: dict[tuple[str, ...], str] = {}
+    for name, slide in method.structure.slides.items():
+        called = name if slide.named else slide.point
+        names |= {(name,): called} | ({} if slide.line.named else {(slide.guide, slide.line.origin): called})
+    return names
 
 
 def _arrows(method: Method) -> dict[tuple[str, ...], str]:

@@ -267,6 +267,20 @@ class Mechanism:
         """Its source, in this language, else in the other."""
         return _spoken(self.source, lang)
 
+    @cached_property
+    def driven(self) -> frozenset[str]:
+        """The links that drivers turn against the frame."""
+        return frozenset(driver.link for driver in self.drivers if driver.kind == "angle" and driver.from_link == FRAME)
+
+    @property
+    def pushed(self) -> tuple[tuple[str, str], ...]:
+        """A driven link and one that it pushes in sliding contact, where both are joined to the frame."""
+        joined = {link for owners in self.owners.values() if FRAME in owners for link in owners}
+        joined |= {slide.block for slide in self.slides if slide.guide == FRAME and slide.block is not None}
+        cams = (pair.joins for pair in self.pairs if pair.table == "cam")
+        pairs = (ends for links in cams for ends in (links, links[::-1]))
+        return tuple((one, other) for one, other in pairs if one in self.driven and {one, other} <= joined)
+
     def slide_title(self, name: str, lang: Lang) -> str:
         """The title of a sliding pair, in this language, else its name."""
         return _spoken(self.slide_titles.get(name, {}), lang) or name

@@ -9,6 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+import numpy as np
+
+from graphkin.base.tolerances import RANK
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Drawn, Equation, Facts, Plane, Step, Term, kinds
 from graphkin.model.mechanism import FRAME
@@ -47,6 +50,25 @@ def _resting(method: Method, construction: Construction, rested: set[Fact]) -> s
         if not isinstance(part, kinds.Given) and needs <= resting:
             resting |= set(reader.gives(part))
     return resting
+
+
+def steady_turnings(method: Method, facts: Facts) -> frozenset[Fact]:
+    """The angular accelerations that are nothing because wheels roll on what drivers move at steady rates."""
+    steady = {k for k, more in enumerate(facts.accelerations) if np.all(more == 0)}
+    bases = sorted({turn.base for turn in facts.turns.values()} - {FRAME})
+    rows = []
+    for contact in method.structure.contacts:
+        turns = [(facts.turns[link], share) for link, share in contact.angles]
+        slides = [slide for slide, _ in contact.way] or ([contact.slide] if contact.slide else [])
+        drivers = {k for turn, _ in turns for k, _ in turn.drivers}
+        if drivers | {facts.slides_driven.get(slide, -1) for slide in slides} <= steady:
+            rows.append([sum(share for turn, share in turns if turn.base == base) for base in bases])
+    if not (rows and bases):
+        return frozenset()
+    # turnings that the relations alone give: those that no motion which the relations allow has
+    _, sizes, ways = np.linalg.svd(np.array(rows))
+    free = ways[np.count_nonzero(sizes > RANK * max(sizes, default=0.0)) :]
+    return frozenset(("alpha", base) for k, base in enumerate(bases) if np.all(abs(free[:, k]) < RANK))
 
 
 def held_points(method: Method, plane: Plane, rested: frozenset[Fact]) -> tuple[str, ...]:

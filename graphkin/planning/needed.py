@@ -36,13 +36,16 @@ def turnings(method: Method, quantity: str, link: str) -> tuple[Fact, ...]:
     return turning(method, quantity, link), *against
 
 
-def needed(method: Method, facts: set[Fact]) -> dict[Plane, tuple[Part, ...]]:
-    """The parts of both polygons that lead to these facts, in their order; what they need besides is added to them."""
+def needed(method: Method, facts: set[Fact], known: frozenset[Fact] = frozenset()) -> dict[Plane, tuple[Part, ...]]:
+    """The parts of both polygons that lead to these facts, in their order; what they need besides is added to them.
+
+    known   facts that no part has to give
+    """
     parts: dict[Plane, tuple[Part, ...]] = {}
     for construction in (method.acceleration, method.velocity):
         reader, kept = PartsReader(method, construction), list[Part]()
         for part in reversed(construction.parts):
-            if isinstance(part, kinds.Given) or set(reader.gives(part)) & facts:
+            if isinstance(part, kinds.Given) or set(reader.gives(part)) & facts - known:
                 if isinstance(part, Equation):  # without arrows that are there already, for points nobody asks for
                     again = {step for step in part.steps
                              if isinstance(step, kinds.LayOff) and isinstance(step.term.size, terms.Drawn)

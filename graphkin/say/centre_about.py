@@ -140,7 +140,7 @@ def curve_lines(curves: Centrodes, lang: Lang) -> Iterator[str]:
         form = "about.piece closed" if piece.closed else "about.piece open"
         yield f"  {count}. " + catalogue.say(form, lang, places=piece.t.size)
         for link, places in zip(curves.axes, piece.places):
-            yield "     " + _reach(curves, link, places, lang, lambda value: at_edge(value, "m").replace("-", "−"))
+            yield "     " + _reach(curves, link, places, lang, lambda value: at_edge(value, "m"))
     yield catalogue.say("about.where curves", lang)
 
 

@@ -189,6 +189,6 @@ def centre_place(entry: Mapping[str, object], lang: Lang) -> str:
         case {"at": [float(x), float(y)]}:
             return f"({', '.join(exact(value * 1000) if abs(value) > 1e-12 else '0' for value in (x, y))})"
         case {"direction": float(direction)}:
-            return say("centres.place at infinity", lang, angle=exact(round(degrees(direction), 9)))
+            return say("centres.place at infinity", lang, angle=exact(round(degrees(direction), 9) % 180))
         case _:
             return "-"

@@ -18,6 +18,7 @@ from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, text_lines
 from graphkin.say.figures import Formula, Operand, figures
 from graphkin.say.numbers import degrees, number, sense
+from graphkin.say.solution_goal import SolutionGoal
 from graphkin.studies.centres import Centres, advantages
 from graphkin.studies.centres.lever_board import BoardNumber, Lever
 from graphkin.studies.centres.levers import Levers, driven_point
@@ -38,6 +39,19 @@ def explain_centres(found: Centres, lang: Lang, scale: float | None = None) -> l
     scale  of the drawing from which lengths are taken [m/mm]; the file's own, or 0.001, where left out
     """
     return list(text_lines(centre_entries(found, lang, scale), lang))
+
+
+def shorter_road(goal: SolutionGoal, number: int) -> Iterator[Entry]:
+    """The instant centres asked for, then the velocities that a driven link's contact gives at once."""
+    assert goal.centred is not None
+    yield from goal.centred.entries(number)
+    if goal.pushed:
+        reader, scale = goal.centred.reader, goal.reading.scales["length"]
+        levers = LeverReader(reader, Levers(reader.found, scale))
+        levers.levers.start(goal.reading.mechanism.drivers[0])
+        yield Sentence(reader.say("centres.shorter", scale=Operand(scale).text()))
+        yield from dict.fromkeys(entry for asked in goal.pushed.values() for entry in _answer(levers, *asked))
+        yield Sentence(reader.say("centres.second way"))
 
 
 def centre_entries(found: Centres, lang: Lang, scale: float | None = None) -> Iterator[Entry]:

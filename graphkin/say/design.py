@@ -81,7 +81,8 @@ def lines(design: Design, lang: Lang = "en") -> list[str]:
         arcs = say("common.list", lang).join(say("design.arcs", lang, start=start, end=end) for start, end in ends)
         sizes = (family.centre.real * 1e3, family.centre.imag * 1e3, family.radius, family.best[1])
         words = dict(zip(("x", "y", "radius", "best"), map(SentenceNumber, sizes), strict=True))
-        shown.append(say("design.family", lang, arcs=arcs, **words))
+        axes = say(f"design.axes {design.kind}", lang)
+        shown.append(say("design.family", lang, arcs=arcs, axes=axes, **words))
     return shown
 
 

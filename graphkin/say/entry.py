@@ -12,7 +12,7 @@ from graphkin.planning.method import Act
 from graphkin.say.catalogue import close, say
 from graphkin.say.figures import Formula, written
 from graphkin.say.numbers import circled, number
-from graphkin.say.text_table import aligned, padded, width
+from graphkin.say.text_table import UNBRACED, aligned, padded, width
 
 
 @frozen
@@ -55,7 +55,7 @@ class Calculation:
     @property
     def result(self) -> str:
         """The value with its unit."""
-        return f"{number(self.value)} {self.unit}".rstrip() if self.value else "0"
+        return f"{number(self.value)}{'' if self.unit == '°' else ' '}{self.unit}".rstrip() if self.value else "0"
 
     @property
     def figures(self) -> str:
@@ -115,10 +115,10 @@ def text_lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
                 yield text
             case Sentence(text, act):
                 number = f"{circled(act.number)} " if act is not None and act.numbered else ""
-                yield f"  {number}{text}"
+                yield f"  {number}{text.translate(UNBRACED)}"
             case Calculation():
                 note = say("common.note", lang, note=entry.note) if entry.note else ""
-                yield f"    {entry.text}{close(note) if lang == 'zh' else note}"
+                yield f"    {entry.text}{close(note) if lang == 'zh' else note}".translate(UNBRACED)
             case VectorEquation():
                 rows = aligned([*zip(*entry.columns, strict=True)], "^", " ")
                 labels = ["", say("derivation.direction row", lang), say("derivation.size row", lang)]

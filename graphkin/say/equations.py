@@ -20,6 +20,9 @@ def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     if sentence := _translation(polygon, part):
         yield polygon.sentence(next(step for step in part.steps if isinstance(step, kinds.LayOff)), sentence)
         return
+    if centre := instant_centre(polygon, part):
+        yield polygon.sentence(next(step for step in part.steps if isinstance(step, kinds.Meet)), centre)
+        return
     both_sides, reading = part.left + part.right, polygon.reading
     # why the coincident points lie there: said with the velocities, where there is a choice
     known = {term.sites[0].point: term for term in both_sides if isinstance(term.size, terms.Drawn) and term.sites}
@@ -38,10 +41,7 @@ def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     for term in dict.fromkeys(term for term in laid if not isinstance(term.size, terms.Drawn)):
         yield size_calculation(polygon, term, both_sides)
     yield from _drawing(polygon, part.steps, both_sides)
-    if centre := instant_centre(polygon, part):
-        yield Sentence(centre)
-    else:
-        yield from _measured(polygon, part)
+    yield from _measured(polygon, part)
 
 
 def known_arrow(polygon: PolygonReading, step: kinds.LayOff) -> Iterator[Entry]:

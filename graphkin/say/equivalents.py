@@ -13,7 +13,7 @@ from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Rolli
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import figures
-from graphkin.say.numbers import degrees, given_figure, number
+from graphkin.say.numbers import degrees, given_figure, heading, number
 from graphkin.say.reading import Reading, aside, capitalized
 
 
@@ -117,13 +117,14 @@ def _path(reading: Reading, name: str) -> Iterator[Entry]:
     origin, path = slide.line.origin, reading.path(name)
     if slide.guide == FRAME:
         place = reading.place_on_paper(reading.plot.facts.shapes[FRAME][origin])
-        words = {"path": capitalized(path), "place": place, "angle": degrees(slide.line.direction)}
+        words = {"path": capitalized(path), "place": place}
+        words["heading"] = heading(degrees(slide.line.direction), reading.lang)
         yield Sentence(reading.say("contacts.fixed path", **words))
     elif origin != line.origin and any(_uses(step, origin) for step in reading.method.position.steps):
         words = {"path": path, "mark": names.point(origin)}
         if line.named:
             length = f"{names.pair(line.origin, origin)} = {reading.rim(reading.mechanism.pair(name))}"
-            yield Sentence(reading.say("contacts.abreast", origin=names.point(line.origin), length=length, **words))
+            yield Sentence(reading.say("contacts.foot", origin=names.point(line.origin), length=length, **words))
         else:
             yield Sentence(reading.say("contacts.marked start", **words))
 

@@ -73,7 +73,7 @@ class AnswerLines:
                 return Sentence("  " + say("solution.place at", point=names.point(quantity.of), place=place))
             case Moving():
                 size, vector = self.value(quantity), complex(quantity.vector(self._motions))
-                note = say("derivation.at direction", angle=self.reading.angle(vector)) if size else ""
+                note = self.reading.heading(vector) if size else ""
                 return Calculation(name, (), "", size, unit.sign, note)
             case Component():
                 return self._component(name, quantity)
@@ -93,7 +93,7 @@ class AnswerLines:
                 assert_never(quantity)
 
     def result(self, quantity: Quantity) -> str:
-        """The answer without its name and without figures: `1.220 m/s (at 180° to +x)`."""
+        """The answer without its name and without figures: `1.220 m/s (along −x)`."""
         if isinstance(quantity, Centre):
             return self._centre(quantity)
         if isinstance(quantity, Track):
@@ -204,7 +204,9 @@ def derivation(
     parts: list[Callable[..., Iterator[Entry]]]
     parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
     if not as_planned and (centres := goal.centred) is not None:
-        parts.insert(1 if centres.from_velocities and parts else 0, centres.entries)
+        from graphkin.say.centre_velocities import shorter_road
+
+        parts.insert(1 if centres.from_velocities and parts else 0, partial(shorter_road, goal))
     for count, part in enumerate(parts, start=2):
         body += part(number=count)
     acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]

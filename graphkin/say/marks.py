@@ -10,6 +10,7 @@ from graphkin.marking.key import Name
 from graphkin.marking.records import Departure, Graded, Judged, Marked
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
+from graphkin.say.names import in_signs
 from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
 
@@ -34,10 +35,9 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
         tolerance = f"±{edge_value(one.tolerance, one.unit)}"
         tolerance = "–" if one.verdict in ("dead point", "too small") else tolerance
         sizes = [given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign]
-        rows.append([one.text, *sizes, verdict(one, lang)])
+        rows.append([in_signs(one.text, lang), *sizes, verdict(one, lang)])
     yield from (f"  {row}" for row in marks_table(rows))
-    yield from (f"  {line}" for line in _carried(marked, lang))
-    yield from (f"  {line}" for line in _explanations(marked, lang))
+    yield from (f"  {in_signs(line, lang)}" for line in (*_carried(marked, lang), *_explanations(marked, lang)))
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
     yield from _remarks(graded, lang)
 

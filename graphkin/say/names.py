@@ -24,6 +24,7 @@ _STARTS = " origin"
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARKED = re.compile(f"{_OPEN}(.*?){_CLOSE}")
 _DEGREES = r" ?\bdeg\b"
+_ARROW = r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+"
 
 
 @lru_cache(4096)
@@ -120,4 +121,5 @@ def in_signs(text: str, lang: Lang) -> str:
     """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
     if lang != "zh":
         return text
-    return re.sub(_DEGREES, "°", respelled(text, symbols)).replace("/s^2", "/s²")
+    text = re.sub(_ARROW, lambda arrow: vector(arrow[0]), respelled(text, symbols))
+    return re.sub(_DEGREES, "°", text).replace("/s^2", "/s²")

@@ -20,10 +20,11 @@ from itertools import pairwise
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, IN_GRAVITY
 from graphkin.model.units import significant
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import is_phrase, say, say_close
 
 DIGITS = 4  # of what is read off paper
 _COMPUTED = 6
+_DESIGNED = 5
 _PLAIN = range(-6, 9)  # powers of ten that are still written out
 
 
@@ -75,6 +76,12 @@ def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
 
 
+def heading(angle: str, lang: Lang) -> str:
+    """`at 153.4° to +x`, `along −x`: a direction with its angle from +x in words."""
+    key = f"derivation.at direction {angle}"
+    return say_close(key if is_phrase(key) else "derivation.at direction", lang, angle=angle)
+
+
 _CIRCLED = ((1, 0x2460), (21, 0x3251), (36, 0x32B1), (51, 0))  # from which number on the signs begin at which code
 
 
@@ -88,15 +95,13 @@ def circled(count: int) -> str:
 
 def exact(value: float | None) -> str:
     """Six significant digits, zero without a sign; `-` where there is none."""
-    if value is None:
-        return "-"
-    return significant(value, _COMPUTED) if abs(value) > 1e-12 else "0"
+    return "-" if value is None else number(value, 1e-12, _COMPUTED)
 
 
 def quantity(value: float, unit: str, *, gravity: bool = False) -> str:
     """`26.38 deg`, `188.8 mm`, `0.4 m/s`; accelerations in g, too, where `gravity`."""
     if math.isinf(value):
-        return "∞" if value > 0 else "-∞"
+        return "∞" if value > 0 else "−∞"
     shown = EDGE[unit]
     text = f"{exact(value * shown.factor)} {shown.name}".rstrip()
     return f"{text} ({exact(value * IN_GRAVITY.factor)} {IN_GRAVITY.name})" if gravity and unit == "m/s^2" else text
@@ -113,13 +118,12 @@ def in_print(text: str) -> str:
 def at_edge(value: float, unit: str) -> str:
     """`41.2°`, `20 mm`, `0.36 m/s`."""
     name = "°" if unit == "rad" else f" {EDGE[unit].name}".rstrip()
-    size = value * EDGE[unit].factor
-    return f"{significant(size, _COMPUTED)}{name}" if abs(size) > 1e-9 else f"0{name}"
+    return f"{number(value * EDGE[unit].factor, 1e-9, _COMPUTED)}{name}"
 
 
 def millimetres(length: float) -> str:
     """`20 mm`; less than a millionth of one is none."""
-    return f"{significant(length * 1e3, _COMPUTED)} mm".replace("-", "−") if abs(length) > 1e-9 else "0 mm"
+    return f"{number(length * 1e3, 1e-6, _COMPUTED)} mm"
 
 
 def angle(value: float) -> str:
@@ -135,15 +139,11 @@ class SentenceNumber(float):
 
     def __format__(self, spec: str) -> str:
         if spec == "mm":
-            return f"{_five(self * 1e3)} mm"
+            return f"{number(self * 1e3, 1e-9, _DESIGNED)} mm"
         if spec == "deg":
-            return f"{_five(math.degrees(self))}°"
+            return f"{number(math.degrees(self), 1e-9, _DESIGNED)}°"
         if spec == "read":
             return number(self)
-        return _five(self) if spec == "n" else format(round(self) if spec == "d" else float(self), spec)
-
-
-def _five(value: float) -> str:
-    size = abs(value)
-    text = significant(value, 5) if size >= 1e-9 else "0"
-    return (f"{value:.0f}" if "e" in text and size >= 1 else text).replace("-", "−")
+        if spec == "n":
+            return number(self, 1e-9, _DESIGNED)
+        return format(round(self) if spec == "d" else float(self), spec)

@@ -63,8 +63,8 @@ class PolygonReading:
     def length_mm(self, tail: str, head: str) -> float:
         return self.read(tail, head) / self.scale
 
-    def angle(self, tail: str, head: str) -> str:
-        return self.reading.angle(self.arrow(tail, head))
+    def heading(self, tail: str, head: str) -> str:
+        return self.reading.heading(self.arrow(tail, head))
 
     @cached_property
     def _names(self) -> dict[tuple[str, str], str]:
@@ -178,8 +178,7 @@ class PolygonReading:
     def measured_absolute(self, node: str) -> Calculation:
         """The motion of a point, with its direction to +x."""
         pole = self.construction.pole
-        note = self.reading.say("derivation.at direction", angle=self.angle(pole, node))
-        return self.measured(pole, node, self.seen(self.of(node), ""), note)
+        return self.measured(pole, node, self.seen(self.of(node), ""), self.heading(pole, node))
 
 
 @frozen
@@ -204,8 +203,8 @@ def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, 
     """`aⁿ_B3D = ω3² l_BD = 3.919² × 0.0692 = 1.063 m/s²` of a term that is neither unknown nor drawn yet."""
     assert term.size is not None
     known = _known_size(polygon, term, term.size, polygon.direction_row(term, equation))
-    value, angle = polygon.size(term.tail, term.head), polygon.angle(term.tail, term.head)
-    note = polygon.reading.say("derivation.at angle", direction=known.direction, angle=angle) if value else ""
+    value, heading = polygon.size(term.tail, term.head), polygon.heading(term.tail, term.head)
+    note = polygon.reading.say("derivation.towards", direction=known.direction, heading=heading) if value else ""
     if not value and isinstance(term.size, terms.Coriolis):
         velocity, rate = PolygonReading(polygon.reading, "velocity"), polygon.reading.rate("ω", term.size.link)
         if velocity.size(term.size.tail, term.size.head):

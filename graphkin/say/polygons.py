@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
-from graphkin.base.geometry import cross
+from graphkin.base.geometry import cross, dot
 from graphkin.construction import Equation, Plane, Step, kinds
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.at_rest import held_points, moving_parts
@@ -16,7 +16,7 @@ from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading, aside
-from graphkin.say.rolling import checked, contacted, rolling, same_velocities
+from graphkin.say.rolling import checked, contacted, rolling, same_velocities, steady
 from graphkin.say.simultaneous import solved_together
 
 
@@ -32,6 +32,7 @@ def polygon_entries(reading: Reading, plane: Plane, parts: tuple[Step | Equation
                 yield from _renamed(polygon)
                 yield from _pole(polygon, part)
                 yield from _driven_groups(polygon)
+                yield from steady(polygon)
             case kinds.LayOff():
                 yield from known_arrow(polygon, part)
             case kinds.Image():
@@ -79,7 +80,7 @@ def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.pole", pole=pole))
     else:
         nodes = reading.listed([names.point(node) for node in step.also])
-        fixed = reading.listed([names.point(polygon.of(node)) for node in step.also])
+        fixed = reading.listed([_fixed_point(polygon, node) for node in step.also])
         key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
         yield Sentence(reading.say(key, pole=pole, points=fixed, nodes=nodes))
     links = [link for link in reading.mechanism.moving if reading.stands(link)]
@@ -90,6 +91,14 @@ def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
         fixed = reading.say(key, points=reading.listed(points), pole=names.point(polygon.construction.pole))
         key = "derivation.held still" if len(links) == 1 else "derivation.held still, several"
         yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
+
+
+def _fixed_point(polygon: PolygonReading, node: str) -> str:
+    """`D`; `D4 (at D)` where points of several links lie there."""
+    of, site, reading = polygon.of(node), polygon.construction.nodes[node].site, polygon.reading
+    if site is None or of == site.point:
+        return names.point(of)
+    return names.point(of) + reading.note(reading.say("derivation.at point", point=names.point(site.point)))
 
 
 def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
@@ -226,6 +235,10 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
         formula = f"{words['small']} × {names.pair(first, third)}/{names.pair(first, second)}"
         name, numbers = names.stretch(corners[0], step.point), Operand(small) * figured[0] / figured[1]
         ratio = Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text
+        along = float(dot(one, reading.arm(first, second))) / abs(reading.arm(first, second)) ** 2
+        key = "between" if 0 <= along <= 1 else "beyond" if along > 1 else "before"
+        ends = {"base": names.point(corners[0]), "end": names.point(corners[1])}
+        words["side"] = reading.say(f"derivation.image {key}", small=words["small"], **ends)
         sentence = reading.say("derivation.image line", ratio=ratio, **words)
     else:
         words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}

@@ -6,6 +6,8 @@ from cmath import rect
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import count
+from math import degrees as degrees_of
+from math import tau
 from typing import assert_never
 
 from graphkin.base.geometry import cross, dot
@@ -13,12 +15,14 @@ from graphkin.construction import Equation, Step, kinds, terms
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.planning.method import made
 from graphkin.say import names
+from graphkin.say.dimensions import link_sizes
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
-from graphkin.say.numbers import degrees
+from graphkin.say.numbers import degrees, given_figure, heading
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.rolling import rolled, touched
 from graphkin.say.simultaneous import fitted, link_angle, special_point
+from graphkin.say.sizes import Corner
 from graphkin.say.tangents import Tangents
 
 _SPARE = "WXYHJ"  # for points that nobody named
@@ -29,7 +33,7 @@ _LEVEL = 0.5  # a line whose slope is above this part of its length is called up
 class PositionReader(Tangents):
     """Reads the steps of the position plane in the order of the pencil.
 
-    angles   links whose angles are asked for, None for all
+    angles   links whose angles are asked for
     waiting  links whose angles can be measured as soon as their points are there
     measured_links  links whose angles are measured, or said to be driven
     placed   points that are there by now
@@ -37,7 +41,7 @@ class PositionReader(Tangents):
     ends     by link, the two points between which its angle has been found
     """
 
-    angles: frozenset[str] | None = None
+    angles: frozenset[str] = frozenset()
     waiting: list[str] = field(default_factory=list)
     measured_links: set[str] = field(default_factory=set)
     placed: set[str] = field(default_factory=set)
@@ -67,7 +71,7 @@ class PositionReader(Tangents):
         for slide in (slide for slide in reading.mechanism.slides if slide.guide == FRAME):
             origin = slide.line.origin
             place = names.point(origin) if slide.line.named else reading.place_on_paper(shape[origin])
-            words = {"guide": reading.path(slide.name), "angle": degrees(slide.line.direction)}
+            words = {"guide": reading.path(slide.name), "heading": heading(degrees(slide.line.direction), reading.lang)}
             yield Sentence(reading.say("derivation.fixed guide", place=place, **words))
         yield from equivalents(reading)
         for part in reading.method.position.parts:
@@ -136,7 +140,7 @@ class PositionReader(Tangents):
         length = self._reach(step.term.size, names.stretch(step.start, step.tip) if nameless else "")
         length = length if reading.named(step.start) or not nameless else length.partition(" = ")[2]
         words = {"start": reading.place(step.start), "tip": reading.place(step.tip), "length": length}
-        words["angle"] = degrees(arrow)
+        words["heading"] = heading(self._stated(step) or degrees(arrow), reading.lang)
         if isinstance(direction, terms.AlongGuide):
             return reading.say("derivation.lay off slide", guide=reading.path(direction.slide), **words)
         part, line = step.term.size.parts[0], ""  # two points that are drawn, on whose line an arm of their link lies
@@ -147,6 +151,14 @@ class PositionReader(Tangents):
         if line:
             return reading.say("derivation.lay off on line", line=line, **words)
         return reading.say("derivation.lay off link", **words)
+
+    def _stated(self, step: kinds.LayOff) -> str:
+        """The angle of a driven line as the file states it, where that is not one from 0 to 360 degrees."""
+        values = self.reading.plot.facts.values
+        for driver, value in zip(self.reading.method.drivers, values, strict=True):
+            if driver.vector == (step.start, step.tip) and driver.from_link == FRAME and not 0 <= float(value) < tau:
+                return f"{given_figure(degrees_of(float(value)))}°"
+        return ""
 
     def _over_reach(self, step: kinds.LayOff) -> str:
         """A point between the ends of a reach made of several arms: by arcs about both ends; "" of others."""
@@ -171,6 +183,13 @@ class PositionReader(Tangents):
             line = names.pair(first, second)
             return reading.say("derivation.shape line", line=line, length=reading.joined(lengths), **words)
         ccw = float(cross(reading.arm(first, second), one)) > 0
+        for angle in link_sizes(reading, link):
+            points = angle.shape.points if isinstance(angle.shape, Corner) else ()
+            if {*points} == {*corners} and points[1] != third:
+                words["angle"] = angle.text
+                words["way"] = reading.way_round(corners, ccw)
+                length = lengths[points[1] == second]
+                return reading.say("derivation.shape angle", length=length, **words)
         words |= {"first": lengths[0], "second": lengths[1], "way": reading.way_round(corners, ccw)}
         return reading.say("derivation.shape corner", **words)
 
@@ -199,8 +218,7 @@ class PositionReader(Tangents):
                 pass
             case _:
                 assert_never(locus.direction)
-        angle = degrees(complex(reading.plot.direction(locus.direction)))
-        at = reading.say("derivation.at direction", angle=angle)
+        at = heading(degrees(complex(reading.plot.direction(locus.direction))), reading.lang)
         return reading.say("derivation.line parallel", through=reading.place(locus.through), direction=at)
 
     def _open(self) -> Iterator[tuple[int, Driver]]:
@@ -220,8 +238,7 @@ class PositionReader(Tangents):
             if len(points) > 1 and not last and not {*points[:2]} <= self.placed:
                 waiting.append(member)
             elif len(points) > 1:
-                asked = self.angles is None or member in self.angles
-                if member not in self.measured_links and asked:
+                if member not in self.measured_links and member in self.angles:
                     angles.append(link_angle(reading, member, reading.angle))
                 self.measured_links.add(member)
         self.waiting = waiting

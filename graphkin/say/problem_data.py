@@ -15,7 +15,7 @@ from graphkin.say import names
 from graphkin.say.dimensions import beside, driven, guide_angle, link_sizes, radii
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
-from graphkin.say.numbers import direction, given_figure, number
+from graphkin.say.numbers import direction, given_figure, heading, number
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.sizes import in_unit, length_unit
 from graphkin.say.structure import redundant_constraints
@@ -42,6 +42,7 @@ def problem_data(reading: Reading) -> Iterator[Entry]:
             else:
                 angle = f"{given_figure(degrees(pose.value))}°"
                 words = {"line": _points(pose.vector), "link": reading.link(pose.link), "angle": angle}
+                words["heading"] = heading(angle, reading.lang)
                 key = "derivation.pose line" if pose.from_vector is None else "derivation.pose joint"
             if pose.vector is not None and pose.from_vector is not None:
                 words |= {"other": _points(pose.from_vector), "seen_from": reading.link(pose.from_link)}
@@ -95,7 +96,7 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     if driver.vector is not None:
         words["line"], key = _points(driver.vector), "derivation.driven line free"
         if shown is not None:
-            words["angle"], key = shown.whole, "derivation.driven link"
+            words["angle"], key = shown.whole, "derivation.driven link" if shown.value else "derivation.driven along x"
         if shown is not None and driver.from_vector is not None:
             words |= {"other": _points(driver.from_vector), "seen_from": reading.link(driver.from_link)}
             key = "derivation.driven joint"
@@ -211,7 +212,7 @@ def _track(reading: Reading, line: Line) -> str:
 
 
 def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
-    """`along DE`, `through C that makes γ = 100° with D→C (..)`, `through (0, 10) at 0° to +x`."""
+    """`along DE`, `through C that makes γ = 100° with D→C (..)`, `through (0, 10) along +x`."""
     angle = guide_angle(reading, slide) if slide is not None else None
     either = slide is not None and not slide.named and not _axis(reading, slide)
     place = reading.mechanism.links[line.link].points.get(line.origin)
@@ -224,7 +225,8 @@ def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
     if ends := _points_along(reading, line):
         return reading.say("solution.along", line=(names.pair if either else names.arrow)(*ends))
     if line.base is None and line.link == FRAME:
-        return reading.say("solution.line", start=through, angle=f"{given_figure(direction(line.direction))}°")
+        towards = heading(f"{given_figure(direction(line.direction))}°", reading.lang)
+        return reading.say("solution.line", start=through, heading=towards)
     shape, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
     apart = (ends for ends in combinations(points, 2) if abs(shape.arm(*ends)) > reading.noise)
     # where no file says it, a line is measured from the points of γ, else from the link's first

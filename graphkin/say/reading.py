@@ -14,13 +14,13 @@ from graphkin.errors import Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
 from graphkin.planning import Method
-from graphkin.planning.at_rest import at_rest
+from graphkin.planning.at_rest import at_rest, steady_turnings
 from graphkin.planning.labels import Labels
 from graphkin.planning.method import Act, made
 from graphkin.planning.needed import Fact, turnings
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
-from graphkin.say.numbers import degrees, direction, number
+from graphkin.say.numbers import degrees, direction, heading, number
 
 if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
@@ -71,6 +71,11 @@ class Reading:
     def rested(self) -> frozenset[Fact]:
         """Facts of both polygons that drivers at rest hold still."""
         return frozenset() if self.apart else at_rest(self.method, self.plot.facts)
+
+    @cached_property
+    def steady(self) -> frozenset[Fact]:
+        """Angular accelerations that are nothing, as all turns and slides at steady rates."""
+        return frozenset() if self.apart else steady_turnings(self.method, self.plot.facts)
 
     def say(self, key: str, /, **words: object) -> str:
         return say_close(key, self.lang, **words)
@@ -232,6 +237,10 @@ class Reading:
     def angle(self, vector: complex) -> str:
         """A measured direction."""
         return degrees(vector, self.ruler.angle) if self.ruler else degrees(vector)
+
+    def heading(self, vector: complex) -> str:
+        """The same from +x in words."""
+        return heading(self.angle(vector), self.lang)
 
     def direction(self, vector: complex) -> float:
         """The same as a number [deg]."""

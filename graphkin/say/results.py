@@ -11,11 +11,12 @@ from graphkin.errors import Lang
 from graphkin.files.toml import Document
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Unit, driven, read
+from graphkin.model.quantities.kinds import Rotation
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import centre_place
 from graphkin.say.names import in_signs, of_slide
-from graphkin.say.numbers import exact
+from graphkin.say.numbers import degrees, exact, heading, sense
 from graphkin.say.text_table import table
 
 _SLIDING = (("s", "s", EDGE["m"]), ("v", "ṡ", EDGE["m/s"]), ("a", "s̈", EDGE["m/s^2"]))
@@ -34,8 +35,8 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
             unit = EDGE[driven(driver.kind == "slide")]
             drivers.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
         yield f"{say('results.position', lang)}{colon}{in_signs(say('common.and', lang).join(drivers), lang)}"
-        heads = ("quantity", "graphical", "analytic", "difference", "unit")
-        rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position)]
+        heads = ("quantity", "graphical", "analytic", "difference", "unit", "direction")
+        rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position, lang)]
         yield from table([[in_signs(cell, lang) for cell in row] for row in rows])
         if position["ask"]:
             yield f"{say('results.asked', lang)}{colon}".rstrip()
@@ -47,27 +48,32 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
                 yield f"  {name}{colon}{say('results.not answered', lang)}"
             else:
                 unit = EDGE[entry["unit"]]
-                value = f"{exact(entry['value'] * unit.factor)} {in_signs(unit.name, lang)}".rstrip()
-                vector = f"  ({', '.join(map(exact, entry['vector']))})" if "vector" in entry else ""
-                yield f"  {name} = {value}{vector}"
-        yield f"{say('results.worst', lang)}{colon}{position['worst']:.1e}"
+                size, note = entry.get("size", entry["value"]) * unit.factor, ""
+                if "vector" in entry:
+                    note = heading(degrees(complex(*entry["vector"])), lang) if size else ""
+                elif isinstance(read(mechanism, question), Rotation) and entry["unit"] != "rad":
+                    note = sense(size, lang) if size else ""
+                value = f"{exact(size)} {in_signs(unit.name, lang)}".rstrip()
+                yield f"  {name} = {value}" + (say("common.note", lang, note=note) if note else "")
+        yield f"{say('results.worst', lang)}{colon}" + f"{position['worst']:.1e}".replace("-", "−")
 
 
-def _rows(mechanism: Mechanism, position: Document) -> Iterator[list[str]]:
+def _rows(mechanism: Mechanism, position: Document, lang: Lang) -> Iterator[list[str]]:
     analytic = position["analytic"]
     for link, motion in position["links"].items():
         theta, right = math.degrees(motion["theta"]), math.degrees(analytic["links"][link]["theta"])
         turned = (theta - right + 180) % 360 - 180
         yield _row(f"theta {link}", theta, right, EDGE["rad"], turned)
         for key, unit in (("omega", "rad/s"), ("alpha", "rad/s^2")):
-            yield _row(f"{key} {link}", motion[key], analytic["links"][link][key], EDGE[unit])
+            drawn, right = motion[key], analytic["links"][link][key]
+            yield _row(f"{key} {link}", drawn, right, EDGE[unit], way=sense(drawn, lang) if drawn else "")
     for point, motion in position["points"].items():
         for key, unit in (("v", "m/s"), ("a", "m/s^2")):
             arrow, other = complex(*motion[key]), complex(*analytic["points"][point][key])
             quantity = read(mechanism, f"{key} {point}")
             along = None if quantity is None else quantity.along  # a guide of the frame gives a size its sign
             drawn, right = (abs(each) if along is None else float(dot(along, each)) for each in (arrow, other))
-            yield _row(f"{key} {point}", drawn, right, EDGE[unit], abs(arrow - other))
+            yield _row(f"{key} {point}", drawn, right, EDGE[unit], abs(arrow - other), degrees(arrow) if arrow else "")
     for slide, motion in position["slides"].items():
         if not mechanism.pair(slide).given:
             continue  # how far one point is along a line that has no name: its motion stands with the points
@@ -77,9 +83,9 @@ def _rows(mechanism: Mechanism, position: Document) -> Iterator[list[str]]:
             yield _row(name, motion[key] * shown.factor, right, shown)
 
 
-def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = None) -> list[str]:
+def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = None, way: str = "") -> list[str]:
     off = drawn - right if off is None else off
-    return [name, exact(drawn), exact(right), f"{off:.1e}", unit.name]
+    return [name, exact(drawn), exact(right), f"{off:.1e}".replace("-", "−"), unit.name, way]
 
 
 def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterator[str]:

@@ -7,14 +7,17 @@ from math import degrees
 
 from graphkin.base.value import frozen
 from graphkin.construction import Drawn, Equation, InStep, Measure, Plane, Roll, Simultaneous, Step, Touch, slide_key
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Driver
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Formula, Operand, joined_sum
+from graphkin.say.numbers import DIGITS
 from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
+
+_CANCELLED = 1e-9  # the part of one side that is left of both where they cancel
 
 
 @frozen
@@ -47,9 +50,10 @@ class RollingRelation:
 
     @property
     def figures(self) -> str:
-        """The two sides of a pair of wheels in figures, which cancel."""
+        """`0.03 × 10 + 0.02 × (−15) = 0` of the two sides of a pair of wheels; ≈ where figures are cut off."""
         one, other = (self._half(k)[1] for k in self._order)
-        return (one + other if self._sign == "+" else one - other).text()
+        both = one + other if self._sign == "+" else one - other
+        return f"{both.text()} {'=' if abs(both.worth(DIGITS)) < _CANCELLED * abs(one.worth(DIGITS)) else '≈'} 0"
 
     @property
     def _order(self) -> tuple[int, int]:
@@ -163,6 +167,24 @@ def _slid(reading: Reading, symbol: str, contact: InStep) -> str:
     shares = sorted(contact.way, key=lambda part: part[1] < 0)
     text = _signed_names([(share, reading.displacement(symbol, slide)) for slide, share in shares])
     return f"({text})" if len(shares) > 1 or text.startswith("−") else text
+
+
+def steady(polygon: PolygonReading) -> Iterator[Entry]:
+    """The wheels that need no acceleration polygon: they turn at steady rates, by their relations."""
+    reading, turns = polygon.reading, polygon.reading.plot.facts.turns
+    links = [link for link in reading.mechanism.moving if ("alpha", turns[link].base) in reading.steady]
+    if links and polygon.plane == "acceleration":
+        velocity = PolygonReading(reading, "velocity")
+        contacts = (c for c in reading.method.structure.contacts if {*links} & {link for link, _ in c.angles})
+        steps = (InStep(c.name, c.angles, c.slide, c.on_slide, c.way) for c in contacts)
+        relations = reading.listed([rate_relation(velocity, step).text for step in steps])
+        rates = reading.listed([_driven_rate(reading, driver) for driver in reading.mechanism.drivers])
+        zero = " = ".join([*(reading.rate("α", link) for link in links), "0"])
+        yield Sentence(reading.say("contacts.steady", relations=relations, rates=rates, zero=zero))
+
+
+def _driven_rate(reading: Reading, driver: Driver) -> str:
+    return reading.displacement("ṡ", driver.link) if driver.kind == "slide" else reading.against(driver, "ω")
 
 
 def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:

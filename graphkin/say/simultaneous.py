@@ -154,6 +154,7 @@ def instant_centre(polygon: PolygonReading, part: Equation) -> str:
     if polygon.plane != "velocity" or len(both_sides) != 2 or not legs or site is None:
         return ""
     words = {"point": names.point(site.point), "link": polygon.reading.link(site.link)}
+    words |= {"node": names.point(part.left[-1].head), "pole": names.point(pole)}
     return polygon.reading.say("contacts.instant centre", name=polygon.seen(part.of, ""), **words)
 
 
@@ -199,9 +200,6 @@ def _constant_ratio(polygon: PolygonReading, step: kinds.Simultaneous, members: 
         return []
     input_, wheels = moved[0], list(dict.fromkeys(members))
     rate, turning = reading.rate("α", input_), reading.rate("ω", input_)
-    if not plot.alpha[input_]:
-        zero = " = ".join([*(reading.rate("α", link) for link in wheels), "0"])
-        return [Sentence(reading.say("contacts.constant ratio at rest", rate=rate, zero=zero))]
     if reading.ruler is not None:
         return []  # velocities that were read have not quite the ratio of the radii
     said: list[Entry] = [Sentence(reading.say("contacts.constant ratio"))]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Tangential, Turning
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
@@ -42,13 +42,23 @@ class SolutionGoal:
 
     @cached_property
     def centred(self) -> CentrePart | None:
-        """The part of the solution that finds the instant centres asked for."""
-        centres = tuple(one for one in self.wanted if isinstance(one, Centre))
+        """The part of the solution that finds the instant centres asked for, and that of a pushed link."""
+        centres = [one for one in self.wanted if isinstance(one, Centre)]
+        centres += [Centre("P", "", links) for links in self.pushed]
         if not centres:
             return None
         from graphkin.say.centre_steps import centre_part
 
         return centre_part(self.reading, centres)
+
+    @cached_property
+    def pushed(self) -> Mapping[tuple[str, str], list[Quantity]]:
+        """The velocities asked of a link that the driven one pushes in sliding contact, both joined to the frame."""
+        mechanism = self.reading.mechanism
+        links = mechanism.pushed if len(mechanism.drivers) == 1 and self.reading.ruler is None else ()
+        speeds = {pair: [one for one in self.wanted if one is not None and pair[1] in _moved(one, mechanism)]
+                  for pair in links}  # fmt: skip
+        return {pair: asked for pair, asked in speeds.items() if asked}
 
     @property
     def levers(self) -> tuple[tuple[str, str], ...]:
@@ -68,11 +78,11 @@ class SolutionGoal:
             yield from arms(part)
 
     @property
-    def angles(self) -> frozenset[str] | None:
-        """The links whose angles are asked for; None for all."""
+    def angles(self) -> frozenset[str]:
+        """The links whose angles are asked for."""
         halves = [half for one in self.wanted if one is not None for half in one.halves]
         rotations = [half for half in halves if isinstance(half, Rotation)]
-        return frozenset(half.link for half in rotations if half.word == "theta") if self.chosen else None
+        return frozenset(half.link for half in rotations if half.word == "theta")
 
     def question(self) -> Iterator[Entry]:
         """The part of a solution that says what is to be found."""
@@ -119,16 +129,19 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     facts = {fact for one in answerable for fact in _facts(reading, one)}
     if everything or not facts:
         placed = (one for one in answerable if isinstance(one, Centre) or _plane(one) == "position")
-        # omega and alpha of every link, v and a of every point that moves
+        # omega and alpha of every link that is not driven, v and a of every point that moves
         rotations = [Rotation("omega" if plane == "velocity" else "alpha", mechanism.called(link), link)
-                     for plane in planes for link in mechanism.moving]  # fmt: skip
+                     for plane in planes for link in mechanism.moving if link not in mechanism.driven]  # fmt: skip
         moving = [point for point in mechanism.points if FRAME not in mechanism.owners[point]]
         motions = [read(mechanism, f"{plane[0]} {point}") for plane in planes for point in moving]
         wanted = (*placed, *rotations, *(motion for motion in motions if motion is not None))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
+        if reading.steady:
+            led = needed(reading.method, {fact for one in wanted for fact in _facts(reading, one)}, reading.steady)
+            parts = {plane: led[plane] for plane in planes}
         return SolutionGoal(reading, wanted, tuple(one.text for one in wanted), parts, False)
-    led = needed(reading.method, {*facts})
+    led = needed(reading.method, {*facts}, reading.steady)
     shown: dict[Plane, tuple[Part, ...]] = {}
     for plane in planes:  # in which something is drawn, or needs no step, as a driven rotation does
         kinds = ("omega" if plane == "velocity" else "alpha", plane)
@@ -136,6 +149,13 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
         if direct or any(not isinstance(part, Given) for part in led[plane]):
             shown[plane] = led[plane]
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
+
+
+def _moved(speed: Quantity, mechanism: Mechanism) -> tuple[str, ...]:
+    """The links of which a quantity is the angular velocity, or the velocity of a point."""
+    if isinstance(speed, Moving) and speed.word == "v" and speed.seen_from is None:
+        return mechanism.owners.get(speed.site.point, ())
+    return (speed.link,) if isinstance(speed, Rotation) and speed.word == "omega" else ()
 
 
 def _plane(quantity: Quantity) -> Plane:

@@ -113,7 +113,7 @@ def book_lines(sweep: Sweep) -> Iterator[str]:
             columns += [(f"{entry.name}_x", "m", entry.vectors.real), (f"{entry.name}_y", "m", entry.vectors.imag)]
     heads, units, values = zip(*columns) if columns else ((), (), ())
     first = np.degrees(sweep.driven) if sweep.course.unit == "rad" else sweep.driven
-    shown = [[f"{v + 0.0:.5f}" if abs(v) >= 5e-6 else "0.00000" for v in column] for column in values]
+    shown = [[f"{v if abs(v) >= 5e-6 else 0.0:.5f}".replace("-", "−") for v in column] for column in values]
     rows = [[exact(round(float(first[k]), 9)), *(column[k] for column in shown)] for k in range(sweep.t.size)]
     driver, called = sweep.course.driver, sweep.mechanism.called
     link = called(driver.link)

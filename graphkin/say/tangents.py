@@ -16,7 +16,7 @@ from graphkin.say.dimensions import guide_angle
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Formula, Operand, TrigFormula
 from graphkin.say.numbers import degrees as degrees_of
-from graphkin.say.numbers import number
+from graphkin.say.numbers import heading, number
 from graphkin.say.reading import Reading, aside
 
 
@@ -162,7 +162,7 @@ class Tangents:
         words = {"start": reading.place(step.start), "tip": reading.place(step.tip)}
         words["length"] = self._arm(step.start, step.tip)
         if aside(along, arm) <= reading.noise:
-            return reading.say("derivation.lay off parallel", angle=degrees_of(arm), **words)
+            return reading.say("derivation.lay off parallel", heading=heading(degrees_of(arm), reading.lang), **words)
         ahead = along * copysign(1.0, float(dot(along, arm)) or 1.0)
         turned = degrees(phase(arm / ahead))
         # `∠CDE = ` where another point of the link lies on the guide line from D, at less than 90 deg to DC

@@ -5,6 +5,9 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Sequence
 
+UNBRACED = str.maketrans("", "", "{}")
+"""Takes away the braces that keep a long subscript together where it is typeset."""
+
 
 def width(text: str) -> int:
     """Columns that a text takes: two for a Chinese character, none for an accent."""
@@ -23,6 +26,7 @@ def padded(text: str, room: int, side: str = "<") -> str:
 
 def aligned(rows: Sequence[Sequence[str]], sides: str = "<>", gap: str = "  ") -> list[str]:
     """Rows with their columns aligned. sides: of the first column, the second, ..; the last one holds on."""
+    rows = [[cell.translate(UNBRACED) for cell in row] for row in rows]
     rooms = [max(width(row[k]) for row in rows) for k in range(len(rows[0]))]
     to = [sides[min(k, len(sides) - 1)] for k in range(len(rooms))]
     return [gap.join(map(padded, row, rooms, to)) for row in rows]

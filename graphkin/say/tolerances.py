@@ -64,7 +64,8 @@ def _scales(scales: Mapping[str, float], lang: Lang) -> str:
 def _step(cost: Cost, lang: Lang) -> str:
     """A step in words."""
     mark = cost.mark
-    what = "frame" if mark.what == "point" and mark.of[0] == "frame" else mark.what
+    point = "start" if cost.name else "frame" if mark.of[0] == "frame" else "point"
+    what = point if mark.what == "point" else mark.what
     of = (cost.name or mark.of[0], *mark.of[1:], "")
     words = {f"of{k}": name for k, name in enumerate(of)}
     step = f"tolerances.step {mark.plane} {what}"

@@ -560,7 +560,7 @@ ARCS = [
     bad("TooSmall", edit(IN_ARC, "radius = 70", "radius = 0"), "radius", "slide.0.radius", "greater than 0", "大于 0"),
     bad("TooSmall", edit(IN_ARC, "radius = 70", "radius = -3"), "radius", "slide.0.radius", "greater than 0", "大于 0"),
     bad("OutOfRange", edit(IN_ARC, "radius = 70", "radius = nan"), "radius", "slide.0.radius", "not a finite number", "有限数"),
-    bad("OtherDimension", edit(IN_ARC, "radius = 70", 'radius = "7 deg"'), "radius", "slide.0.radius", "a length is wanted", "应为长度"),
+    bad("OtherDimension", edit(IN_ARC, "radius = 70", 'radius = "7 deg"'), "radius", "slide.0.radius", "a length is needed", "应为长度"),
     bad("MissingKey", edit(IN_ARC, "\nradius = 70", ""), "[[slide]]", "slide.0", "radius is missing", "缺少 radius"),
     bad("MissingKey", edit(IN_ARC, '\ncentre = "C"', ""), "[[slide]]", "slide.0", "centre is missing", "缺少 centre"),
     bad("UnknownPoint", edit(IN_ARC, 'centre = "C"', 'centre = "A"'), "centre", "slide.0.centre", "Possible: D, C", "D, C"),

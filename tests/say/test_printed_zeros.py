@@ -50,7 +50,7 @@ def run(line: str, source: str, folder: Path) -> str:
     written = next((Path(word) for word in words if "/out." in word), None)
     if found.exit_code:
         return ""
-    return found.output if written is None else written.read_text("utf-8-sig")
+    return (found.output if written is None else written.read_text("utf-8-sig")).replace("−", "-")
 
 
 def least(usual: Usual, unit: str = "") -> float:

@@ -200,7 +200,7 @@ def test_particular_cases(name: str, lines: list[str]) -> None:
 def test_links_called_by_words() -> None:
     text = "\n".join(whole(*drawn(WORDY), "en"))
     assert "ω_crank = 3 rad/s (clockwise)" in text
-    assert "v_{B_guide} = v_{B_block} + v_{B_guide,B_block}" in text
+    assert "v_B_guide = v_B_block + v_B_guide,B_block" in text
     assert "ω_block = ω_guide" in text
     assert "l_OB" in text
 
@@ -255,13 +255,51 @@ def test_a_loop_and_a_gear_together() -> None:
     assert "样板法" in "\n".join(whole(method, replay_all(method, [radians(105)]), "zh"))
 
 
+AS_SET = """
+ask = ["omega 3"]
+[frame]
+A = [0, 0]
+D = ["3 in", "-0.5 in"]
+[links.1]
+AB = "1 in"
+[links.2]
+BC = 60
+BE = 30
+CBE = 30
+ccw = ["B", "C", "E"]
+[links.3]
+DC = 40
+[[driver]]
+vector = "AB"
+angle = 0
+omega = "-60 rpm"
+[sketch]
+C = [60, 30]
+E = [30, 30]
+"""
+
+
+def test_the_problem_as_it_was_set() -> None:
+    """Lengths and angles that the file states, in its units; speeds as revolutions; and the drawing made from these."""
+    text = "\n".join(whole(*drawn(AS_SET), "zh"))
+    assert "l_AB = 1 in = 25.4 mm，l_BC = 60 mm，l_BE = 30 mm，∠CBE = 30°（由此得 l_CE = 37.18 mm）" in text
+    assert "D(3 in = 76.2, −0.5 in = −12.7)" in text
+    assert "AB 沿 x 轴正向（φ1 = 0°），n1 = 60 r/min（顺时针），ω1 = 2πn1/60 = 6.283 rad/s，α1 = 0" in text
+    assert "构件 2 上的 E：作 ∠CBE = 30°（B→C→E 逆时针），取 BE = " in text
+    turned = "\n".join(whole(*drawn(AS_SET.replace("angle = 0", "angle = -20")), "en"))
+    assert "makes φ1 = −20° with +x" in turned
+    assert "25.4 mm at −20° to +x: B." in turned
+    pushed = "\n".join(whole(*drawn(AS_SET.replace('omega = "-60 rpm"', "velocity = 0.5")), "en"))
+    assert "v_B = 0.5 m/s, ω1 = v_B/l_AB = 19.69 rad/s (counter-clockwise)" in pushed
+
+
 @pytest.mark.parametrize(
     ("name", "lang", "lines"),
     [
-        ("ex3-2", "en", ["v_S4 = (v_EF + v_S4E) = (v_DG + v_S4D)", "v_S4 = 0. (Its acceleration is not 0.)"]),
-        ("ex3-2", "zh", ["样板法", "S 即为构件 4 的绝对瞬心，v_S4 = 0", "(aᵗ_EF + aᵗ_S4E)"]),
+        ("ex3-2", "en", ["instant centre of link 4, so v_S4 = 0, and s4 falls on p. (Its acceleration is not 0.)"]),
+        ("ex3-2", "zh", ["样板法", "S 即为构件 4 的绝对瞬心，故 v_S4 = 0，s4 与 p 重合", "(aᵗ_EF + aᵗ_S4E)"]),
         ("ex3-2", "en", ["link 4 on tracing paper is shifted until BC = 75 mm, EF = 82 mm and DG = 71 mm fit"]),
-        ("ex3-3", "en", ["v_K3 = v_K2. So k2 serves both", "ratios of the train are constant and α2 = 0, so α3 = α4 = 0", "ω3 = v_L3K3/l_KL"]),
+        ("ex3-3", "en", ["v_K3 = v_K2. So k2 serves both", "at all times, with ω2 constant; so α3 = α4 = 0", "ω3 = v_L3K3/l_KL"]),
         ("p3-12", "zh", ["纯滚动接触点 K2、K1（两点加速度仅沿公法线方向不同）", "v_K2 = v_K1"]),
         ("p3-15", "en", ["the line through C at right angles to guide ram", "(a_C + aᵗ_S3C)", "B on CD"]),
         ("p3-16", "en", ["v_L3 = v_L7 = 0 at the contact L, the instant centre of link 3", "⊥track"]),
@@ -269,7 +307,11 @@ def test_a_loop_and_a_gear_together() -> None:
         ("p3-8", "en", ["B moves in a slot of link 2, parallel to the face at the distance r_B = 25 mm", "∥DH"]),
         ("fig2-32", "zh", ["高副低代", "O1O2 = 35 + 18 = 53 mm", "铰接于 O1、O2 的构件 e"]),
         ("fig3-5", "en", ["the edge K lies on the circle about C, at the distance CK = 35 mm"]),
-        ("s4-ex6", "en", ["On the path of C, W is the point abreast of O: OW = r2.", "From W lay off s_along"]),
+        ("fig3-5", "en", ["v_3 = v_P23 = ω2 P12P23 μ_l", "v_K = v_3 = 0.1658 m/s", "below is a second way."]),
+        ("p3-8", "zh", ["ω2 = ω1 P13P12/P23P12", "另解：用下面的速度图求解。"]),
+        ("p3-20", "zh", ["E 在 BC 线上（构件 2），故 e4 在 bc 的反向延长线上（b 一侧）"]),
+        ("s4-ex4", "zh", ["始终成立，其中 ω_H 为常量，故 α1 = α2 = 0。"]),
+        ("s4-ex6", "en", ["On the path of C, W is the foot of the perpendicular from O: OW = r2.", "From W lay off s_along"]),
     ],
 )
 def test_contacts_and_groups(name: str, lang: Lang, lines: list[str]) -> None:
@@ -318,7 +360,7 @@ def test_rolling_relations_hold_in_figures(name: str) -> None:
     checks = [e.text for e in entries_of(name, "en") if isinstance(e, Sentence) and e.text.startswith("Check: ")]
     assert checks
     for text in checks:
-        figures = text.partition("in figures ")[2].removesuffix(" ≈ 0.")
+        figures = re.sub(" [=≈] 0.$", "", text.partition("in figures ")[2])
         assert calculated(figures) == pytest.approx(0, abs=2e-3)
 
 
@@ -379,7 +421,7 @@ def test_rows_stand_under_their_terms(name: str) -> None:
         text = whole(*found, lang)
         label = phrase("derivation.direction row", lang)
         rows = [k for k, line in enumerate(text) if line.strip().startswith(label)]
-        assert rows
+        assert rows or name == "s4-ex4"  # a train at a steady rate needs no vector equation
         for k in rows:
             equation, directions = text[k - 1], text[k]
             assert width(directions) <= width(equation) + 1

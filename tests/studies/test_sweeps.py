@@ -77,7 +77,7 @@ TABLE_3_1 = """
 
 
 def rows(text: str) -> list[list[float]]:
-    return [[float(word) for word in line.split()] for line in text.splitlines() if line[:1].isdigit()]
+    return [[float(word.replace("−", "-")) for word in line.split()] for line in text.splitlines() if line[:1].isdigit()]
 
 
 def test_table_3_1():
@@ -339,7 +339,7 @@ def test_a_device_is_not_replaced_by_a_file(tmp_path: Path):
 
 def test_a_limited_sweep_says_where_and_why():
     told = run("sweep", "fig3-10", "--lang", "en").stdout
-    assert "AB moves from -59.0717° to 215.294°" in told
+    assert "AB moves from −59.0717° to 215.294°" in told
     assert "links 3 and 4 lie in line" in told
     assert "构件 3、4 共线" in run("sweep", "fig3-10", "--lang", "zh").stdout
 

@@ -224,10 +224,10 @@ PHRASES: Phrases = {
     "design.stage coupler lengths": ("Measure l_AB = AB1 = {a:mm}, l_BC = {b:mm}, l_CD = C1D = {c:mm}, l_AD = {d:mm}.",
                                      "量得 l_AB = AB1 = {a:mm}，l_BC = {b:mm}，l_CD = C1D = {c:mm}，l_AD = {d:mm}。"),
     "design.stage ratios": ("Freudenstein's equation cos(φ − ψ) = R1 cos ψ − R2 cos φ + R3 for the three pairs gives "
-                            "R1 = {R1:n}, R2 = {R2:n}, R3 = {R3:n}; a = d/R1 = {of_R1} = {a:mm}, c = d/R2 = {of_R2} = "
-                            "{c:mm}.",
+                            "R1 = {R1:n}, R2 = {R2:n}, R3 = {R3:n}; a = l_AB = d/R1 = {of_R1} = {a:mm}, c = l_CD = d/R2 = "
+                            "{of_R2} = {c:mm}, with d = l_AD.",
                             "将三组对应角代入 cos(φ − ψ) = R1 cos ψ − R2 cos φ + R3，解得 R1 = {R1:n}，R2 = {R2:n}，R3 = {R3:n}；a "
-                            "= d/R1 = {of_R1} = {a:mm}，c = d/R2 = {of_R2} = {c:mm}。"),
+                            "= l_AB = d/R1 = {of_R1} = {a:mm}，c = l_CD = d/R2 = {of_R2} = {c:mm}，其中 d = l_AD。"),
     "design.stage frame laid": ("Lay off the frame AD = {d:mm}.", "作机架 AD = {d:mm}。"),
     "design.stage angles laid": ("Lay off AB1, AB2, AB3 at φ = {phi1:deg}, {phi2:deg}, {phi3:deg} and DC1, DC2, DC3 "
                                  "at ψ = {psi1:deg}, {psi2:deg}, {psi3:deg} to AD.",
@@ -319,9 +319,11 @@ PHRASES: Phrases = {
     "design.invalid": ("does not do: ", "不可用："),
     "design.none": ("There is no solution.", "无解。"),
     "design.proof": ("Analysed back from its lengths: ", "由杆长分析验证："),
-    "design.family": ("Admissible A on the circle of centre ({x:n}, {y:n}) mm, radius {radius:mm}: {arcs}; least "
-                      "transmission angle at most {best:deg}.",
-                      "许用的 A 点在圆心 ({x:n}, {y:n}) mm、半径 {radius:mm} 的圆上：{arcs}；最小传动角最大可达 {best:deg}。"),
+    "design.family": ("Admissible A on the circle of centre ({x:n}, {y:n}) mm, radius {radius:mm} ({axes}): {arcs}; "
+                      "least transmission angle at most {best:deg}.",
+                      "许用的 A 点在圆心 ({x:n}, {y:n}) mm、半径 {radius:mm} 的圆上（{axes}）：{arcs}；最小传动角最大可达 {best:deg}。"),
+    "design.axes rocker": ("D is the origin, the y axis bisects ∠C1DC2", "以 D 为原点，y 轴为 ∠C1DC2 的平分线"),
+    "design.axes slider": ("C1 is the origin, the x axis points to C2", "以 C1 为原点，x 轴由 C1 指向 C2"),
     "design.arcs": ("from {start:deg} to {end:deg}", "{start:deg} 至 {end:deg}"),
     "design.slow ccw": ("slow stroke C1 to C2 with the crank counter-clockwise", "曲柄逆时针转动时 C1 至 C2 为慢行程"),
     "design.slow cw": ("slow stroke C1 to C2 with the crank clockwise", "曲柄顺时针转动时 C1 至 C2 为慢行程"),

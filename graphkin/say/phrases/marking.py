@@ -81,6 +81,7 @@ PHRASES: Phrases = {
                          "各步对所求量精度的影响（逐项计算）："),
     "tolerances.step position point": ("position: point {of1} of link {of0} laid off", "位置图：在构件 {of0} 上定出点 {of1}"),
     "tolerances.step position frame": ("position: fixed point {of1}", "位置图：固定点 {of1}"),
+    "tolerances.step position start": ("position: start of the guide {of0}", "位置图：导路 {of0} 的起点"),
     "tolerances.step position guide": ("position: direction of the guide {of0}", "位置图：导路 {of0} 的方向"),
     "tolerances.step position driver": ("position: driver {of0} set", "位置图：原动件 {of0} 的位置"),
     "tolerances.step position reading": ("reading {of0}", "量取 {of0}"),

@@ -10,6 +10,7 @@ PHRASES: Phrases = {
     "results.analytic": ("analytic", "解析法"),
     "results.difference": ("difference", "差"),
     "results.unit": ("unit", "单位"),
+    "results.direction": ("direction", "方向"),
     "results.position": ("position", "位置"),
     "results.asked": ("asked", "所求"),
     "results.not answered": ("not answered by this command", "本命令不作答"),

@@ -160,9 +160,9 @@ PHRASES: Phrases = {
     "equations.linear": ("These {count} rolling relations are linear: eliminating one unknown after the other gives "
                          "them in closed form.",
                          "上列 {count} 个滚动关系均为线性方程，逐一消元即得封闭解。"),
-    "equations.rates": ("Each unknown is found from the scalar product of both sides with the unit vector at right "
-                        "angles to the other unknown's vector, which eliminates that one:",
-                        "为逐一求出各未知量，将等式两端点乘与另一未知矢量垂直的单位矢量以消去之，得"),
+    "equations.rates": ("Take the components of both sides at right angles to one unknown vector, which drops out; "
+                        "the other unknown follows:",
+                        "将等式两端向某一未知矢量的垂直方向投影，该未知矢量即被消去，从而求得另一未知量："),
     "equations.rolling relation": ("Rolling without slip, seen from the arm, ties the angles; the constant is that of "
                                    "the drawn position:",
                                    "由无滑动滚动条件（相对于系杆）得转角关系，常数由给定位置确定："),
