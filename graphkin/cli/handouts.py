@@ -96,12 +96,12 @@ def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[l
 def _write(path: Path, made: Handout, paper: str, font: Path | None, scan: int | None, force: bool) -> int:
     """Write a handout; the number of its pages of paper."""
     from graphkin.handouts.markup import html
-    from graphkin.handouts.typst import pages, pdf
+    from graphkin.handouts.typst import page_count, pdf
     from graphkin.outputs import files
 
     on_paper = path.suffix.lower() != ".html"
     content = pdf(made, paper, font, scan) if on_paper else html(made, paper).encode()
-    count = pages(content) if on_paper else 0
+    count = page_count(content) if on_paper else 0
     with files.beside(path, force, _MARKS) as draft:
         draft.write_bytes(content)
     if scan is not None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import graphkin
 from graphkin.construction import Construction
-from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutTable, Paragraph
+from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutPart, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem
 from graphkin.handouts.stages import answer_boxes, answer_rows
 from graphkin.homework.platforms.tables import Cell
@@ -26,7 +26,7 @@ def hand_in_page(problems: Sequence[HandoutProblem], workbook: str) -> Handout:
     first = problems[0]
     title = say("handouts.what to hand in", first.lang, title=first.title)
     foot = Foot("", graphkin.__version__, "", "", say("handouts.bar", first.lang))
-    return Handout(title, first.lang, tuple(blocks), foot)
+    return Handout(title, first.lang, (HandoutPart(first.lang, foot), *blocks))
 
 
 def _page(problem: HandoutProblem, workbook: str) -> Iterator[Block]:

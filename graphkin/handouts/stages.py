@@ -36,6 +36,7 @@ from graphkin.sheet.window import corners
 _MORE = 1.2
 _EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
 _STEP = 10.0  # rooms are so many millimetres, or a multiple of it
+_NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
 
@@ -128,7 +129,7 @@ def answer_boxes(problem: HandoutProblem) -> HandoutTable:
 
 def handout(
     mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = "",
-    whose: Sequence[str] = (), duplex: bool = False,
+    whose: Sequence[str] = (), duplex: bool = False, number: int | None = None,
 ) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
@@ -137,42 +138,64 @@ def handout(
     seed     of the set the problems belong to, as every page says it
     whose    the student each problem is for, or "": it stands after the title
     duplex   printed on both sides: each problem begins on the front of a sheet
+    number   of the first problem; of several the first is 1 if left out
 
     Raises what loading, planning and proving raise.
     """
     owners = whose or [""] * len(mechanisms)
     problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, owners, strict=True)]
-    contents = say("handouts.contents", lang) if len(problems) > 1 else ""
+    numbers = range(number or 1, (number or 1) + len(problems)) if number or len(problems) > 1 else [0]
+    contents = say("handouts.contents", lang) if len(problems) > _NO_LIST else ""
     blocks: list[Block] = []
-    for k, problem in enumerate(problems):
+    for k, (problem, own_number) in enumerate(zip(problems, numbers, strict=True)):
         blocks += [document.NewPage(duplex)] if k or contents else []
         own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
         said = " · ".join(filter(None, (problem.whose, own)))
-        blocks += (replace(b, said=said) if isinstance(b, document.HandoutHeading) and b.level == 1 else b
-                   for b in _staged(problem, stage, upto))  # fmt: skip
+        blocks += _numbered(_staged(problem, stage, upto), lang, own_number, said)
     if answers:
         blocks += [document.NewPage(duplex), document.HandoutHeading(plain(say("handouts.answers", lang)), 1)]
-        for problem in problems:
-            blocks.append(document.HandoutHeading(plain(problem.title)))
+        for problem, own_number in zip(problems, numbers, strict=True):
+            blocks.append(document.HandoutHeading(plain(_titled(problem.title, lang, own_number))))
             blocks += blocks_of(problem.answers.entries, lang)
     title = " / ".join(problem.title for problem in problems)
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     words = say("handouts.seed", lang, seed=seed) if seed else ""
     foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, say("handouts.bar", lang))
-    return Handout(title, lang, tuple(blocks), foot, contents)
+    return Handout(title, lang, (document.HandoutPart(lang, foot, contents), *blocks))
 
 
 def in_languages(
     mechanisms: Sequence[Mechanism], stage: Stage, langs: Sequence[Lang], *, upto: int = 1, answers: bool = False,
-    seed: str = "", whose: Sequence[str] = (), duplex: bool = False,
+    seed: str = "", whose: Sequence[str] = (), duplex: bool = False, number: int | None = None,
 ) -> Handout:  # fmt: skip
-    """The handout in each of the languages, one after the other; its feet are in the first."""
-    made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex)
+    """The handout in each of the languages, one after the other, each with its own feet."""
+    made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex,
+                   number=number)  # fmt: skip
     first, *others = (made(lang=lang) for lang in langs)
-    blocks = list(first.blocks)
-    for other in others:
-        blocks += [*([] if other.contents else [document.NewPage(duplex)]), *other.blocks]
-    return replace(first, blocks=tuple(blocks))
+    return replace(first, blocks=(*first.blocks, *(block for other in others for block in other.blocks)))
+
+
+def _numbered(blocks: Iterator[Block], lang: Lang, number: int, said: str) -> Iterator[Block]:
+    """A problem whose title bears its number, and whose figures are numbered."""
+    figures = 0
+    for block in blocks:
+        match block:
+            case document.HandoutHeading(words, 1):
+                yield replace(block, words=(*plain(_titled("", lang, number)), *words), said=said)
+            case document.HandoutPicture():
+                figures += 1
+                yield replace(block, number=figure_name(lang, figures))
+            case _:
+                yield block
+
+
+def figure_name(lang: Lang, number: int) -> str:
+    return say("handouts.figure", lang, number=number)
+
+
+def _titled(title: str, lang: Lang, number: int) -> str:
+    """`Problem 3. Shaper`."""
+    return (say("handouts.problem", lang, number=number) if number else "") + title
 
 
 def _digest(mechanisms: Sequence[Mechanism]) -> str:
@@ -239,19 +262,22 @@ def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[docume
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
-    """The solution as far as whole equations go, drawn so far; then the next equation, empty."""
-    yield document.NewPage()
-    last, waiting = 0, None
+    """The solution as far as whole equations go, drawn so far; then the next equation, empty, behind what leads to it."""
+    last, lang = 0, problem.lang
     for section, following in problem.upto(upto):
-        yield from _section(section, problem.lang)
+        entries, led = section.entries, tuple[entry.Entry, ...]()
+        if following is not None and entries and isinstance(entries[-1], entry.Sentence):
+            entries, led = entries[:-1], entries[-1:]
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
-        last, waiting = max([last, *(act.page for act in acts if act is not None)]), following
+        last = max([last, *(act.page for act in acts if act is not None)])
+        yield from _section(replace(section, entries=entries), lang)
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction", last)
-    if waiting is not None:
-        yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
-        yield empty_rows(problem, waiting)
-        yield measured(problem, 2)
+        if following is not None:
+            yield from blocks_of(led, lang)
+            yield document.Paragraph(plain(say("handouts.go on", lang)))
+            yield empty_rows(problem, following)
+            yield measured(problem, 2)
 
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
