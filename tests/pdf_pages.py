@@ -67,7 +67,7 @@ def _roles(reader: Any) -> Iterator[tuple[tuple[int, int], str]]:
             if "/Pg" in element:
                 page = element.raw_get("/Pg").idnum
             own = str(element.get("/S", ""))[1:]
-            if own in ("P", "H1", "H2", "TH", "TD", "Figure", "TOCI"):
+            if own in ("P", "H1", "H2", "TH", "TD", "Figure", "Caption", "TOCI"):
                 role = f"{own} {id(element)}"
             yield from walk(element.get("/K", []), role, page)
         elif "/MCID" in element:
@@ -184,7 +184,7 @@ def read(content: bytes) -> list[Page]:
     """Each page of a handout; the last one of a problem is before a title."""
     made: list[Page] = []
     for lines in pages(content):
-        body = sorted((line for line in lines if line.role != "Foot"), key=lambda line: -line.top)
+        body = sorted((line for line in lines if line.role not in ("Foot", "Caption")), key=lambda line: -line.top)
         foot = "".join(line.text for line in lines if line.role == "Foot")
         made.append(Page(body, foot, made[-1].sections[-1][0] if made and made[-1].body else "", True))
     for page, following in pairwise(made):

@@ -59,11 +59,13 @@ class NameLine:
 
 @frozen
 class HandoutPicture:
-    """A drawing in its true size, in words what it shows, and its number: `Fig. 1`."""
+    """A drawing in its true size, in words what it shows, and its number: `Fig. 1`; `of_all`: it belongs to the whole
+    problem before it, not to the last section alone."""
 
     sheet: Sheet
     words: str
     number: str = ""
+    of_all: bool = False
 
 
 @frozen

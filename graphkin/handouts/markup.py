@@ -33,7 +33,7 @@ def solution(drawing: Drawing, lang: Lang, *, everything: bool = False, only: Pl
     entries = derivation(drawing.method, drawing.plot, scales, lang, everything, only)
     digest = hashlib.sha256(drawing.mechanism.text.encode()).hexdigest()[:12]
     foot = Foot(say("handouts.stage solution", lang), graphkin.__version__, digest, "", say("handouts.bar", lang))
-    blocks = (HandoutPart(lang, foot), *blocks_of([*entries], lang))
+    blocks = (HandoutPart(lang, foot), *blocks_of([*entries], lang, drawing.mechanism.points))
     return Handout(drawing.mechanism.headline(lang), lang, blocks)
 
 
@@ -99,7 +99,7 @@ def _html(block: Block) -> str:
         case document.NameLine(words):
             blanks = (f'<span>{escape(word)}</span><span class="rule"></span>' for word in words)
             return f'<p class="names">{"".join(blanks)}</p>'
-        case document.HandoutPicture(sheet, words, number):
+        case document.HandoutPicture(sheet, words, number, _):
             caption = f"<figcaption>{escape(number)}</figcaption>" if number else ""
             return f'<figure><div role="img" aria-label="{escape(words)}">{inline(sheet)}</div>{caption}</figure>'
         case document.GridRoom():

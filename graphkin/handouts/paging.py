@@ -32,7 +32,7 @@ def page_parts(blocks: Sequence[Block]) -> list[PagePart]:
     for block in blocks:
         led = isinstance(block, document.FormulaLine | document.TermRows | document.HandoutTable | document.GridRoom)
         if isinstance(block, document.HandoutPicture) and first < len(parts):
-            parts.append(PagePart((block,), first))
+            parts.append(PagePart((block,), 0 if block.of_all else first))
             first = len(parts)
         elif first < len(parts) and (joined or led):
             parts[-1] = PagePart((*parts[-1].blocks, block))

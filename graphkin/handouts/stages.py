@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import hashlib
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import assert_never
@@ -17,6 +17,7 @@ from graphkin.construction import LayOff, Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, GridRoom, Handout, HandoutTable, Stage, TermRows
+from graphkin.handouts.letters import lettered
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
 from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.answers import asked_of
@@ -25,7 +26,7 @@ from graphkin.model.quantities import EDGE, Centre, Rotation, at_position
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
-from graphkin.say.problems import positions
+from graphkin.say.problems import positions, story
 from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain, point_label
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
@@ -115,11 +116,18 @@ def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
     return rows
 
 
+def _worth(problem: HandoutProblem) -> str:
+    """` (points: 10)`: all answers together, where the file says what any is worth."""
+    stated = any(path[0] == "points" and path[1:] not in ((), ("follows",)) for path in problem.drawing.mechanism.given)
+    total = sum(float(row.points or 0) for row in answer_rows(problem))
+    return say("handouts.worth", problem.lang, points=f"{total:g}") if stated else ""
+
+
 def answer_boxes(problem: HandoutProblem) -> HandoutTable:
     """A box an answer, with its unit, and one for the sense where it has one; what it is worth, where that differs."""
     rows = answer_rows(problem)
     columns = ["quantity", "answer", "unit", "sense", "points"]
-    scored = problem.whose or len({row.points for row in rows}) > 1
+    scored = problem.whose or _worth(problem)
     labels = [(formula(row.symbol), (), plain(row.unit), () if row.turns else plain("—"), plain(row.points))
               for row in rows]  # fmt: skip
     heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
@@ -156,7 +164,7 @@ def handout(
         blocks += [document.NewPage(duplex), document.HandoutHeading(plain(say("handouts.answers", lang)), 1)]
         for problem, own_number in zip(problems, numbers, strict=True):
             blocks.append(document.HandoutHeading(plain(_titled(problem.title, lang, own_number))))
-            blocks += blocks_of(problem.answers.entries, lang)
+            blocks += blocks_of(problem.answers.entries, lang, problem.points)
     title = " / ".join(problem.title for problem in problems)
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     words = say("handouts.seed", lang, seed=seed) if seed else ""
@@ -190,6 +198,7 @@ def _numbered(blocks: Iterator[Block], lang: Lang, number: int, said: str) -> It
 
 
 def figure_name(lang: Lang, number: int) -> str:
+    """`Fig. 2`."""
     return say("handouts.figure", lang, number=number)
 
 
@@ -231,12 +240,17 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
 
     to_draw  there is room to draw below: the figure stands where it is asked for, whatever could be measured on it
     """
-    yield document.HandoutHeading(plain(problem.title), 1)
-    yield from blocks_of(problem.posed, problem.lang)
+    yield document.HandoutHeading(plain(problem.title + _worth(problem)), 1)
+    if not problem.whose:
+        blanks = ("name", "student number", "class")
+        yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang) for key in blanks))
+    blocks = [*blocks_of(problem.posed, problem.lang, problem.points)]
+    first = next((k for k, block in enumerate(blocks) if isinstance(block, document.HandoutHeading)), 0)
+    seen = say("handouts.see figure", problem.lang, figure=figure_name(problem.lang, 1))
+    yield from (*blocks[:first], document.Paragraph(plain(seen)), *blocks[first:])
     picture, there = given_figure(problem, to_draw)
     yield picture
     yield from () if there else (document.Paragraph(plain(say("problems.figure elsewhere", problem.lang))),)
-    yield document.HandoutHeading(plain(say("handouts.scales", problem.lang)))
     yield document.Paragraph(scales_to_use(problem))
     if problem.asked.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
@@ -246,9 +260,10 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
 
 
 def scales_to_use(problem: HandoutProblem) -> Label:
-    """Those of the mechanism and of the polygons that are drawn."""
+    """Those of the mechanism and of the polygons that are drawn, as a sentence."""
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    return joined([written(plane, problem.scales[plane]) for plane in planes], ";  ")
+    before = say("handouts.scales", problem.lang) + say("common.colon", problem.lang)
+    return (*plain(before), *joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
 
 
 def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[document.HandoutPicture, bool]:
@@ -262,64 +277,72 @@ def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[docume
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
-    """The solution as far as whole equations go, drawn so far; then the next equation, empty, behind what leads to it."""
-    last, lang = 0, problem.lang
+    """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and it, empty."""
+    last, figures = 0, 1
     for section, following in problem.upto(upto):
         entries, led = section.entries, tuple[entry.Entry, ...]()
         if following is not None and entries and isinstance(entries[-1], entry.Sentence):
             entries, led = entries[:-1], entries[-1:]
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last = max([last, *(act.page for act in acts if act is not None)])
-        yield from _section(replace(section, entries=entries), lang)
+        figures += section.plane is not None
+        yield from _section(problem, replace(section, entries=entries), figures)
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction", last)
         if following is not None:
-            yield from blocks_of(led, lang)
-            yield document.Paragraph(plain(say("handouts.go on", lang)))
+            yield from blocks_of(led, problem.lang, problem.points)
+            yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
             yield empty_rows(problem, following)
             yield measured(problem, 2)
 
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
-    yield document.HandoutHeading(plain(problem.title), 1)
+    yield document.HandoutHeading(plain(problem.title + _worth(problem)), 1)
+    yield from blocks_of([*story(problem.drawing.mechanism, problem.lang)], problem.lang, problem.points)
     for section in problem.head:
-        yield from _section(section, problem.lang)
+        yield from _section(problem, section)
+    figures = 0
     for section in problem.parts:
-        yield from _section(section, problem.lang)
+        figures += section.plane is not None
+        yield from _section(problem, section, figures)
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction")
-    yield from _section(problem.answers, problem.lang)
+    yield from _section(problem, problem.answers)
     yield from beside_analysis(problem)
     yield from common_mistakes(problem)
 
 
-def _section(section: Section, lang: Lang) -> Iterator[Block]:
-    yield document.HandoutHeading(plain(section.heading))
-    yield from blocks_of(section.entries, lang)
+def _section(problem: HandoutProblem, section: Section, figure: int = 0) -> Iterator[Block]:
+    """A section under its heading, which names the figure that goes with it."""
+    shown = say("handouts.with figure", problem.lang, figure=figure_name(problem.lang, figure)) if section.plane else ""
+    yield document.HandoutHeading(plain(section.heading + shown))
+    yield from blocks_of(section.entries, problem.lang, problem.points)
 
 
-def blocks_of(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
-    """Each entry of a solution as a block."""
+def blocks_of(entries: Sequence[entry.Entry], lang: Lang, points: Collection[str]) -> Iterator[Block]:
+    """Each entry of a solution as a block; the mechanism's points are in italics."""
     for each in entries:
         match each:
             case entry.Heading(text):
                 yield document.HandoutHeading(plain(text))
             case entry.Sentence(text, act):
-                yield document.Paragraph(formula(text), str(act.number) if act is not None and act.numbered else "")
+                number = str(act.number) if act is not None and act.numbered else ""
+                yield document.Paragraph(lettered(text, points), number)
             case entry.Calculation():
                 note = f"  ({each.note})" if each.note else ""
-                yield document.FormulaLine(formula(each.text + note))
+                yield document.FormulaLine(lettered(each.text + note, points))
             case entry.VectorEquation():
-                yield rows(each, lang)
+                yield rows(each, lang, points)
             case _:
                 assert_never(each)
 
 
-def rows(equation: entry.VectorEquation, lang: Lang) -> document.TermRows:
+def rows(equation: entry.VectorEquation, lang: Lang, points: Collection[str]) -> document.TermRows:
     """A vector equation as it is printed."""
     heads = [plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row")]
-    columns = ((plain(term) if term in ("=", "+") else formula(term), formula(direction), formula(size))
+    columns = ((plain(term) if term in ("=", "+") else formula(term), lettered(direction, points),
+                formula(size))
                for term, direction, size in equation.columns)  # fmt: skip
     return document.TermRows((heads[0], heads[1]), tuple(columns))
 
@@ -331,4 +354,5 @@ def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | Non
     if last is not None:
         drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
-    return document.HandoutPicture(drawn, say(key, lang, what=HEADINGS[lang][plane], title=problem.title))
+    words = say(key, lang, what=HEADINGS[lang][plane], title=problem.title)
+    return document.HandoutPicture(drawn, words, of_all=style == "given")

@@ -19,7 +19,7 @@ from graphkin.outputs.files import needed
 from graphkin.outputs.paged import unscaled
 from graphkin.outputs.svg import svg
 from graphkin.outputs.typesetting import mm, signs
-from graphkin.sheet.lettering import Label, Run
+from graphkin.sheet.lettering import Label, Run, width
 from graphkin.sheet.paper import PAPERS, Paper
 
 VARIABLE = "GRAPHKIN_FONT"  # the environment's name for a font file
@@ -29,15 +29,17 @@ _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
 _ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
 _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
-_BETWEEN, _BEFORE = 4.4, 6.5  # clear room between parts of a page, and above one that begins with a heading [mm]
+_BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
+_LETTERS, _INSET, _ROW = 3.7, 5.0, 7.5  # of a table: its letters, what a cell is wider than they, a row [mm]
 _HEAVY = 600  # the weight of bold letters
 _SLACK = 0.5  # of a page's height that is left over, as lengths are rounded [mm]
 Pictures = dict[str, str]  # drawings by the names by which a page asks for them
-PageRun = tuple[str, list[tuple[PagePart, str]]]  # what stands before some parts that follow each other, and their markup
+PageRun = tuple[str, list[tuple[PagePart, str]]]  # what stands before some parts in a row, and their markup
 
 _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #set text(font: ({families}), size: 10.5pt, lang: {lang}, region: none)
-#set par(justify: false, leading: 0.62em)
+#set par(justify: false, leading: 0.62em, spacing: 1em)
+#set block(spacing: 1em)
 #show math.equation: set text(font: "New Computer Modern Math")
 #set heading(outlined: true, bookmarked: true)
 #show heading.where(level: 1): set text(size: 15pt)
@@ -47,7 +49,7 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #let lettered(body) = text(font: ({families}), body)
 #let act(number) = box(
   circle(radius: 1.9mm, inset: 0mm, stroke: 0.2mm, align(center + horizon, text(size: 7.5pt, number))))
-#let part(above, body, breakable: false) = block(
+#let part(above, breakable, body) = block(
   breakable: breakable, width: 100%, above: above, below: 0mm, body)
 #let foot = state("foot", (bar: "", words: ""))
 #let said = state("said", "")
@@ -149,9 +151,9 @@ def _paged(parts: list[tuple[PagePart, str]], heights: list[float], room: float)
     above = [_BEFORE if part.heads else _BETWEEN for part, _ in parts]
     taken = [high + over for high, over in zip(heights, above, strict=True)]
     turned = pages([part for part, _ in parts], taken, room + _BETWEEN)
+    breaks = ["true" if high > room else "false" for high in heights]
     return "#pagebreak(weak: true)\n".join(
-        "".join(f"#part({mm(above[k])}mm{', breakable: true' if heights[k] > room else ''})[{parts[k][1]}]\n" for k in page)
-        for page in turned
+        "".join(f"#part({mm(above[k])}mm, {breaks[k]})[{parts[k][1]}]\n" for k in page) for page in turned
     )
 
 
@@ -219,7 +221,7 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
         case document.NameLine(words):
             rules = "".join(f"[#{_string(word)}], line(length: 100%, stroke: 0.18mm), " for word in words)
             shape = f"columns: (auto, 1fr) * {len(words)}, align: bottom, column-gutter: 2mm"
-            return f"#block(above: 5mm, below: 5mm, grid({shape}, {rules}))\n"
+            return f"#block(above: 4mm, below: 4mm, grid({shape}, {rules}))\n"
         case document.Paragraph(words, act):
             number = f"#act({_string(act)}) " if act else ""
             return f"#par[{number}{_words(words)}]\n"
@@ -227,19 +229,18 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
             return f"#pad(left: 8mm, par[{_words(words)}])\n"
         case document.TermRows():
             return f"#block(breakable: false, pad(left: 8mm, {_rows(block, wide)}))\n"
-        case document.HandoutPicture(sheet, words, number):
+        case document.HandoutPicture(sheet, words, number, _):
             image = _image(pictures, svg(sheet), sheet.paper.width, words)
-            caption = f", [#{_string(number)}]" if number else ""
-            return f"#align(center, stack(spacing: 2mm, {image}{caption}))\n"
+            return f"#figure({image}, caption: [#{_string(number)}], numbering: none, gap: 2mm)\n"
         case document.GridRoom():
             image = _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
             return f"#align(center, {image})\n"
         case document.HandoutTable(heads, rows):
             cells = [f"[{_words(cell)}]" for row in rows for cell in row]
             first = ", ".join(f"[{_words(head)}]" for head in heads)
-            least = mm(min(30, (wide - 18) / len(heads)))
-            columns = ", ".join(f"{least}mm" for head in heads)
-            shape = f"columns: ({columns}), rows: 8mm, align: center + horizon, stroke: 0.18mm"
+            least = min(30, (wide - 18) / len(heads))  # and none that breaks its head
+            columns = ", ".join(f"{mm(max(least, width(head, _LETTERS) + _INSET))}mm" for head in heads)
+            shape = f"columns: ({columns}), rows: {mm(_ROW)}mm, align: center + horizon, stroke: 0.18mm"
             return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
         case document.NewPage() | document.HandoutPart():
             raise TypeError(f"{type(block).__name__} stands between pages, not on one")
