@@ -146,13 +146,15 @@ def handout(
     seed     of the set the problems belong to, as every page says it
     whose    the student each problem is for, or "": it stands after the title
     duplex   printed on both sides: each problem begins on the front of a sheet
-    number   of the first problem; of several the first is 1 if left out
+    number   of the first problem; of several the first is 1 if left out. Students' own problems are one by number
 
     Raises what loading, planning and proving raise.
     """
     owners = whose or [""] * len(mechanisms)
     problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, owners, strict=True)]
-    numbers = range(number or 1, (number or 1) + len(problems)) if number or len(problems) > 1 else [0]
+    numbers: Sequence[int] = [number or 0] * len(problems)
+    if not any(owners) and len(problems) > 1:
+        numbers = range(number or 1, (number or 1) + len(problems))
     contents = say("handouts.contents", lang) if len(problems) > _NO_LIST else ""
     blocks: list[Block] = []
     for k, (problem, own_number) in enumerate(zip(problems, numbers, strict=True)):
@@ -180,7 +182,11 @@ def in_languages(
     made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex,
                    number=number)  # fmt: skip
     first, *others = (made(lang=lang) for lang in langs)
-    return replace(first, blocks=(*first.blocks, *(block for other in others for block in other.blocks)))
+    front = [document.NewPage(True)] if duplex else []
+    blocks = list(first.blocks)
+    for other in others:
+        blocks += [other.blocks[0], *front, *other.blocks[1:]]
+    return replace(first, blocks=tuple(blocks))
 
 
 def _numbered(blocks: Iterator[Block], lang: Lang, number: int, said: str) -> Iterator[Block]:
