@@ -1,6 +1,6 @@
 """The lines and figures of a PDF's pages, and what a printer would send back: a reader of its own, on pypdf.
 
-By hand, over the library as books and over its mechanisms singly: python tests/pdf_pages.py [MECHANISM...]
+By hand, over the library as books in both languages: python tests/pdf_pages.py [MECHANISM...]
 """
 
 from __future__ import annotations
@@ -251,32 +251,29 @@ def _goes_on_in_answers(page: Page, following: Page) -> bool:
     return page.sections[-1][0] in _ANSWERS and bool(following.body) and following.body[0].hangs
 
 
-def _books(names: list[str]) -> Iterator[tuple[str, bytes]]:
-    """Handouts of every stage: in each language a book, and in both at once; each mechanism singly as a problem."""
+def books(names: list[str]) -> Iterator[tuple[str, bytes]]:
+    """Handouts of every stage, in both languages."""
     import graphkin
     from graphkin.handouts import in_languages
     from graphkin.handouts.typst import pdf
 
     machines = [graphkin.load(name) for name in names]
     for stage in ("problem", "half", "solution", "blank"):
-        for langs in (("zh",), ("en",), ("zh", "en")):
-            made = in_languages(machines, stage, langs, answers=stage == "problem")
-            yield f"{stage} {'+'.join(langs)}", pdf(made)
+        yield stage, pdf(in_languages(machines, stage, ("zh", "en"), answers=stage == "problem"))
 
 
 def main() -> None:
-    """Count the faults over the mechanisms named, else over the library."""
+    """Count the faults over the mechanisms named, else over the library; `hole` is none where a new page is wanted."""
     from graphkin.files import library
 
-    names = [name for name in sys.argv[1:] if name != "-v"] or library.names()
     total = Counter[str]()
-    for name, content in _books(names):
-        found = list(faults(content))
-        count = Counter(kind for _, kind, _ in found)
+    for stage, content in books(sys.argv[1:] or library.names()):
+        faulty = list(faults(content))
+        count = Counter(kind for _, kind, _ in faulty)
         total += count
-        print(name, len(pages(content)), "pages:", dict(count) or "none", flush=True)
-        for page, kind, where in found if "-v" in sys.argv else ():
-            print("   ", page, kind, where)
+        print(stage, len(pages(content)), "pages:", dict(count) or "none", flush=True)
+        for fault in faulty:
+            print("   ", *fault)
     print("all:", dict(total) or "none")
 
 

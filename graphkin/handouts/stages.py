@@ -249,7 +249,7 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
     yield document.HandoutHeading(plain(problem.title + _worth(problem)), 1)
     if not problem.whose:
         blanks = ("name", "student number", "class")
-        yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang) for key in blanks))
+        yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang).capitalize() for key in blanks))
     blocks = [*blocks_of(problem.posed, problem.lang, problem.points)]
     first = next((k for k, block in enumerate(blocks) if isinstance(block, document.HandoutHeading)), 0)
     seen = say("handouts.see figure", problem.lang, figure=figure_name(problem.lang, 1))

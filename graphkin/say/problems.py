@@ -36,8 +36,8 @@ def posed_entries(goal: SolutionGoal, drawn: DrawnSides | None = None) -> Iterat
 
 
 def story(mechanism: Mechanism, lang: Lang) -> Iterator[Sentence]:
-    """The text of the file, a sentence a line."""
-    yield from (Sentence(line.strip()) for line in mechanism.story(lang).splitlines() if line.strip())
+    """The text of the file that stands before what is given, where it has one."""
+    yield from (Sentence(text) for text in [mechanism.story(lang)] if text)
 
 
 def position_lines(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
