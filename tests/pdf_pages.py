@@ -16,7 +16,7 @@ from typing import Any
 
 from pdf_lines import _NOTHING, Matrix, _times
 
-_SAME, _BIG = 4.5, 9.0  # baselines that far apart are one line's; letters of that size are no subscripts [pt]
+_SAME, _BIG = 6.0, 9.0  # baselines that far apart are one line's; letters of that size are no subscripts [pt]
 _LEFT, _INDENT = 56.69, 15.0  # the left edge; a formula begins that far to the right of it, or farther [pt]
 _CLOSING = "，。；：、）】》”！？,;:!?)"
 _OPEN = re.compile("[\u4e00-\u9fffa-z:：，,]$")  # the end of a sentence that has none
