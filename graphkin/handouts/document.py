@@ -70,10 +70,11 @@ class HandoutPicture:
 
 @frozen
 class HandoutTable:
-    """Rows under their heads; an empty label is room to write."""
+    """Rows under their heads; an empty label is room to write; `under`: the width of gridded paper above it [mm]."""
 
     heads: tuple[Label, ...]
     rows: tuple[tuple[Label, ...], ...]
+    under: float = 0.0
 
 
 @frozen

@@ -86,10 +86,10 @@ def empty_rows(problem: HandoutProblem, equation: VectorEquation | None = None, 
     return TermRows((heads[0], heads[1]), tuple(columns))
 
 
-def measured(problem: HandoutProblem, count: int = 3) -> HandoutTable:
+def measured(problem: HandoutProblem, count: int = 3, under: float = 0.0) -> HandoutTable:
     """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
     heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("vector", "measured", "value"))
-    return HandoutTable(heads * 2, (((),) * 6,) * count)
+    return HandoutTable(heads * 2, (((),) * 6,) * count, under)
 
 
 @frozen
@@ -230,8 +230,8 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
                     yield empty_rows(problem, terms=TERMS[plane])
                 before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
                 yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
-                yield room(problem, plane)
-                yield measured(problem)
+                yield (gridded := room(problem, plane))
+                yield measured(problem, under=gridded.width)
         case "half":
             yield from posed(problem, to_draw=True)
             yield from _half(problem, upto)

@@ -27,6 +27,7 @@ _LATIN = ("Times New Roman", "Liberation Serif", "Tinos", "Libertinus Serif")
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
 _ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
+_BOUND = re.compile(r"(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|rad|deg|in|ft)\b)")  # spaces at which no line ends
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
 _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
@@ -235,13 +236,8 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
         case document.GridRoom():
             image = _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
             return f"#align(center, {image})\n"
-        case document.HandoutTable(heads, rows):
-            cells = [f"[{_words(cell)}]" for row in rows for cell in row]
-            first = ", ".join(f"[{_words(head)}]" for head in heads)
-            least = min(30, (wide - 18) / len(heads))  # and none that breaks its head
-            columns = ", ".join(f"{mm(max(least, width(head, _LETTERS) + _INSET))}mm" for head in heads)
-            shape = f"columns: ({columns}), rows: {mm(_ROW)}mm, align: center + horizon, stroke: 0.18mm"
-            return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
+        case document.HandoutTable():
+            return f"#block(breakable: false, width: 100%, {_table(block, wide)})\n"
         case document.NewPage() | document.HandoutPart():
             raise TypeError(f"{type(block).__name__} stands between pages, not on one")
         case _:
@@ -257,6 +253,18 @@ def _rows(rows: document.TermRows, wide: float) -> str:
     cells = [f"[{_words(cell) if cell is not None else rule}]" for line in rows.lines for cell in line]
     shape = f"columns: {len(rows.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
     return f"grid({shape}, {', '.join(cells)})"
+
+
+def _table(table: document.HandoutTable, wide: float) -> str:
+    """A table whose heads do not break; under gridded paper it ends where that ends."""
+    cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
+    first = ", ".join(f"[{_words(head)}]" for head in table.heads)
+    room = table.under or min(30.0 * len(table.heads), wide - 10)
+    least = [width(head, _LETTERS) + _INSET for head in table.heads]
+    columns = ", ".join("1fr" if each < room / len(least) else f"{mm(each)}mm" for each in least)
+    shape = f"columns: ({columns}), rows: {mm(_ROW)}mm, align: center + horizon, stroke: 0.18mm"
+    place = "center" if table.under else "left"
+    return f"align({place}, block(width: {mm(room)}mm, table({shape}, table.header({first}), {', '.join(cells)})))"
 
 
 def _image(pictures: Pictures, text: str, width: float, words: str) -> str:
@@ -281,8 +289,9 @@ def _words(label: Label) -> str:
 
 def _run(run: Run) -> str:
     """Its letters; one with an accent of its own in typst's own font, as few others have such accents."""
+    text = _BOUND.sub("\u00a0", run.text)
     parts = (_string(part) if not k % 2 else f'text(font: "Libertinus Serif", {_string(part)})'
-             for k, part in enumerate(_ACCENTED.split(run.text)) if part)  # fmt: skip
+             for k, part in enumerate(_ACCENTED.split(text)) if part)  # fmt: skip
     return "".join(f"#emph({part})" if run.italic else f"#{part}" for part in parts)
 
 
