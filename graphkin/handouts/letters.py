@@ -15,6 +15,8 @@ _LETTER = re.compile(
     r"(?![A-Za-z0-9'’-]|\.[A-Za-z]|[\u5f62\u578b])"
 )
 _STRETCH = re.compile(r"(?<![A-Za-z0-9])[a-z]\d+[a-z]\d*′*(?![A-Za-z0-9])")
+_NODES = re.compile(r"(?<![A-Za-z0-9'’\-])(?<!\d )[a-z]{2}(?![A-Za-z0-9'’\-])")
+_WORDS = frozenset("ad ah am an as at be by do go he if in is it me mm my no of oh on or so to up us we".split())
 _CAPITALS = re.compile(r"(?<![A-Za-z])(?:[A-Z][0-9]*′*){2,}(?![A-Za-z])")
 
 
@@ -30,6 +32,7 @@ def _in_words(text: str, points: Collection[str]) -> Iterator[Run]:
     at = 0
     matches = [*_LETTER.finditer(text), *_STRETCH.finditer(text)]
     matches += (match for match in _CAPITALS.finditer(text) if _joins(match[0], points))
+    matches += (match for match in _NODES.finditer(text) if _is_stretch(match[0], points))
     for match in sorted(matches, key=lambda match: match.start()):
         if match.start() >= at:
             yield from [Run(text[at : match.start()])] if match.start() > at else []
@@ -41,3 +44,8 @@ def _in_words(text: str, points: Collection[str]) -> Iterator[Run]:
 def _joins(letters: str, points: Collection[str]) -> bool:
     """True of names of points one after another."""
     return all(name.replace("′", "'") in points for name in re.findall(r"[A-Z][0-9]*′*", letters))
+
+
+def _is_stretch(letters: str, points: Collection[str]) -> bool:
+    """True of two points of a polygon, of which the first may be its pole, unless they are a word."""
+    return letters not in _WORDS and all(one.upper() in points or one == "p" for one in letters)

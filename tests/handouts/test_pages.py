@@ -85,6 +85,7 @@ def test_what_leads_holds_on_to_what_follows():
     [
         ("From A lay off AB; a circle about B meets it at a.", ["A", "AB", "B", "a"]),
         ("A and D are at rest, so a and d lie on p.", ["A", "D", "a", "d", "p"]),
+        ("It is as long as pc, carried to C; do so at bd.", ["p", "c", "C", "b", "d"]),
         ("A line at 5 m from D, 3 m/s along CX, e.g. 0.2 s.", ["D"]),
         ("固定点 A、D 不动，故 a、d 与 p 重合，与 x 轴正向成 60°，10 m/s。", ["A", "D", "a", "d", "p", "x"]),
     ],
