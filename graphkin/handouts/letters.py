@@ -16,7 +16,7 @@ _LETTER = re.compile(
 )
 _STRETCH = re.compile(r"(?<![A-Za-z0-9])[a-z]\d+[a-z]\d*′*(?![A-Za-z0-9])")
 _NODES = re.compile(r"(?<![A-Za-z0-9'’\-])(?<!\d )[a-z]{2}(?![A-Za-z0-9'’\-])")
-_WORDS = frozenset("ad ah am an as at be by do go he if in is it me mm my no of oh on or so to up us we".split())
+_WORD = re.compile("ad|ah|am|an|as|at|be|by|do|go|he|if|in|is|it|me|mm|my|no|of|oh|on|or|so|to|up|us|we")
 _CAPITALS = re.compile(r"(?<![A-Za-z])(?:[A-Z][0-9]*′*){2,}(?![A-Za-z])")
 
 
@@ -48,4 +48,4 @@ def _joins(letters: str, points: Collection[str]) -> bool:
 
 def _is_stretch(letters: str, points: Collection[str]) -> bool:
     """True of two points of a polygon, of which the first may be its pole, unless they are a word."""
-    return letters not in _WORDS and all(one.upper() in points or one == "p" for one in letters)
+    return not _WORD.fullmatch(letters) and all(one.upper() in points or one == "p" for one in letters)
