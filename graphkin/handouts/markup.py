@@ -14,6 +14,7 @@ from graphkin.errors import Lang
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, HandoutPart
 from graphkin.handouts.grid import room_svg
+from graphkin.handouts.paging import page_parts
 from graphkin.handouts.stages import blocks_of
 from graphkin.outputs.svg import inline
 from graphkin.outputs.typesetting import html_words, signs, tex_words
@@ -49,7 +50,8 @@ height:7mm;padding:0 2mm;text-align:center;font-weight:normal}}.rows{{margin-lef
 padding:.6mm 1mm}}.rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
 footer{{margin-top:8mm;font-size:8pt;display:flex;justify-content:space-between;align-items:flex-end}}
 .bar{{width:100mm;height:2mm;border:solid;border-width:.35mm .18mm 0}}
-section+section{{break-before:page}}.names{{display:flex;gap:2mm;align-items:flex-end}}.names .rule{{flex:1}}
+.part{{break-inside:avoid}}section+section{{break-before:page}}
+.names{{display:flex;gap:2mm;align-items:flex-end}}.names .rule{{flex:1}}
 .new{{break-before:page}}.front{{break-before:right}}
 small{{font-size:8pt;font-weight:normal}}
 .act{{display:inline-block;min-width:3.6mm;line-height:3.6mm;border:.2mm solid;border-radius:2mm;text-align:center;
@@ -76,7 +78,8 @@ def _section(part: HandoutPart, blocks: list[Block]) -> str:
         items = "".join(f"<li>{html_words(head.words)}</li>" for head in heads)
         contents = f"<h1>{escape(part.contents)}</h1>\n<ol>{items}</ol>\n"
     bar = f'<div><div class="bar"></div>{escape(part.foot.bar)}</div>'
-    body = "\n".join(map(_html, blocks))
+    together = ("\n".join(map(_html, each.blocks)) for each in page_parts(blocks))
+    body = "\n".join(f'<div class="part">{each}</div>' for each in together)
     foot = f"<footer>{bar}<span>{escape(part.foot.words)}</span></footer>"
     return f'<section lang="{part.lang}">\n{contents}{body}\n{foot}\n</section>'
 

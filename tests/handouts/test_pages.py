@@ -18,6 +18,7 @@ from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.typst import pdf
 from graphkin.outputs.diagram.fonts import chinese_font
+from graphkin.say.entry import text_lines
 from graphkin.sheet.lettering import plain
 
 pytest.importorskip("pypdf")
@@ -112,6 +113,7 @@ def test_a_story_stands_before_what_is_given():
         title, *blocks = [each for each in handout([machine], stage, lang).blocks if isinstance(each, Paragraph | HandoutHeading)]
         assert "".join(run.text for run in blocks[0].words) == story
         assert "".join(run.text for run in title.words).endswith(worth)
+        assert next(text_lines(drawn_problem(machine, lang).posed, lang)).strip() == story
 
 
 def test_problems_and_figures_have_numbers(tmp_path):
