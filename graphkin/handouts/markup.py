@@ -87,7 +87,7 @@ def _section(part: HandoutPart, blocks: list[Block]) -> str:
 def _html(block: Block) -> str:
     match block:
         case document.HandoutHeading(words, level, said):
-            whose = said and not "".join(run.text for run in words).endswith(said)
+            whose = said and said not in "".join(run.text for run in words)
             small = f" <small>{escape(said)}</small>" if whose else ""
             return f"<h{level}>{html_words(words)}{small}</h{level}>"
         case document.Paragraph(words, act):
