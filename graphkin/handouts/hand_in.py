@@ -8,7 +8,7 @@ import graphkin
 from graphkin.construction import Construction
 from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutPart, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem
-from graphkin.handouts.stages import answer_boxes, answer_rows
+from graphkin.handouts.worksheet import answer_boxes, answer_rows
 from graphkin.homework.platforms.tables import Cell
 from graphkin.model.mechanism import FRAME
 from graphkin.say.catalogue import say

@@ -2,137 +2,33 @@
 
 from __future__ import annotations
 
-import cmath
 import hashlib
-import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import assert_never
 
 import graphkin
-from graphkin.base.geometry import place
-from graphkin.base.value import frozen
-from graphkin.construction import LayOff, Plane
+from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
-from graphkin.handouts.document import Block, Foot, GridRoom, Handout, HandoutTable, Stage, TermRows
+from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.letters import lettered
-from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
+from graphkin.handouts.problem import HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
+from graphkin.handouts.worksheet import answer_boxes, empty_rows, measured, room, worth
 from graphkin.homework.problems.posed import shown_at
-from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, Centre, Rotation, at_position
 from graphkin.say import entry
 from graphkin.say.catalogue import say
-from graphkin.say.entry import VectorEquation
-from graphkin.say.problems import positions, story
+from graphkin.say.problems import story
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import Label, formula, joined, plain, point_label
+from graphkin.sheet.lettering import Label, formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import written
-from graphkin.sheet.window import corners
 
-_MORE = 1.2
-_EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
-_STEP = 10.0  # rooms are so many millimetres, or a multiple of it
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
-
-
-def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
-    """The same room for every problem, with the pole somewhere, by lot, from where its polygon has room: neither tells
-    anything of the polygon. Where a scale of the file's own makes that larger, the box of the polygon and a fifth more.
-    """
-    construction, points = problem.construction(plane), problem.drawing.plot.points(plane)
-    names = (construction.pole, *construction.nodes)
-    low, high = corners([place(points[name]) / problem.scales[plane] for name in names if name in points])
-    wide, tall = _whole((high - low).real, ROOM.real), _whole((high - low).imag, ROOM.imag)
-    right, up = (byte / 255 for byte in hashlib.sha256((problem.drawing.mechanism.text + plane).encode()).digest()[:2])
-    pole = complex(_placed(low.real, high.real, wide, right), tall - _placed(low.imag, high.imag, tall, up))
-    direction = 0.0
-    for step in construction.steps:  # the first arrow that is laid off is given with the driver
-        if isinstance(step, LayOff) and abs(arrow := place(points[step.term.head] - points[step.term.tail])) > 0:
-            direction = cmath.phase(arrow) % math.pi
-            break
-    mark = plain(f"{round(math.degrees(direction), 1):g}°")
-    return GridRoom(wide, tall, pole, point_label(construction.pole), direction, mark)
-
-
-def _placed(low: float, high: float, room: float, lot: float) -> float:
-    """A place of the pole in a room, so that what reaches from low to high about it keeps off the edge."""
-    first, last = _EDGE - low, room - _EDGE - high
-    least, most = math.ceil(first / _GRID), math.floor(last / _GRID)
-    return _GRID * (least + round(lot * (most - least)))
-
-
-def _whole(length: float, usual: float) -> float:
-    return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
-
-
-def empty_rows(problem: HandoutProblem, equation: VectorEquation | None = None, terms: int = 3) -> TermRows:
-    """Lines to write an equation on: as many terms as it has, or as any may have."""
-    lang = problem.lang
-    heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
-    columns: list[tuple[Label, Label, Label] | None] = []
-    sides = [len(side) for side in equation.sides] if equation is not None else [1, terms - 1]
-    if equation is not None and equation.front:
-        sides = [1, *sides]
-    for k, count in enumerate(sides):
-        columns += [(plain("="), (), ())] if k else []
-        for n in range(count):
-            columns += [(plain("+"), (), ()), None] if n else [None]
-    return TermRows((heads[0], heads[1]), tuple(columns))
-
-
-def measured(problem: HandoutProblem, count: int = 3, under: float = 0.0) -> HandoutTable:
-    """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
-    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("vector", "measured", "value"))
-    return HandoutTable(heads * 2, (((),) * 6,) * count, under)
-
-
-@frozen
-class AnswerRow:
-    """A place for an answer: `ω3 #2`, its unit, whether it has a sense, and what it is worth."""
-
-    symbol: str
-    unit: str
-    turns: bool
-    points: str
-
-
-def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
-    """Each quantity that is asked for, at each position."""
-    mechanism, rows = problem.drawing.mechanism, list[AnswerRow]()
-    worth = {text: f"{mechanism.worth[text]:g}" for text in asked_of(mechanism)}
-    for at in range(1, 2 + positions(mechanism)):
-        for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
-            if quantity is not None:
-                unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
-                turns = isinstance(quantity, Rotation) and quantity.word != "theta"
-                symbol = at_position(problem.goal.symbol(quantity), at)
-                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, "")))
-    return rows
-
-
-def _worth(problem: HandoutProblem) -> str:
-    """` (points: 10)`: all answers together, where the file says what any is worth."""
-    stated = any(path[0] == "points" and path[1:] not in ((), ("follows",)) for path in problem.drawing.mechanism.given)
-    total = sum(float(row.points or 0) for row in answer_rows(problem))
-    return say("handouts.worth", problem.lang, points=f"{total:g}") if stated else ""
-
-
-def answer_boxes(problem: HandoutProblem) -> HandoutTable:
-    """A box an answer, with its unit, and one for the sense where it has one; what it is worth, where that differs."""
-    rows = answer_rows(problem)
-    columns = ["quantity", "answer", "unit", "sense", "points"]
-    scored = problem.whose or _worth(problem)
-    labels = [(formula(row.symbol), (), plain(row.unit), () if row.turns else plain("—"), plain(row.points))
-              for row in rows]  # fmt: skip
-    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
-    end = None if scored else -1
-    return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
 
 
 def handout(
@@ -246,7 +142,7 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
 
     to_draw  there is room to draw below: the figure stands where it is asked for, whatever could be measured on it
     """
-    yield document.HandoutHeading(plain(problem.title + _worth(problem)), 1)
+    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
     if not problem.whose:
         blanks = ("name", "student number", "class")
         yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang).capitalize() for key in blanks))
@@ -304,7 +200,7 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
-    yield document.HandoutHeading(plain(problem.title + _worth(problem)), 1)
+    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
     yield from blocks_of([*story(problem.drawing.mechanism, problem.lang)], problem.lang, problem.points)
     for section in problem.head:
         yield from _section(problem, section)
