@@ -11,6 +11,8 @@ from graphkin.handouts.document import Block
 _PAGE, _EARLY, _OVER = 0.2, 0.01, 10.0  # costs of a page, of a drawing before the end of its text, of no room
 _LEAST = 0.18  # a last page has that much of its height, or more
 
+_FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom)  # stay with what leads
+
 
 @frozen
 class PagePart:
@@ -28,18 +30,18 @@ class PagePart:
 def page_parts(blocks: Sequence[Block]) -> list[PagePart]:
     """A heading stays with what it heads, a sentence with the formulas, rows, boxes and blanks that it leads to."""
     parts: list[PagePart] = []
-    first, joined = 0, False  # the part with which that begins to which a drawing belongs
+    first, leads = 0, False  # the first part of what the next drawing belongs to
     for block in blocks:
-        led = isinstance(block, document.FormulaLine | document.TermRows | document.HandoutTable | document.GridRoom)
+        follows = isinstance(block, _FOLLOWING)
         if isinstance(block, document.HandoutPicture) and first < len(parts):
             parts.append(PagePart((block,), 0 if block.of_all else first))
             first = len(parts)
-        elif first < len(parts) and (joined or led):
+        elif first < len(parts) and (leads or follows):
             parts[-1] = PagePart((*parts[-1].blocks, block))
         else:
             first = len(parts) if isinstance(block, document.HandoutHeading) else first
             parts.append(PagePart((block,)))
-        joined = _leads(block)
+        leads = _leads(block)
     return parts
 
 
@@ -66,22 +68,22 @@ def pages(parts: Sequence[PagePart], heights: Sequence[float], room: float) -> l
     # by the text that a page begins with, and the drawing of what goes on there if that is placed already
     best: dict[tuple[int, int | None], tuple[float, list[list[int]]]] = {(0, None): (0.0, [])}
     for first in range(len(texts)):
-        for placed in dict.fromkeys((None, drawings.get(texts[first]))):
-            if (begun := best.get((first, placed))) is None:
+        for there in dict.fromkeys((None, drawings.get(texts[first]))):
+            if (before := best.get((first, there))) is None:
                 continue
-            for page, end, done in _choices(texts, drawings, first, placed):
+            for page, end, done in _choices(texts, drawings, first, there):
                 used = sum(heights[k] for k in page)
                 if used > room and end > first + 1:
                     continue
                 early = _EARLY if done is not None and done in page else 0.0
-                total = begun[0] + early + _cost(used / room, end == len(texts))
+                total = before[0] + early + _cost(used / room, end == len(texts))
                 if (end, done) not in best or total < best[end, done][0]:
-                    best[end, done] = total, [*begun[1], page]
+                    best[end, done] = total, [*before[1], page]
     return best[len(texts), None][1]
 
 
 def _choices(
-    texts: list[int], drawings: dict[int, int], first: int, placed: int | None
+    texts: list[int], drawings: dict[int, int], first: int, there: int | None
 ) -> Iterator[tuple[list[int], int, int | None]]:
     """What a page may hold from a text on, the shorter first; the next text, and its drawing if that is placed."""
     page: list[int] = []
@@ -89,7 +91,7 @@ def _choices(
         page.append(text)
         own = drawings.get(text)
         over = own is not None and end < len(texts) and drawings.get(texts[end]) == own
-        if own is None or own == placed:
+        if own is None or own == there:
             yield [*page], end, own if over else None
         elif over:
             yield [*page], end, None

@@ -219,8 +219,8 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
     texts = {entry.text for entry in key.entries}
     signs = respelled(name, lambda text: names.symbols(text) if text in texts else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
-    begun = raised[:1].upper() + raised[1:] if raised[:2].islower() and raised[:2].isascii() else raised
-    return lettered(say("handouts.gives", problem.lang, mistake=begun, values=", ".join(shown)), problem.points)
+    text = raised[:1].upper() + raised[1:] if raised[:2].islower() and raised[:2].isascii() else raised
+    return lettered(say("handouts.gives", problem.lang, mistake=text, values=", ".join(shown)), problem.points)
 
 
 _COMMON = (

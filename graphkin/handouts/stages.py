@@ -126,8 +126,8 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
                     yield empty_rows(problem, terms=TERMS[plane])
                 before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
                 yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
-                yield (gridded := room(problem, plane))
-                yield measured(problem, under=gridded.width)
+                yield (grid := room(problem, plane))
+                yield measured(problem, under=grid.width)
         case "half":
             yield from posed(problem, to_draw=True)
             yield from _half(problem, upto)
@@ -148,8 +148,8 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
         yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang).capitalize() for key in blanks))
     blocks = [*blocks_of(problem.posed, problem.lang, problem.points)]
     first = next((k for k, block in enumerate(blocks) if isinstance(block, document.HandoutHeading)), 0)
-    seen = say("handouts.see figure", problem.lang, figure=figure_name(problem.lang, 1))
-    yield from (*blocks[:first], document.Paragraph(plain(seen)), *blocks[first:])
+    sentence = say("handouts.see figure", problem.lang, figure=figure_name(problem.lang, 1))
+    yield from (*blocks[:first], document.Paragraph(plain(sentence)), *blocks[first:])
     picture, there = given_figure(problem, to_draw)
     yield picture
     yield from () if there else (document.Paragraph(plain(say("problems.figure elsewhere", problem.lang))),)
@@ -182,9 +182,9 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
     """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and it, empty."""
     last, figures = 0, 1
     for section, following in problem.upto(upto):
-        entries, led = section.entries, tuple[entry.Entry, ...]()
+        entries, lead = section.entries, tuple[entry.Entry, ...]()
         if following is not None and entries and isinstance(entries[-1], entry.Sentence):
-            entries, led = entries[:-1], entries[-1:]
+            entries, lead = entries[:-1], entries[-1:]
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last = max([last, *(act.page for act in acts if act is not None)])
         figures += section.plane is not None
@@ -192,7 +192,7 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction", last)
         if following is not None:
-            yield from blocks_of(led, problem.lang, problem.points)
+            yield from blocks_of(lead, problem.lang, problem.points)
             yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
             yield empty_rows(problem, following)
             yield measured(problem, 2)
@@ -217,9 +217,10 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
 
 def _section(problem: HandoutProblem, section: Section, figure: int = 0) -> Iterator[Block]:
     """A section under its heading, which names the figure that goes with it."""
-    shown = say("handouts.with figure", problem.lang, figure=figure_name(problem.lang, figure)) if section.plane else ""
-    yield document.HandoutHeading(plain(section.heading + shown))
-    yield from blocks_of(section.entries, problem.lang, problem.points)
+    lang = problem.lang
+    reference = say("handouts.with figure", lang, figure=figure_name(lang, figure)) if section.plane else ""
+    yield document.HandoutHeading(plain(section.heading + reference))
+    yield from blocks_of(section.entries, lang, problem.points)
 
 
 def blocks_of(entries: Sequence[entry.Entry], lang: Lang, points: Collection[str]) -> Iterator[Block]:

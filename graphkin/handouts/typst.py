@@ -150,11 +150,11 @@ def _runs(number: int, part: HandoutPart, blocks: list[Block], pictures: Picture
 def _paged(parts: list[tuple[PagePart, str]], heights: list[float], room: float) -> str:
     """The markup of parts on the pages that cost least."""
     above = [_BEFORE if part.heads else _BETWEEN for part, _ in parts]
-    taken = [high + over for high, over in zip(heights, above, strict=True)]
-    turned = pages([part for part, _ in parts], taken, room + _BETWEEN)
+    whole = [high + over for high, over in zip(heights, above, strict=True)]
+    sheets = pages([part for part, _ in parts], whole, room + _BETWEEN)
     breaks = ["true" if high > room else "false" for high in heights]
     return "#pagebreak(weak: true)\n".join(
-        "".join(f"#part({mm(above[k])}mm, {breaks[k]})[{parts[k][1]}]\n" for k in page) for page in turned
+        "".join(f"#part({mm(above[k])}mm, {breaks[k]})[{parts[k][1]}]\n" for k in page) for page in sheets
     )
 
 

@@ -101,18 +101,18 @@ def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
 
 def worth(problem: HandoutProblem) -> str:
     """` (points: 10)`: all answers together, where the file says what any is worth."""
-    stated = any(path[0] == "points" and path[1:] not in ((), ("follows",)) for path in problem.drawing.mechanism.given)
+    given = problem.drawing.mechanism.given
+    has_points = any(path[0] == "points" and path[1:] not in ((), ("follows",)) for path in given)
     total = sum(float(row.points or 0) for row in answer_rows(problem))
-    return say("handouts.worth", problem.lang, points=f"{total:g}") if stated else ""
+    return say("handouts.worth", problem.lang, points=f"{total:g}") if has_points else ""
 
 
 def answer_boxes(problem: HandoutProblem) -> HandoutTable:
     """A box an answer, with its unit, and one for the sense where it has one; what it is worth, where that differs."""
     rows = answer_rows(problem)
     columns = ["quantity", "answer", "unit", "sense", "points"]
-    scored = problem.whose or worth(problem)
+    end = None if problem.whose or worth(problem) else -1
     labels = [(formula(row.symbol), (), plain(row.unit), () if row.turns else plain("—"), plain(row.points))
               for row in rows]  # fmt: skip
     heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
-    end = None if scored else -1
     return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
