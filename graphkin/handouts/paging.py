@@ -8,7 +8,7 @@ from graphkin.base.value import frozen
 from graphkin.handouts import document
 from graphkin.handouts.document import Block
 
-_PAGE, _EARLY, _OVER = 0.2, 0.01, 10.0  # costs of a page, of a drawing before the end of its text, of no room
+_PAGE, _EARLY, _OVER = 0.2, 0.01, 3.0  # costs of a page, of a drawing before the end of its text, of no room
 _LEAST = 0.18  # a last page has that much of its height, or more
 
 _FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom)  # stay with what leads
@@ -61,10 +61,13 @@ def pages(parts: Sequence[PagePart], heights: Sequence[float], room: float) -> l
 
     heights  of the parts, and `room` of a page, in one unit
     """
-    texts = [k for k, part in enumerate(parts) if part.of is None]
+    belonging = {n: range(part.of, n) for n, part in enumerate(parts) if part.of is not None}
+    # one that has no room beside any of what it belongs to has a page of its own
+    belonging = {n: of for n, of in belonging.items() if min(heights[k] for k in of) + heights[n] <= room}
+    drawings = {k: n for n, of in belonging.items() for k in of}
+    texts = [k for k in range(len(parts)) if k not in belonging]
     if not texts:
         return []
-    drawings = {k: n for n, part in enumerate(parts) if part.of is not None for k in range(part.of, n)}
     # by the text that a page begins with, and the drawing of what goes on there if that is placed already
     best: dict[tuple[int, int | None], tuple[float, list[list[int]]]] = {(0, None): (0.0, [])}
     for first in range(len(texts)):
@@ -104,4 +107,4 @@ def _choices(
 def _cost(used: float, last: bool) -> float:
     """The cost of a page that is filled so far; a last one may be empty, but for a few lines."""
     empty = max(0.0, 1 - used / _LEAST) if last else max(0.0, 1 - used) ** 2
-    return _PAGE + empty + _OVER * max(0.0, used - 1)
+    return _PAGE + empty + (_OVER if used > 1 else 0.0)

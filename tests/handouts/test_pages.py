@@ -69,6 +69,7 @@ def test_pages_turn_where_least_is_empty():
     assert paging.pages([text, text, text, drawing], [30, 30, 30, 60], 100) == [[0, 3], [1, 2]]
     assert paging.pages([text, text, drawing, text], [30, 40, 50, 40], 100) in ([[0, 2], [1, 3]], [[0], [1, 2], [3]])
     assert paging.pages([text, text], [300, 20], 100) == [[0], [1]]
+    assert paging.pages([text, text, drawing], [30, 40, 90], 100) == [[0, 1], [2]]
     assert paging.pages([], [], 100) == []
 
 
