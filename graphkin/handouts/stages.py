@@ -14,7 +14,7 @@ from graphkin.errors import Lang
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.letters import lettered
-from graphkin.handouts.problem import HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
+from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
 from graphkin.handouts.worksheet import answer_boxes, empty_rows, measured, room, worth
 from graphkin.homework.problems.posed import shown_at
 from graphkin.model.mechanism import Mechanism
@@ -119,15 +119,8 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             yield from posed(problem)
         case "blank":
             yield from posed(problem, to_draw=True)
-            for plane in problem.polygons:  # an empty equation, gridded paper with the pole, a table to measure into
-                yield document.NewPage()
-                yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
-                for _ in problem.construction(plane).equations[: MOST_EQUATIONS]:
-                    yield empty_rows(problem, terms=TERMS[plane])
-                before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
-                yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
-                yield (grid := room(problem, plane))
-                yield measured(problem, under=grid.width)
+            for plane in problem.polygons:
+                yield from _worksheet(problem, plane)
         case "half":
             yield from posed(problem, to_draw=True)
             yield from _half(problem, upto)
@@ -135,6 +128,21 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             yield from _solution(problem)
         case _:
             assert_never(stage)
+
+
+def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
+    """Empty equations, gridded paper with the pole, a table to measure into: where that paper is tall, before it."""
+    yield document.NewPage()
+    yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
+    for _ in problem.construction(plane).equations[:MOST_EQUATIONS]:
+        yield empty_rows(problem, terms=TERMS[plane])
+    grid = room(problem, plane)
+    tall = grid.height > ROOM.imag
+    yield from [measured(problem, 1, grid.width)] if tall else []
+    before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
+    yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
+    yield grid
+    yield from [] if tall else [measured(problem, 3, grid.width)]
 
 
 def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:

@@ -69,7 +69,7 @@ def empty_rows(problem: HandoutProblem, equation: VectorEquation | None = None, 
     return TermRows((heads[0], heads[1]), tuple(columns))
 
 
-def measured(problem: HandoutProblem, count: int = 3, under: float = 0.0) -> HandoutTable:
+def measured(problem: HandoutProblem, count: int, under: float = 0.0) -> HandoutTable:
     """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
     heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("vector", "measured", "value"))
     return HandoutTable(heads * 2, (((),) * 6,) * count, under)
