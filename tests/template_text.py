@@ -2,6 +2,15 @@
 
 from __future__ import annotations
 
+from graphkin.homework.problems import drawn_variants
+
+
+def variants(template, students, seed):
+    """All problems of a class in the order of the students."""
+    own = {one.student.id: one for one in drawn_variants(template, students, seed)}
+    return tuple(own[student.id] for student in students)
+
+
 TEXT = """# a comment with AB = { from = 1, to = 2 } in it
 title  = { en = "Four-bar # with a slide", zh = "含移动副的四杆机构" }
 ask    = ["omega 3", "alpha 3", "a_k B3B2"]   # { from = 1, to = 2 }

@@ -23,7 +23,7 @@ from graphkin import files as loading
 from graphkin import planning, running
 from graphkin.base.geometry import Real
 from graphkin.base.value import frozen
-from graphkin.construction import Plane, Plot
+from graphkin.construction import SCALES, Plane, Plot
 from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, NoSpeed, Where
 from graphkin.files import library
 from graphkin.files.draft import rate_keys
@@ -295,8 +295,8 @@ class Drawing(Readable):
         from graphkin.sheet import scales_of
 
         scales = scales_of(self.method, self.plot, lang)
-        keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
-        on_paper, plot, ruler = {key: scales[plane] for key, plane in keys.items()}, self.plot, None
+        on_paper: dict[str, float] = {key: scales[plane] for plane, key in SCALES.items()}
+        plot, ruler = self.plot, None
         if as_drawn:
             from graphkin.marking.ruler import as_drawn as read_off
 

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
-import signal
 import sys
-from collections.abc import Iterator
-from functools import partial
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -22,7 +19,7 @@ if TYPE_CHECKING:
     from graphkin.handouts.problem_folder import SetOrder
     from graphkin.homework.problems import Variant
 
-PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
+PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong", "xuexitong-xlsx")
 
 
 @click.command()
@@ -79,10 +76,12 @@ def _write(order: SetOrder, jobs: int) -> list[Variant]:
     """The set's files; the variants in the order of the students."""
     from graphkin.handouts.problem_folder import write_problems
     from graphkin.say.problems import removed
+    from graphkin.submissions import worker_pool
 
     variants: dict[str, Variant] = {}
     gone: list[Path] = []
-    with _processes(jobs) as executor, click.progressbar(
+    workers: AbstractContextManager[Executor | None] = worker_pool(jobs) if jobs > 1 else nullcontext()
+    with workers as executor, click.progressbar(
         length=len(order.students), file=sys.stderr, show_pos=True, hidden=not sys.stderr.isatty()
     ) as bar:
         for one in write_problems(order, executor):
@@ -95,17 +94,3 @@ def _write(order: SetOrder, jobs: int) -> list[Variant]:
     if gone:
         click.echo(removed([str(path.relative_to(order.folder)) for path in gone], order.lang), err=True)
     return [variants[student.id] for student in order.students]
-
-
-@contextlib.contextmanager
-def _processes(jobs: int) -> Iterator[Executor | None]:
-    """So many that leave an interruption to this one; none of less than two."""
-    if jobs < 2:
-        yield None
-        return
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
-
-    begin = partial(signal.signal, signal.SIGINT, signal.SIG_IGN)
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=begin) as executor:
-        yield executor

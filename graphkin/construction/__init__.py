@@ -22,12 +22,12 @@ from graphkin.construction.linear import unknowns_of
 from graphkin.construction.pencil import Hand, replay
 from graphkin.construction.plot import Facts, Plot, TurnOf, slide_key
 from graphkin.construction.terms import (  # fmt: skip
-    LETTER, Across, AcrossGuide, Along, AlongGuide, Arm, Coriolis, Direction, Drawn, Driven, Normal, Plane, Quarter,
-    Relative, Site, Size, Slid, Span, Tangential, Term, Turning,
+    LETTER, SCALES, Across, AcrossGuide, Along, AlongGuide, Arm, Coriolis, Direction, Drawn, Driven, Normal, Plane,
+    Quarter, Relative, Site, Size, Slid, Span, Tangential, Term, Turning,
 )
 
 __all__ = [
-    "LETTER", "Across", "AcrossGuide", "Along", "AlongGuide", "Arc", "Arm", "BrokenChain", "Chain", "Closure",
+    "LETTER", "SCALES", "Across", "AcrossGuide", "Along", "AlongGuide", "Arc", "Arm", "BrokenChain", "Chain", "Closure",
     "Construction", "Coriolis", "Direction", "Drawn", "Driven", "Equation", "Facts", "Fit", "Given", "Hand", "Image",
     "InStep", "LayOff", "Measure", "Meet", "Node", "Normal", "NotClosable", "Plane", "Plot", "Quarter", "Ray",
     "Relative", "Roll", "Simultaneous", "Site", "Size", "Slid", "Span", "Step", "Swing", "Tangential", "Term",

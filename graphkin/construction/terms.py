@@ -8,6 +8,10 @@ from typing import Literal, NamedTuple
 from graphkin.base.value import frozen
 
 Plane = Literal["position", "velocity", "acceleration"]
+SCALES: Mapping[Plane, Literal["length", "velocity", "acceleration"]] = {
+    "position": "length", "velocity": "velocity", "acceleration": "acceleration",
+}  # fmt: skip
+"""The scale of a plane's drawing, as files name it."""
 LETTER: Mapping[Plane, str] = {"position": "r", "velocity": "v", "acceleration": "a"}
 
 

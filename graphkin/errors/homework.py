@@ -267,8 +267,8 @@ class NotAQuestion(Choice):
 
 
 class NotAnAnswer(AboutText):
-    en = "{where}: {given!r} does not read as a value. Write a number, with its unit and sense where wanted: \"62.2 rad/s^2 ccw\"."
-    zh = "{where}：{given!r} 不能读作数值。请写数，必要时带单位和转向，例如 \"62.2 rad/s^2 逆时针\"。"
+    en = "{where}: {given!r} does not read as a value. Write a number, with its unit and sense where wanted: \"62.2 rad/s² ccw\"."
+    zh = "{where}：“{given}”不能读作数值。请写数，必要时带单位和转向，例如“62.2 rad/s² 逆时针”。"
 
 
 class AnsweredTwice(LocatedError):
@@ -394,7 +394,7 @@ class NotAResult(LocatedError):
 
 class NotAnOverride(AboutText):
     en = "{where}: {given!r} in the column override is no number of points. Write a number from 0 up, or leave it empty."
-    zh = "{where}：override 列中的 {given!r} 不是分数。请填不小于 0 的数，或留空。"
+    zh = "{where}：“教师改分”列中的 {given!r} 不是分数。请填不小于 0 的数，或留空。"
 
 
 class NotASet(GraphkinError):

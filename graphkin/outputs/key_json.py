@@ -134,6 +134,7 @@ class _KeyReader:
 
     def _mistakes(self, items: Iterable[Read], count: int) -> Hypotheses:
         names, values, scatters, together = [], [], [], []
+        rows, columns = np.triu_indices(count, 1)
         for item in items:
             name = tuple(cast(Name, tuple(str(part) for part in one)) for one in item["names"])
             self._require(bool(name) and all(len(one) == 4 for one in name), "mistakes")
@@ -142,7 +143,6 @@ class _KeyReader:
             scatters.append(item["scatters"])
             table, text = np.full((count, count), np.nan), item.get("together")  # NaN where nothing is said
             if text is not None:
-                rows, columns = np.triu_indices(count, 1)
                 parts = np.frombuffer(base64.b64decode(text, validate=True), dtype=np.int8) / 100
                 self._require(len(parts) == len(rows) and bool(np.all(np.abs(parts) <= 1)), "together")
                 np.fill_diagonal(table, 1.0)
@@ -154,9 +154,11 @@ class _KeyReader:
 
     def _table(self, rows: list[list[float | None]], count: int) -> Array:
         """(rows, count); None is NaN."""
-        table = np.array([[math.nan if x is None else self._number(x, "table") for x in row] for row in rows])
-        self._require(all(len(row) == count for row in rows), "table")
-        return table.reshape(len(rows), count)
+        kinds = {type(x) for row in rows for x in row}
+        self._require(kinds <= {int, float, type(None)} and all(len(row) == count for row in rows), "table")
+        table = np.array(rows, dtype=float).reshape(len(rows), count)
+        self._require(not np.isinf(table).any(), "table")
+        return table
 
     def _number(self, value: object, what: str) -> float:
         self._require(isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value), what)

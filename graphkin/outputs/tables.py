@@ -19,9 +19,9 @@ import numpy as np
 
 from graphkin.base.geometry import Array, number
 from graphkin.base.plain import Plain
-from graphkin.errors import GraphkinError, Lang
+from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, Unit, driven
-from graphkin.outputs.files import beside
+from graphkin.outputs.files import beside, needed
 from graphkin.studies.sweeps import Course, Road, Sweep, in_parts
 
 if TYPE_CHECKING:
@@ -35,29 +35,19 @@ _SHOWN = 8  # rows at either end of a table in a notebook
 Seen = Callable[[Sweep], None]  # a function that sees each part that is done
 
 
-class NoParquet(GraphkinError):
-    path: str
-    en = "{path}: writing Parquet needs pyarrow: pip install 'graphkin[parquet]'. Or write .csv or .json."
-    zh = "{path}：写 Parquet 需要 pyarrow：pip install 'graphkin[parquet]'。也可改写 .csv 或 .json。"
-
-
 def write(
     path: Path, course: Course, names: tuple[str, ...], by: Road, force: bool = False, seen: Seen = lambda part: None
 ) -> None:
     """A table into a file, by its suffix; `seen` is shown each part. Raises FileInTheWay, NoFolder, CannotWrite,
-    NoParquet."""
+    NeedsExtra."""
     parts = shown_parts(in_parts(course, names, by), seen)
     if path.suffix == ".parquet":
-        try:
-            import pyarrow  # type: ignore[import-not-found, unused-ignore]
-            import pyarrow.parquet  # type: ignore[import-not-found, unused-ignore]
-        except ImportError:
-            raise NoParquet(str(path)) from None
+        pyarrow, parquet = needed("pyarrow", "parquet"), needed("pyarrow.parquet", "parquet")
         with beside(path, force, MARKS) as draft:
             writer: Any = None
             for part in parts:
                 table = pyarrow.table(columns(part)).replace_schema_metadata({"writer": "graphkin"})
-                writer = writer or pyarrow.parquet.ParquetWriter(draft, table.schema)
+                writer = writer or parquet.ParquetWriter(draft, table.schema)
                 writer.write_table(table)
             writer.close()
         return

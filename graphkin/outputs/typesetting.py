@@ -201,4 +201,4 @@ def _mathml(sign: Sign) -> str:
 def _token(run: Run) -> str:
     """Browsers set several letters in one `mi` upright; the page's style slants them as the drawings have them."""
     kind = "mi" if run.italic else "mn" if run.text.isdigit() else "mtext"
-    return f"<{kind}>{escape(run.text)}</{kind}>"
+    return f"<{kind}>{escape(run.text).replace(' ', '&#160;')}</{kind}>"

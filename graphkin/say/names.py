@@ -96,7 +96,7 @@ def symbols(text: str) -> str:
         return of_link(sign, of)
     if part in ("x", "y"):
         return f"{sign}_{point(of)},{part}"
-    return sign + "".join(_RAISED[c] for c in part) + "_" + point(of)
+    return sign + "".join(_RAISED[c] for c in part) + "_" + (f"{{{point(of)}}}" if "@" in of else point(of))
 
 
 def of_link(symbol: str, link: str) -> str:

@@ -25,6 +25,7 @@ from graphkin.sheet.layout import HEAD
 from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Disc, Mark, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
+from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
@@ -37,16 +38,14 @@ Own = Mapping[Plane, Mapping[str, complex]]
 _WIDE, _HIGH = 98.0, 96.0
 """Of the room for a figure with its heading and its caption, at most: so much that a telephone shows arrow heads of
 2.5 mm [mm]."""
-_CROWDED, _LARGE = 22, 2.0
-"""Figures with more labels than this leave out those that others tell, too; with more still they have rooms so many
-times as wide and high."""
+_CROWDED = 22  # figures with more labels than this leave out those that others tell, too
 _FOOT = 7.0
 _OFF = 2.5  # a point of the student's that lies farther off than this bears its letter [mm]
 _RING = 0.9  # radius of the circles about the student's points [mm]
 _FAR = 2.0  # points of the student's that would make the figure more than so many times as large are not drawn
 _UNLIKE = 4.0  # drawings of which one is more than so many times as large are not laid over one another
 _GONE, _SHORT = 0.5, 8.0  # arrows that are missing, and those that are magnified, are shorter [mm]
-_LENS = 52.0  # room for what is magnified [mm]
+_LENS, _BELOW = 52.0, 6.0  # room for what is magnified, and for letters below it [mm]
 _OTHERWISE = 1  # the step that what is drawn otherwise is marked with, until it is emphasised
 
 
@@ -87,18 +86,20 @@ class Version:
     def sheet(self, answer: bool, lang: Lang) -> Sheet:
         """As large as a page has room for; with its scale where it may be told."""
         extent = Extent.of(self.places(), self.figure)
-        times = _LARGE if extent.labels > _CROWDED else 1.0
-        scale = extent.finest(Room(0, HEAD, times * _WIDE, times * _HIGH - _FOOT))
+        scale = extent.finest(Room(0, HEAD, _WIDE, _HIGH - _FOOT))
         short = self._short(scale) if self.plane != "position" else []
         high = HEAD + extent.size.imag / scale + extent.reach.imag + _FOOT
-        window = extent.window(Room(0, HEAD, times * _WIDE, high - _FOOT), scale)
+        window = extent.window(Room(0, HEAD, _WIDE, high - _FOOT), scale)
         caption = Caption((say(f"pictures.under {self.name}", lang),), _FOOT, first=4.0)
         for more in (0.0, _LENS) if short else (0.0,):  # a lens stands in the figure, or else under it
-            cell = Room(0.0, 0.0, times * _WIDE, high + more)
+            cell = Room(0.0, 0.0, _WIDE, high + more)
             plain = Panel(self.figure(window), window, cell.inset(1, HEAD + 1, _FOOT), after=tuple(caption.drawn(cell)))
             panel = lens(plain, self.figure, self.plane, [window(at) for at in short]) if short else plain
             if panel is not plain:
                 break
+        if cell.bottom > high:  # as far down as the lens goes
+            cell = replace(cell, bottom=min(cell.bottom, bounds(panel.figure.marks)[3] + _BELOW + _FOOT))
+            panel = replace(panel, room=cell.inset(1, HEAD + 1, _FOOT), after=tuple(caption.drawn(cell)))
         head = heading(HEADINGS[lang][self.plane], self.plane, scale, cell)
         panel = replace(panel, before=head if answer else head[:1], plane=None)
         paper, title = Paper("figure", cell.right, cell.bottom, 0.0), HEADINGS[lang][self.plane]
@@ -136,6 +137,9 @@ class Version:
             figure = plain_mechanism(self.method, self.plot, window).numbered(None)
             return Figure([self._penned(mark, window.scale) for mark in figure.marks], figure.wanted)
         figure = polygon_figure(self._polygon(self.plot, window))
+        ends = [[window(self.there[name]) for name in sorted(pair) if name in self.there] for pair in self.arrows]
+        gone = {pair[0] for pair in ends if len(pair) > 1 and abs(pair[1] - pair[0]) < _GONE}
+        figure.marks += [Disc(at, 2 * _RING, "thin", step=_OTHERWISE) for at in sorted(gone, key=abs)]
         crowded = len(figure.wanted) > _CROWDED
         labels = [label for label in figure.wanted if not (crowded and label.spare)]
         return Figure([self._penned(mark, window.scale) for mark in figure.marks], labels) + self._over(window)

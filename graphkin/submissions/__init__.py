@@ -13,12 +13,12 @@ answers is a reader that gives a `StudentDocument`, of drawings one that gives a
 """
 
 from graphkin.submissions.handed import Handed, handed_in
-from graphkin.submissions.pool import guarded, limited
-from graphkin.submissions.reading import FirstOnes, called, read_one
+from graphkin.submissions.pool import guarded, limited, worker_pool
+from graphkin.submissions.reading import FirstOnes, called, pictures_of, read_one
 from graphkin.submissions.students import Roster, Student, students_in
 from graphkin.submissions.submission import Limits, MeasuredDrawing, ReadableProblem, Submission, safe_name
 
 __all__ = [
     "FirstOnes", "Handed", "Limits", "MeasuredDrawing", "ReadableProblem", "Roster", "Student", "Submission", "called",
-    "guarded", "handed_in", "limited", "read_one", "safe_name", "students_in",
+    "guarded", "handed_in", "limited", "pictures_of", "read_one", "safe_name", "students_in", "worker_pool",
 ]  # fmt: skip

@@ -4,20 +4,33 @@ from __future__ import annotations
 
 import codecs
 import io
-import zlib
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import IO
 from zipfile import BadZipFile, ZipFile, ZipInfo
 
-from graphkin.errors import BrokenSubmission, TooMuch, Where
+from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra, Where
 from graphkin.submissions.submission import Limits
 
 _JUNK = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
 _FLAG_UTF8, _FLAG_LOCKED = 0x800, 0x1
-_BROKEN = (BadZipFile, zlib.error, OSError, ValueError, RuntimeError, NotImplementedError, EOFError, OverflowError)
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
 _PIECE = 1 << 16
+
+
+@contextmanager
+def foreign(where: Where, kind: str, package: str = "") -> Iterator[None]:
+    """A file read by another's package, which raises whatever it meets in one that is broken. Raises WantsExtra,
+    BrokenSubmission."""
+    try:
+        yield
+    except ImportError:
+        raise WantsExtra(where, kind, package) from None
+    except (MemoryError, GraphkinError):
+        raise
+    except Exception as problem:
+        raise BrokenSubmission(where, kind, type(problem).__name__) from None
 
 
 def opened(source: bytes | Path, where: Where) -> ZipFile:
@@ -39,13 +52,10 @@ def checked_zip(content: bytes, where: Where, limits: Limits) -> None:
             raise TooMuch(where, "archive", 16 * limits.bytes)
         for info in infos:
             _check_ratio(info, where, limits)
-            try:
-                with archive.open(info) as stream:
-                    left = info.file_size + 1
-                    while left > 0 and (piece := stream.read(min(left, 1 << 20))):
-                        left -= len(piece)
-            except _BROKEN as problem:
-                raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
+            with foreign(where, "ZIP"), archive.open(info) as stream:
+                left = info.file_size + 1
+                while left > 0 and (piece := stream.read(min(left, 1 << 20))):
+                    left -= len(piece)
 
 
 def members(archive: ZipFile, where: Where, limits: Limits) -> Iterator[ZipInfo]:
@@ -85,11 +95,8 @@ def read_member(archive: ZipFile, info: ZipInfo, where: Where, limits: Limits) -
         raise BrokenSubmission(where, "ZIP", "password")
     limits.check(where, "bytes", info.file_size)
     _check_ratio(info, where, limits)
-    try:
-        with archive.open(info) as stream:
-            content = stream.read(limits.bytes + 1)
-    except _BROKEN as problem:
-        raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
+    with foreign(where, "ZIP"), archive.open(info) as stream:
+        content = stream.read(limits.bytes + 1)
     limits.check(where, "bytes", len(content))
     return content
 

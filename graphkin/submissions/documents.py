@@ -15,10 +15,10 @@ from pathlib import PurePosixPath
 from typing import IO
 
 from graphkin.base.value import frozen
-from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, SeveralStudents, TooMuch, WantsExtra, Where
+from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, SeveralStudents, TooMuch, Where
 from graphkin.files.toml import parsed
 from graphkin.submissions.answers import Entry
-from graphkin.submissions.archives import checked_zip, lines_of
+from graphkin.submissions.archives import checked_zip, foreign, lines_of
 from graphkin.submissions.numbers import plain, short
 from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.students import field_of, id_column, stated_in
@@ -176,12 +176,10 @@ def csv_cells(stream: IO[bytes], where: Where) -> Cells:
 def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
     """The rows of the first sheet that has any, without the empty cells at their ends. Raises WantsExtra,
     BrokenSubmission, TooMuch."""
-    try:
+    with foreign(where, "XLSX", "openpyxl"):
         from openpyxl import load_workbook
-    except ImportError:
-        raise WantsExtra(where, "XLSX", "openpyxl") from None
-    checked_zip(content, where, limits)
-    try:
+
+        checked_zip(content, where, limits)
         book = load_workbook(io.BytesIO(content), read_only=True, data_only=True, keep_links=False)
         for sheet in book.worksheets:
             sheet.reset_dimensions()
@@ -191,10 +189,6 @@ def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
                 yield line, row[: max((k for k, cell in enumerate(row, 1) if cell is not None), default=0)]
             if started:
                 return
-    except (MemoryError, RecursionError, GeneratorExit):
-        raise
-    except Exception as problem:  # openpyxl raises whatever it meets in a file that is none
-        raise BrokenSubmission(where, "XLSX", type(problem).__name__) from None
 
 
 def cells_of(name: str, content: bytes, where: Where, limits: Limits) -> Cells:

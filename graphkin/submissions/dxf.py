@@ -9,7 +9,8 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra, Where
+from graphkin.errors import BrokenSubmission, TooMuch, Where
+from graphkin.submissions.archives import foreign
 from graphkin.submissions.picture import Dot, Line, PagePicture, PictureText
 from graphkin.submissions.submission import Limits
 
@@ -23,20 +24,14 @@ _Mark = Line | Dot | PictureText
 
 def read_dxf(content: bytes, where: Where, limits: Limits) -> PagePicture:
     """Raises WantsExtra, BrokenSubmission, TooMuch."""
-    try:
+    with foreign(where, "DXF", "ezdxf"):
         from ezdxf import recover
-    except ImportError:
-        raise WantsExtra(where, "DXF", "ezdxf") from None
-    if content.count(b"\n") > 60 * limits.elements:
-        raise TooMuch(where, "elements", limits.elements)
-    try:
+
+        if content.count(b"\n") > 60 * limits.elements:
+            raise TooMuch(where, "elements", limits.elements)
         document, _ = recover.read(io.BytesIO(content))
         reader = _DxfReader(document, where, limits)
         marks = [mark for entity in document.modelspace() for mark in reader.marks(entity, 0)]
-    except (GraphkinError, MemoryError):
-        raise
-    except Exception as problem:  # ezdxf raises whatever it meets in a file that is none
-        raise BrokenSubmission(where, "DXF", type(problem).__name__) from None
     if not marks:
         raise BrokenSubmission(where, "DXF")
     lines, dots = (m for m in marks if isinstance(m, tuple)), (m for m in marks if isinstance(m, Dot))

@@ -28,7 +28,7 @@ from graphkin.submissions import numbers
 from graphkin.submissions.numbers import LONGEST, Number, in_si, plain, unit_named
 from graphkin.submissions.submission import HandedValue, Sense
 
-DIMENSIONS: Mapping[str, Dimension | None] = {
+_KINDS_OF: Mapping[str, Dimension | None] = {
     "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration", "m": "length", "m/s": "velocity",
     "m/s^2": "acceleration", "1": None,
 }  # fmt: skip
@@ -358,15 +358,15 @@ _SIMPLE = re.compile(
 )
 _NO_SENSE = re.compile(r"\s+[—–―]+\s*$")
 _TURNING = ("rad", "rad/s", "rad/s^2")
-_STRAIGHT = tuple(si for si in DIMENSIONS if si not in _TURNING)
+_STRAIGHT = tuple(si for si in _KINDS_OF if si not in _TURNING)
 _REWRITTEN: tuple[tuple[str, str | Callable[[re.Match[str]], str], Collection[str]], ...] = (
-    ("<([^<>]*)>", r"(\1)", DIMENSIONS), (r" \| |(?<=[^\s(:=,;]) - (?=[^0-9]*$)", ", ", DIMENSIONS),
+    ("<([^<>]*)>", r"(\1)", _KINDS_OF), (r" \| |(?<=[^\s(:=,;]) - (?=[^0-9]*$)", ", ", _KINDS_OF),
     ("(π(?: ?/ ?[0-9]+)?)(?![ 0-9/]*[a-z°度弧*])", r"\1 rad", ("rad",)), ("(?<=[0-9]) ?: ?(?=[0-9])", "/", ("1",)),
     (r"(?<=\S) +-+$", "", _STRAIGHT),  # in the last column of a table; of what turns a minus may be a sign
-    (r"([0-9][.,][0-9]+)\([0-9]{1,2}\)", r"\1", DIMENSIONS),
+    (r"([0-9][.,][0-9]+)\([0-9]{1,2}\)", r"\1", _KINDS_OF),
     (r"([0-9]+)° ?([0-9]+(?:\.[0-9]+)?)'(?: ?([0-9]+(?:\.[0-9]+)?)'')?",
-     lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", DIMENSIONS),
-    ("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$", "", DIMENSIONS),
+     lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", _KINDS_OF),
+    ("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$", "", _KINDS_OF),
 )  # fmt: skip
 """What is written otherwise before it is read: a pattern, what stands in its place, and of which SI units."""
 
@@ -382,7 +382,7 @@ def parsed_value(text: str, si: str, unit: str = "", vector: bool = True, axis: 
 
     unit   of its column; vector: whether such a quantity has a direction; axis: of one component alone
     """
-    reading = _Reading(text, DIMENSIONS[si], si in _TURNING, vector and si in numbers.PLANES, axis, unit)
+    reading = _Reading(text, _KINDS_OF[si], si in _TURNING, vector and si in numbers.PLANES, axis, unit)
     try:
         if (number := simple(text)) is not None:
             return reading.in_si(number)

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from functools import lru_cache
 
-from graphkin.construction import Plane
+from graphkin.construction import SCALES, Plane
 from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OutOfRange
 from graphkin.files.values import UNITS, read_quantity
 from graphkin.model.mechanism import Dimension, Mechanism
@@ -156,7 +156,6 @@ def in_si(number: float, unit: str, dimension: Dimension) -> float:
 
 PAPER: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "in": 25.4}
 """Units of lengths on paper in mm: such a length becomes a velocity or an acceleration by its scale."""
-_DIMENSIONS: Mapping[Plane, Dimension] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 PLANES: Mapping[str, Plane] = {"m/s": "velocity", "m/s^2": "acceleration"}
 """The polygon in which a quantity of a unit is drawn."""
 _NAMES: Mapping[str, Plane] = {
@@ -177,7 +176,7 @@ def plane_named(text: str) -> Plane | None:
 
 def stated_by(mechanism: Mechanism) -> dict[Plane, float]:
     """The scales that the problem says to take."""
-    return {plane: mechanism.scales[key] for plane, key in _DIMENSIONS.items() if key in mechanism.scales}
+    return {plane: mechanism.scales[key] for plane, key in SCALES.items() if key in mechanism.scales}
 
 
 def scale(raw: object, plane: Plane) -> float:
@@ -186,7 +185,7 @@ def scale(raw: object, plane: Plane) -> float:
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
         raise NotAnAnswer(NOWHERE, str(raw)[:40])
     shown = str(raw)[:200] if isinstance(raw, str) or abs(raw) < 1e30 else "1e30"
-    text, dimension = plain(shown).replace("~", "="), _DIMENSIONS[plane]
+    text, dimension = plain(shown).replace("~", "="), SCALES[plane]
     # of a length on paper and what it stands for, in either order
     value, (one, sign, other) = None, text.partition("=") if "=" in text else text.partition(":")
     for paper, thing in ((one, other), (other, one)) if sign else ():

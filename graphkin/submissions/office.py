@@ -1,4 +1,4 @@
-"""Numbers in documents: tables and lines of a Word file, lines of a PDF. A figure or a formula in them is not read."""
+"""Numbers in documents: tables and lines of a Word file or a page of HTML, lines of a PDF. No figure is read."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ import io
 import re
 from collections.abc import Callable, Sequence
 from functools import partial
+from html import unescape
 from itertools import islice
 from typing import Any
 
-from graphkin.errors import BrokenSubmission, GraphkinError, NoNumbers, WantsExtra, Where
+from graphkin.errors import NoNumbers, Where
 from graphkin.submissions.answers import Entry
-from graphkin.submissions.archives import checked_zip
+from graphkin.submissions.archives import checked_zip, decoded, foreign, opened
 from graphkin.submissions.documents import StudentDocument, of_one, read_lines
 from graphkin.submissions.numbers import plain, plane_named
+from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.students import FIELDS
 from graphkin.submissions.submission import Limits
@@ -35,14 +37,8 @@ def _read(
     """The answers in tables and in lines `ω3 = 3.92`, and whose they are; a document has other lines, too.
 
     Raises WantsExtra, BrokenSubmission, TooMuch, SeveralStudents, NoNumbers."""
-    try:
+    with foreign(where, kind, "graphkin[word]"):
         tables, lines = parts_of(content, where, limits)
-    except ImportError:
-        raise WantsExtra(where, kind, "graphkin[word]") from None
-    except (MemoryError, RecursionError, GraphkinError):
-        raise
-    except Exception as problem:  # the packages raise whatever they meet in a file that is none
-        raise BrokenSubmission(where, kind, type(problem).__name__) from None
     some = [of_one(enumerate(table, 1), where, limits) for table in tables if any(map("".join, table))]
     parts = (part.strip() for line in lines for part in _WIDE.split(line))
     text = read_lines("\n".join(filter(None, parts)), where, limits)
@@ -80,6 +76,19 @@ def _text(element: Any) -> str:
     return "".join(part or "" for part in parts).strip()
 
 
+def _of_page(content: bytes, where: Where, limits: Limits) -> Parts:
+    text = _UNSEEN.sub("", " ".join(decoded(content, where).split()))
+    text = _CELL.sub(lambda cell: "\t" + _TAG.sub("", _BREAK.sub(" ", cell[1])), text)
+    lines = unescape(_TAG.sub("", _BREAK.sub("\n", text))).split("\n")
+    return [[line.split("\t")[1:] for line in lines if "\t" in line]], [line for line in lines if "\t" not in line]
+
+
+_UNSEEN = re.compile(r"<(script|style|title)\b.*?</\1\b[^>]*>|<!--.*?-->", re.I)
+_CELL = re.compile(r"<t[dh]\b[^>]*>(.*?)(?=</?t[dhr]\b|</table\b|$)", re.I)
+_BREAK = re.compile(r"<(?:br|/?(?:p|div|li|h[1-6]|tr|table))\b[^>]*>", re.I)
+_TAG = re.compile(r"<[^>]*>")
+
+
 def _cells(line: str) -> list[str]:
     """`ω2 3.92 rad/s`, a row of a table as a PDF has it: what is asked, and what is answered; none of other lines."""
     words = plain(line).split()
@@ -90,6 +99,30 @@ def _cells(line: str) -> list[str]:
     return [name, " ".join(words[at:])] if at and begins_like_one(name) and "=" not in name else []
 
 
+def picture_in(content: bytes, where: Where, limits: Limits) -> Seen | None:
+    """The first picture in a document, or a photograph itself; None where there is none that a browser shows."""
+    try:
+        with limited(limits.seconds, where):
+            if content.startswith(b"PK"):
+                checked_zip(content, where, limits)
+                with opened(content, where) as archive:
+                    found = [archive.read(info) for info in archive.infolist() if "/media/" in info.filename]
+            elif content.startswith(b"%PDF"):
+                from pypdf import PdfReader
+
+                found = [image.data for image in PdfReader(io.BytesIO(content)).pages[0].images]
+            else:
+                found = [content]
+    except Exception:  # whatever a file that is none raises: there is nothing to be seen
+        return None
+    return next(((kind, data) for data in found for kind, start in _SEEN.items() if data.startswith(start)), None)
+
+
+Seen = tuple[str, bytes]
+"""A picture's kind and its bytes."""
+_SEEN = {"image/png": b"\x89PNG", "image/jpeg": b"\xff\xd8\xff"}
+
+
 def _is_answer(entry: Entry) -> bool:
     """True of what is called as quantities are, and of a short name with a number."""
     name, value, _ = entry
@@ -97,4 +130,5 @@ def _is_answer(entry: Entry) -> bool:
     return begins_like_one(name) or plane_named(name) is not None or bool(number)
 
 
-READERS = {".docx": partial(_read, "DOCX", _of_word), ".pdf": partial(_read, "PDF", _of_pdf)}
+READERS = {".docx": partial(_read, "DOCX", _of_word), ".pdf": partial(_read, "PDF", _of_pdf),
+           ".html": partial(_read, "HTML", _of_page)}  # fmt: skip

@@ -74,7 +74,7 @@ def guarded(
     work     a function that processes can import; it keeps to `seconds` an item by itself
     failed   what stands for an item whose process hung ("hung") or ended ("died")
     """
-    pool, waiting = _pool(workers), iter(batches)
+    pool, waiting = worker_pool(workers), iter(batches)
     out: deque[tuple[list[_Item], Future[list[_Result]]]] = deque()
     try:
         while True:
@@ -88,7 +88,7 @@ def guarded(
                 _end(pool)
                 for item in some:
                     yield _alone(work, item, seconds, failed)
-                pool = _pool(workers)
+                pool = worker_pool(workers)
                 out = deque((other, _sent(pool, work, other)) for other, _ in out)
             else:
                 yield from results
@@ -112,7 +112,7 @@ def _alone(
     work: Callable[[list[_Item]], list[_Result]], item: _Item, seconds: float, failed: Callable[[_Item, str], _Result]
 ) -> _Result:
     """One item in a process of its own, so that it is clear which of a batch it was."""
-    pool = _pool(1)
+    pool = worker_pool(1)
     future = pool.submit(work, [item])
     processes = _processes(pool)
     try:
@@ -127,7 +127,7 @@ def _alone(
         _end(pool)
 
 
-def _pool(workers: int) -> ProcessPoolExecutor:
+def worker_pool(workers: int) -> ProcessPoolExecutor:
     """Of processes that leave an interruption to the one that has sent them the work."""
     return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"), initializer=_begin)
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
+from itertools import chain
 from pathlib import Path, PurePosixPath
 
 from graphkin import errors
@@ -29,7 +30,7 @@ _DOCUMENTS = {
     ".toml": documents.read_toml, ".json": documents.read_json, ".txt": documents.read_lines,
     ".md": documents.read_lines,
 }  # fmt: skip
-_INNER = 50  # files in an archive that a student hands in
+_INNER, _WITHIN = 50, 2  # files in an archive that a student hands in; archives within each other
 
 
 def read_one(handed: Handed, asked: Key, limits: Limits = USUAL, roster: Roster | None = None) -> Submission:
@@ -38,6 +39,9 @@ def read_one(handed: Handed, asked: Key, limits: Limits = USUAL, roster: Roster 
     student = handed.owner.student
     try:
         with limited(limits.seconds, where):
+            if roster is not None and handed.row is None:
+                with suppress(GraphkinError):  # of what cannot be read folders and names tell whose it is
+                    student = _whose(handed, (), roster, where)
             if handed.reason is not None:
                 raise handed.reason
             contents = _contents(handed, limits)
@@ -144,7 +148,8 @@ def _contents(handed: Handed, limits: Limits) -> _Contents:
     texts: list[StudentDocument] = []
     drawings: list[tuple[str, bytes]] = []
     notes: list[GraphkinError] = []
-    for name, content in _unpacked(handed, limits, notes):
+    unpacked = (_unpacked(*file, _where(handed, file[0]), limits, notes) for file in handed.files)
+    for name, content in chain.from_iterable(unpacked):
         try:
             if PurePosixPath(name).suffix.lower() in DRAWINGS:
                 drawings.append((name, content))
@@ -162,20 +167,21 @@ def _where(handed: Handed, name: str) -> Where:
     return Where(handed.file if len(handed.files) == 1 else handed.file.removesuffix(handed.place) + name)
 
 
-def _unpacked(handed: Handed, limits: Limits, notes: list[GraphkinError]) -> Iterator[tuple[str, bytes]]:
-    """The files, those of an archive within one level too."""
-    for name, content in handed.files:
-        if PurePosixPath(name).suffix.lower() != ".zip":
-            yield name, content
-            continue
-        where = _where(handed, name)
-        try:
-            with archives.opened(content, where) as archive:
-                few = replace(limits, members=_INNER, archive_bytes=4 * limits.bytes)
-                for info in archives.members(archive, where, few):
-                    yield archives.member_name(info), archives.read_member(archive, info, where, few)
-        except GraphkinError as problem:
-            notes.append(problem)
+def _unpacked(
+    name: str, content: bytes, where: Where, limits: Limits, notes: list[GraphkinError], within: int = 0
+) -> Iterator[tuple[str, bytes]]:
+    """A file, or those of an archive; a platform packs the archive that a student hands in once more."""
+    if PurePosixPath(name).suffix.lower() != ".zip" or within == _WITHIN:
+        yield name, content
+        return
+    few = replace(limits, members=_INNER, archive_bytes=4 * limits.bytes)
+    try:
+        with archives.opened(content, where) as archive:
+            for info in archives.members(archive, where, few):
+                inner = archives.member_name(info), archives.read_member(archive, info, where, few)
+                yield from _unpacked(*inner, where, limits, notes, within + 1)
+    except GraphkinError as problem:
+        notes.append(problem)
 
 
 def _document(name: str, content: bytes, where: Where, limits: Limits) -> StudentDocument:
@@ -193,6 +199,14 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
     if suffix not in (*documents.PLAIN_TABLES, *documents.SHEETS):
         raise errors.NotMarkable(where, suffix or name[:40])
     return documents.of_one(documents.cells_of(name, content, where, limits), where, limits)
+
+
+def pictures_of(files: Set[str], limits: Limits = USUAL) -> dict[str, office.Seen]:
+    """The first picture in each of these hand-ins, as results call them, that has one."""
+    paths = dict.fromkeys(file.partition("!")[0] for file in sorted(files))
+    parts = ((one.file, part) for one in handed_in(paths, limits) if one.file in files for _, part in one.files)
+    inside = ((file, office.picture_in(content, Where(file), limits)) for file, content in parts)
+    return {file: seen for file, seen in inside if seen is not None}
 
 
 def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:

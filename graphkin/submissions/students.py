@@ -222,7 +222,8 @@ class Roster:
         for text, each in (*ranks, *((text, self.named(text)) for text in lines)):
             for some in filter(None, each):
                 if may and not may & some:
-                    raise TwoNames(where, first, ", ".join(map(self.label, sorted(some))))
+                    known = len(may) == 1 and tidy_id(text) != first
+                    raise TwoNames(where, min(may) if known else first, ", ".join(map(self.label, sorted(some))))
                 may, first = (may & some, first) if may else (some, tidy_id(text))
         if len(may) == 1:
             return min(may)

@@ -12,7 +12,7 @@ from xml.etree.ElementTree import Element, ParseError
 
 from graphkin.base.value import frozen
 from graphkin.check.outlines import Affine, Unread, is_plain, length, numbers_in, outline, transform
-from graphkin.construction import Plane
+from graphkin.construction import SCALES, Plane
 from graphkin.errors import BrokenSubmission, Where
 from graphkin.submissions.picture import Dot, PagePicture, PictureArrow, PictureText
 from graphkin.submissions.submission import Limits
@@ -26,7 +26,6 @@ _DEFINED = ("defs", "symbol", "marker", "clipPath", "mask", "pattern", "linearGr
 _LINES = ("line", "polyline", "polygon", "path")
 _WIDE, _ABOVE, _BELOW = 0.52, 0.75, 0.22
 """A letter's width, and how far letters reach over and under their line, in parts of the type's size."""
-_KEYS: Mapping[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
 _FAR = 1e9  # no page is so large [mm]
 _Mark = list[tuple[complex, complex]] | Dot | PictureText
 
@@ -152,7 +151,7 @@ def _named(element: Element) -> tuple[str, Plane | None]:
     """The name that a dot bears in the file: graphkin's own, Inkscape's label, or its id."""
     attributes = element.attrib
     if "data-name" in attributes:
-        plane = next((plane for plane in _KEYS.values() if plane == attributes.get("data-plane")), None)
+        plane = next((plane for plane in SCALES if plane == attributes.get("data-plane")), None)
         return attributes["data-name"][:60], plane
     return (attributes.get(f"{_INK}label") or attributes.get("id", ""))[:60], None
 
@@ -231,5 +230,5 @@ def _stated(root: Element) -> dict[Plane, float]:
             except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
                 return {}
             sized = {key: float(v) for key, v in scales if isinstance(v, float | int) and 1e-9 < v < 1e9}
-            return {_KEYS[key]: v for key, v in sized.items() if key in _KEYS}
+            return {plane: sized[key] for plane, key in SCALES.items() if key in sized}
     return {}

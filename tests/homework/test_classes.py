@@ -69,7 +69,7 @@ def told(judge, paths: list[str], **how) -> list:
 
 
 def test_workers_give_the_same_in_the_same_order():
-    paths = [table(200), "missing.toml", *bad_files(60), table(10, "again.csv")]
+    paths = [table(200), "missing.toml", *bad_files(25), table(10, "again.csv")]
     assert told(key_from("ex3-1"), paths, workers=2) == told(key_from("ex3-1"), paths)
 
 

@@ -101,6 +101,15 @@ def test_both_polygons_are_to_one_scale():
     assert not any(mark.new for mark in arrows(picture, "a^r_B3B2"))
 
 
+@pytest.mark.parametrize("answer", [True, False])
+def test_an_arrow_that_is_left_out_has_its_place_marked(answer: bool):
+    """Where there is nothing else to be seen of it: not over the right drawing, in which it is."""
+    of = found("ex3-1", ("coriolis-omitted",))
+    picture = mistake_sheets(*drawn("ex3-1"), found=of, answer=answer)
+    rings = [mark for one in picture for mark in one.marks if isinstance(mark, Disc) and mark.new]
+    assert len(rings) == (0 if answer else 1)
+
+
 def test_a_mistake_of_another_size_keeps_the_right_polygon_legible():
     """Three orders of magnitude apart: each at a scale of its own, which is told."""
     picture = mistake_sheets(*drawn("ex3-1"), found=found("ex3-1", ("conversion", "carried", "omega 3", "10³")))

@@ -67,6 +67,15 @@ def test_late_work_adds_and_replaces():
     assert set(records()) == set(rows())
 
 
+def test_a_teacher_s_words_stand_on_that_student_s_page_alone():
+    grade(table("class.csv", s1=WRONG, s2=RIGHT, s3=RIGHT), "-o", "res", "--format", "csv")
+    teacher("res", s1=("2.5", "see <me>"), s2=("", "neat"))
+    grade("class.csv", "-o", "res", "--format", "pages")
+    pages = {path.stem: path.read_text("utf-8") for path in Path("res/pages").iterdir()}
+    shown = {who: [text for text in ("2.5 of", "see &lt;me&gt;", "neat") if text in page] for who, page in pages.items()}
+    assert shown == {"s1": ["2.5 of", "see &lt;me&gt;"], "s2": ["neat"], "s3": []}
+
+
 def test_marks_are_given_up_for_other_marks_alone():
     """A late file that cannot be read, or a table that is another's by now, loses nobody's marks."""
     grade(table("class.csv", s1=RIGHT, s2=RIGHT), "-o", "r.json")

@@ -60,10 +60,10 @@ def test_what_is_not_read_waits_for_the_teacher_and_what_is_missing_costs():
 def test_it_stands_in_the_terminal_and_in_every_file_of_a_class():
     Path("class.csv").write_text(CLASS, encoding="utf-8")
     rows = [row.split() for row in run("grade", "key.json", "class.csv").splitlines()]
-    assert ["omega", "3", "see", "drawing", "2.853", "±0.1319", "rad/s", "not", "read:", "look"] in rows
+    assert ["omega", "3", "see", "drawing", "2.853", "±0.1319", "rad/s", "not", "read"] in rows
     run("grade", "key.json", "class.csv", "-o", "out", "--format", "csv")
     table = Path("out/class.csv").read_text("utf-8-sig").splitlines()
-    assert '"not read: look ""3 or 4""",,"not read: look ""see drawing""",,' in table[2]
+    assert '"not read ""3 or 4""",,"not read ""see drawing""",,' in table[2]
     assert table[1].startswith("a,,class.csv,marked,3,8,,3,37.5,")
     assert table[2].startswith("b,,class.csv,marked,0.5,8,,,,")  # no total until the teacher has looked
     assert table[2].endswith(",ω2 not read: 3 or 4; ω3 not read: see drawing,")
@@ -78,7 +78,7 @@ def test_it_stands_in_the_terminal_and_in_every_file_of_a_class():
     run("grade", "key.json", "class.csv", "-o", "out", "--format", "pages", "--lang", "zh")
     page = Path("out/pages/b.html").read_text("utf-8")
     assert '<td class="number">see drawing</td>' in page
-    assert "未能读出：请核对" in page
+    assert "未能读出" in page
 
 
 def test_marks_that_are_marked_anew_keep_it():

@@ -19,6 +19,7 @@ from defusedxml.ElementTree import fromstring
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from moodle_rules import imported, shown
+from qti_rules import check_items, check_manifest
 
 import graphkin
 from graphkin.cli import main
@@ -328,6 +329,8 @@ def bank(path: Path):
         resources = [*unspaced(archive.read("imsmanifest.xml")).iter("resource")]
         (bank,) = (each for each in resources if each.attrib["type"] == "imsqti_xmlv1p2")
         name = bank.find("file").attrib["href"]
+        check_manifest(archive.read("imsmanifest.xml"))
+        check_items(archive.read(name))
         assert name == f"{bank.attrib['identifier']}/{bank.attrib['identifier']}.xml"
         assert {each.attrib["type"] for each in resources if each is not bank} <= {"webcontent"}
         files = {file.attrib["href"] for each in resources for file in each.iter("file")}
@@ -426,6 +429,18 @@ def test_word_file_opens_in_a_word_reader(tmp_path: Path):
     docx = pytest.importorskip("docx")
     found = [paragraph.text for paragraph in docx.Document(str(written(tmp_path, "xuexitong"))).paragraphs]
     assert found[1] == "答案：-1.25"
+
+
+def test_the_table_for_excel_has_a_row_a_blank(tmp_path: Path):
+    openpyxl = pytest.importorskip("openpyxl")
+    head, *rows = openpyxl.load_workbook(written(tmp_path, "xuexitong-xlsx", lang="zh"))["课程题库"].iter_rows(values_only=True)
+    assert [(row[head.index("正确答案")], row[head.index("选项A")], row[head.index("选项数")]) for row in rows] == [
+        ("-1.25", "-1.25", 1), ("62.2", "62.2", 1),
+    ]  # fmt: skip
+    assert {row[head.index("题目类型")] for row in rows} == {"填空题"}
+    assert all(row[head.index("大题题干")].endswith("= ____") for row in rows)
+    hostile = openpyxl.load_workbook(written(tmp_path, "xuexitong-xlsx", hostile_set()))["课程题库"]
+    assert len([*hostile.iter_rows(min_row=2)]) == 2 * len(HOSTILE)
 
 
 # --- the command ------------------------------------------------------------------------------

@@ -174,6 +174,22 @@ def test_folders_of_students_and_answers_beside_a_drawing():
     assert whose(rows) == ["20231048", "20231049"]
 
 
+def test_each_student_is_an_archive():
+    """As 学习通 packs a class, `学号-姓名.zip` for each; an archive that a student handed in is in that once more."""
+    def packed(name: str, content: bytes) -> bytes:
+        with zipfile.ZipFile(whole := io.BytesIO(), "w") as archive:
+            archive.writestr(name, content)
+        return whole.getvalue()
+
+    one = packed("答案.toml", RIGHT)
+    roster = "学号,姓名\n20231048,朱霞洋\n20231049,李雷\n"
+    rows = graded(roster, zipped({"作业/20231048-朱霞洋.zip": one, "作业/20231049-李雷.zip": packed("作业.zip", one)}))
+    assert [row["status"] for row in rows] == ["marked", "marked"]
+    assert whose(rows) == ["20231048", "20231049"]
+    Path("20231049-李雷.zip").write_bytes(one)
+    assert whose(graded(roster, "20231049-李雷.zip")) == ["20231049"]
+
+
 @pytest.mark.parametrize("rows", [
     [["姓名", "朱霞洋"], ["ω3", -3.92]], [["姓名", "朱霞洋"], ["学号", 20231048], ["omega 3", -3.92]],
     [["答题表"], ["姓名", "朱霞洋", "学号", "20231048"], ["量", "答案", "单位", "转向"], ["ω3", 3.92, "rad/s", "顺时针"], ["akB3B2", 2.5, "m/s²", "—"]],

@@ -10,15 +10,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from template_text import TEXT
+from template_text import TEXT, variants
 
 from graphkin import api
 from graphkin import files as loading
 from graphkin.cli import main
+from graphkin.construction import SCALES
 from graphkin.files import library
 from graphkin.homework.grading import key_for
-from graphkin.homework.grading.keys import KEYS, USUAL, marking_of
-from graphkin.homework.problems import draws, read_template, roster, variants, well_posed
+from graphkin.homework.grading.keys import USUAL, marking_of
+from graphkin.homework.problems import draws, read_template, roster, well_posed
 from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.discriminability import (
     Always,
@@ -246,7 +247,7 @@ def test_scales_are_in_the_file_and_its_sheet_has_room(four_bars: Path):
     (variant,) = variants(read_template(four_bars), roster("1"), "1")
     stated, method = variant.mechanism.scales, api.plan(variant.mechanism)
     assert sorted(stated) == ["acceleration", "length", "velocity"]
-    assert {KEYS[plane]: scale for plane, scale in scales_of(method, replay_all(method)).items()} == stated
+    assert {SCALES[plane]: scale for plane, scale in scales_of(method, replay_all(method)).items()} == stated
 
 
 # --- figures ----------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import io
 import json
 import sys
@@ -88,6 +89,39 @@ def test_a_file_beside_answers_that_is_not_read_is_the_teacher_s_to_look_at():
     record = graded("class.zip", data.getvalue())
     assert (record["status"], len(record["remarks"])) == ("marked", 1)
     assert "sheet.jpg" in record["remarks"][0]["text"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<p>&omega;<sub>3</sub> = -3.92 rad/s<br>alpha 3 = 62 rad/s<sup>2</sup></p><div>a_k B3B2: 2.5</div>",
+        "<style>p { top: 9 }</style><table><thead><tr><th>quantity<th>value</thead><tr><td>ω<sub>3</sub></td><td><p>-3.92&nbsp;rad/s</p>"
+        "</td></tr><tr><td>alpha 3</td>\n<td>62</td></tr><tr><td>a_k B3B2</td><td>2.5</td></tr></table><!-- alpha 3 = 9 -->",
+    ],
+)  # fmt: skip
+def test_the_text_that_moodle_keeps_of_a_form(text: str):
+    folder = Path("Li Lei_4460_assignsubmission_onlinetext_")
+    folder.mkdir()
+    record = graded(f"{folder}/onlinetext.html", text.encode())
+    assert told(record) == {"omega 3": "right", "alpha 3": "right", "a_k B3B2": "right"}
+
+
+PNG = b"\x89PNG\r\n\x1a\n" + bytes(40)
+
+
+def test_the_picture_of_what_was_not_read_stands_in_the_report():
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as archive:
+        archive.writestr("word/media/image1.png", PNG)
+    files = {"s1.png": PNG, "s2.docx": data.getvalue(), "s3.pdf": b"%PDF-1.4 broken", "s4.csv": b"omega 3,-3.92"}
+    for name, content in files.items():
+        Path(name).write_bytes(content)
+    done = CliRunner().invoke(main, ["grade", "ex3-1", *files, "-o", "res", "--format", "report", "--lang", "en"])
+    assert done.exit_code == 0, done.output
+    page = Path("res/class-report.html").read_text("utf-8")
+    assert [page.count(f"<figcaption>{name}<") for name in ("s1", "s2", "s3", "s4")] == [1, 1, 0, 0]
+    assert page.count(f"data:image/png;base64,{base64.b64encode(PNG).decode()}") == 2
+    assert "<h1>Four-bar with a sliding pair on the rocker</h1>" in page
 
 
 def test_words_without_numbers_are_to_be_looked_at():

@@ -12,7 +12,7 @@ from pathlib import Path
 from graphkin import api
 from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
-from graphkin.construction import Plane, Plot
+from graphkin.construction import SCALES, Plot
 from graphkin.errors import BadKey, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Where
 from graphkin.files import from_dict, loads
 from graphkin.homework import opening
@@ -32,7 +32,6 @@ _LARGEST = 64 << 20
 _PAGE = complex(130.0, 97.0)  # of any figure that is drawn as large as a page allows [mm]
 _ALONE = complex(140.0, 190.0)  # of one that is alone on its page
 _SAME = 1e-6  # values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same
-KEYS: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
 
 @frozen
@@ -72,7 +71,7 @@ def remade(key: Key, pencils: Pencils) -> Key:
     marking = replace(own, sigmas=sigmas, relative=relative)
     mechanism = loads(key.text, name=key.name)
     if "length_mm" in pencils.said:
-        lengths: dict[str, float] = {plane: pencils.length_mm * own.scales[scale] for plane, scale in KEYS.items()}
+        lengths: dict[str, float] = {plane: pencils.length_mm * own.scales[scale] for plane, scale in SCALES.items()}
         marking = replace(marking, lengths=lengths, angle=math.radians(pencils.angle_deg))
         method, points = api.plan(mechanism, key.coincident), {entry.text: entry.points for entry in key.entries}
         quantities = [q for text in points if (q := readable(mechanism, text)) is not None]
@@ -104,7 +103,7 @@ def key_drawn(method: Method, pencils: Pencils = USUAL, quantities: Sequence[Qua
 def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, float] | None = None) -> Marking:
     """A pencil's errors at the scales of the mechanism's sheet, or at others."""
     scales = scales or paper_scales(method, proved(method).plot)
-    lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
+    lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in SCALES.items()}
     angle, follows = math.radians(pencils.angle_deg), method.mechanism.follows
     return Marking(lengths, angle, dict(scales), pencils.sigmas, pencils.relative, follows)
 
@@ -113,12 +112,12 @@ def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
     """The file's own scales; others are those of the mechanism's sheet. They are its handout's, too: of one without
     room on a page they are coarser."""
     written = method.mechanism.scales
-    if all(key in written for key in KEYS.values()):
-        return {key: written[key] for key in KEYS.values()}
+    if all(key in written for key in SCALES.values()):
+        return {key: written[key] for key in SCALES.values()}
     from graphkin.sheet import scales_of
 
     of_sheet, least = scales_of(method, plot), page_scales(method, plot, (_ALONE,))
-    return {key: written.get(key) or max(float(of_sheet[plane]), least[key]) for plane, key in KEYS.items()}
+    return {key: written.get(key) or max(float(of_sheet[plane]), least[key]) for plane, key in SCALES.items()}
 
 
 def page_scales(
@@ -129,8 +128,8 @@ def page_scales(
     from graphkin.sheet.paper import finest
     from graphkin.sheet.window import PLANES, corners
 
-    planes, scales = Planes(method, plot, PLANES, "construction", "en"), {}
-    for plane, key in KEYS.items():
+    planes, scales = Planes(method, plot, PLANES, "construction", "en"), dict[str, float]()
+    for plane, key in SCALES.items():
         low, high = corners(planes.values(plane))
         scales[key] = method.mechanism.scales.get(key) or min(finest(high - low, room) for room in rooms)
     return scales

@@ -239,7 +239,7 @@ def _kept(
             other = had and asks and key != judge.key_print(before.work.student)
             same = other and asks == batches.asked_print(judge, before.work.student)
             kept.append((old, before if same else None))
-        elif now is not None and had and now["prints"][:1] != old.get("fingerprints", [])[:1]:
+        elif now is not None and (had or not again) and now["prints"][:1] != old.get("fingerprints", [])[:1]:
             lines = (Where(one["file"], int(one["place"]) if one["place"].isdecimal() else None) for one in (old, now))
             journal.replaced.append((old["student"], *map(str, lines)))
     journal.kept = len(kept)

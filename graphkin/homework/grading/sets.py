@@ -35,7 +35,7 @@ KIND = "graphkin keys"
 FORMAT = 1
 TEACHER = "teacher"  # the folder of a set with what is not handed out
 _KEY, _SET = ".key.json", "key.json"
-_KEPT = 32  # keys that are held ready
+_KEPT = 64  # keys that are held ready: of all that are read, and then marked, at once
 
 
 class SetMarker:

@@ -9,25 +9,28 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from decimal import Decimal
 from functools import partial
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import called, habit, in_letters, suspected
+from graphkin.homework.platforms.feedback import called, habit, suspected, without_place
 from graphkin.homework.platforms.markup import in_html
-from graphkin.homework.platforms.pages import document, typeset
-from graphkin.homework.platforms.question import texts_in
-from graphkin.homework.platforms.result import Result, most_of, points_of
+from graphkin.homework.platforms.pages import document, figure_element, typeset
+from graphkin.homework.platforms.question import in_letters, texts_in
+from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Explanation, Habit
 from graphkin.marking.records import Verdict
 from graphkin.outputs import diagram
 from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, writable
+from graphkin.outputs.diagram.fonts import typeset as in_diagrams
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import say
-from graphkin.sheet.lettering import is_wide
+from graphkin.sheet.lettering import formula, is_wide
+from graphkin.submissions.office import Seen
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -181,7 +184,7 @@ def report_text(report: ClassReport, lang: Lang, names: Mapping[str, str] | None
               for student, name, text in report.unread]  # fmt: skip
     if report.not_read > len(unread):
         unread.append(say("marks.more", lang, count=report.not_read - len(unread)))
-    remarks = [say("class_report.remark", lang, student=who(student), file=file, remark=remark)
+    remarks = [say("class_report.remark", lang, student=who(student), file=file, remark=without_place(remark, lang))
                for student, file, remark in report.remarks]  # fmt: skip
     parts = {"remarks": remarks, "unread": unread, "steps": steps, "mistakes": mistakes, "habits": habits,
              "distribution": distribution}  # fmt: skip
@@ -201,17 +204,28 @@ def mistake_counts(report: ClassReport, lang: Lang) -> list[tuple[str, int]]:
     return [(in_letters(suspected(one, lang), names), count) for one, count in report.mistakes]
 
 
-def report_page(report: ClassReport, lang: Lang, names: Mapping[str, str], figure: str) -> bytes:
-    """The report as a page like those of the students, over the figure, an SVG element."""
+def report_page(
+    report: ClassReport, lang: Lang, names: Mapping[str, str], figure: str, problem: str, seen: Mapping[str, Seen]
+) -> bytes:
+    """The report on a problem as a page like those of the students, over the figure, an SVG element; with what is to
+    be seen in files that were not read."""
     title, drawn = say("class_report.title", lang), say("class_report.part distribution", lang)
-    plain = {say(f"class_report.part {part}", lang) for part in ("remarks", "unread")}  # with words of students
+    plain, unread = (say(f"class_report.part {part}", lang) for part in ("remarks", "unread"))  # with students' words
     head, *parts = ("\n".join(report_text(report, lang, names))).split("\n\n")
-    body = [f"<header><h1>{in_html(title)}</h1></header><p>{in_html(head)}</p>"]
+    who = f'<p class="who">{in_html(title)}</p>' if problem else ""
+    body = [f"<header>{who}<h1>{in_html(problem or title)}</h1></header><p>{in_html(head)}</p>"]
     for part, *lines in (part.split("\n  ") for part in parts):
         if part != drawn:
-            items = "".join(f"<li>{(in_html if part in plain else typeset)(line)}</li>" for line in lines)
+            cut = ((line, "", "") if part != unread else line.partition(say("common.colon", lang)) for line in lines)
+            own = in_html if part == plain else typeset
+            items = "".join(f"<li>{own(name)}{in_html(colon + words)}</li>" for name, colon, words in cut)
             body.append(f"<h2>{in_html(part)}</h2><ul>{items}</ul>")
-    return document(title, "\n".join([*body, f"<figure>{figure}</figure>"]), lang)
+        if part == plain:
+            there = ((who, seen[file]) for who, file, _ in report.remarks if file in seen)
+            shown = (figure_element(ResultPicture(_called(names, lang, who), *picture)) for who, picture in there)
+            body.append(f'<div class="pictures">{"".join(shown)}</div>')
+    figure = f'<figure role="img" aria-label="{escape(drawn)}">{figure}</figure>'
+    return document(f"{title}{say('common.colon', lang)}{problem}", "\n".join([*body, figure]), lang)
 
 
 def report_record(report: ClassReport) -> dict[str, Plain]:
@@ -244,6 +258,7 @@ _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
 _TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 8.0, 45.0
 _MOST = 25  # mistakes and steps that are shown; tables have the rest
 _LONGEST = 38
+_SIMPLE = re.compile(r"(?:[-A-Za-z0-9 _,.:;()/′θωαᵏⁿʳᵗ]|_\{[A-Za-z0-9_,]+\})+")
 _VERDICTS = (
     ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),
     ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"), ("not read", "#bbbbbb", "oo"),
@@ -258,7 +273,7 @@ def write_class_figure(path: Path, report: ClassReport, lang: Lang = "en", force
     if kind not in diagram.FORMATS:
         raise diagram.NotADiagram(str(path))
     spoken: Lang = lang if chinese_font() is not None else "en"
-    with beside(path, force, (diagram.MARK.encode(),)) as draft, diagram.settings():
+    with beside(path, force, (diagram.MARK.encode(),)) as draft, diagram.settings(outlines=True):
         about = diagram.metadata(kind, say("class_report.part steps", spoken))
         class_figure(report, spoken).savefig(draft, format=kind[1:], dpi=200, metadata=about)
     return NoChineseFont() if lang != spoken else None
@@ -309,7 +324,9 @@ def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
         _write_instead(axes, say("class_report.nothing diagnosed", lang), *texts)
         return
     axes.barh(range(len(mistakes)), [count for _, count in mistakes], color="#bbbbbb", edgecolor="black", linewidth=0.6)
-    _name_rows(axes, [text for text, _ in mistake_counts(report, lang)[:_MOST]], lang)
+    likeliest = replace(report, mistakes=tuple((replace(one, names=one.names[:1]), n) for one, n in mistakes))
+    more = ["" if len(one.names) == 1 else " / .." for one, _ in mistakes]
+    _name_rows(axes, [text + end for (text, _), end in zip(mistake_counts(likeliest, lang), more, strict=True)], lang)
 
 
 def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
@@ -337,15 +354,12 @@ def _title(axes: Axes, title: str) -> None:
     axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
 
 
-_RAISED = str.maketrans({"ᵏ": "^k", "ⁿ": "^n", "ʳ": "^r", "ᵗ": "^t"})
-_ARROW = re.compile(r"\b([va])(?:\^([knrt]))?_([A-Za-z0-9]+)\b")
-
-
 def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:
-    """Names beside the bars, the first above: arrows as formulas, all else in plain letters, whatever they are."""
-    plain = (_shortened(writable(name.translate(_RAISED))).replace("$", r"\$") for name in names)
-    # beside Chinese letters matplotlib sets no formula
-    texts = [_ARROW.sub(r"$\1^{\2}_{\3}$", text) if text.isascii() else text for text in plain]
+    """Names beside the bars, the first above: as formulas, but for Chinese ones, beside which matplotlib sets none."""
+    texts = [
+        "\n".join(in_diagrams(formula(line)) if _SIMPLE.fullmatch(line) else line.replace("$", r"\$") for line in lines)
+        for lines in (_shortened(writable(name)).split("\n") for name in names)
+    ]
     axes.set_yticks(range(len(names)), texts, fontsize=8, multialignment="right")
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
     axes.set_xlabel(say("class_report.students", lang), fontsize=8)
@@ -361,6 +375,7 @@ def _shortened(name: str) -> str:
             if len(lines) > 1:
                 return "\n".join(lines)[:-2] + ".."
             whole, space, rest = lines[0].rpartition(" ")
+            space = "" if any(map(is_wide, rest)) else space
             lines, wide = ([whole, rest] if space else [lines[0], ""]), len(rest) if space else 0
         lines[-1] += letter
     return "\n".join(lines)

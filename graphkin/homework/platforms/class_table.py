@@ -14,9 +14,9 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, Lang, NotAnOverride, Unreadable, Where
-from graphkin.homework.platforms.feedback import as_on_sheets, habit, in_letters, suspected
+from graphkin.homework.platforms.feedback import as_on_sheets, habit, suspected, without_place
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.question import in_letters, texts_in
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
 from graphkin.marking.records import Judged
@@ -72,7 +72,7 @@ def _percent(score: Decimal | None) -> Decimal | None:
 def look_at(result: Result, lang: Lang) -> Iterator[str]:
     """The reasons for which the teacher should look at a submission."""
     if result.status != "marked":
-        yield texts_in([result.reason], lang)[0]
+        yield without_place(texts_in([result.reason], lang)[0], lang)
     for line in result.lines:
         if line.written:
             name = as_on_sheets(result, line.text)
@@ -115,10 +115,12 @@ def gradebook(problems: Marked, called: Called, lang: Lang) -> Iterator[list[Cel
             points = [one.total for one in handed_in.get(name, ()) if one.total is not None]
             status = "not marked" if name in handed_in else "absent"
             cells.append(points[0] if points else say(f"verdicts.status {status}", lang))
-        total = sum((cell for cell in cells if isinstance(cell, Decimal)), Decimal(0))
+        some = [cell for cell in cells if isinstance(cell, Decimal)]
+        waits = say("verdicts.status not marked", lang) in cells  # that is no zero
+        total = None if waits and not some else sum(some, Decimal(0))
         reasons = (f"{name}{say('common.colon', lang)}{reason.rstrip('.。')}" for name, results in handed_in.items()
                    for result in results for reason in look_at(result, lang))  # fmt: skip
-        score = _percent(total / whole) if whole else None
+        score = _percent(total / whole) if whole and total is not None and not waits else None
         look = say("common.semicolon", lang).join(reasons)
         yield [student, called.get(student, ""), *cells, total, whole, score, look]
 

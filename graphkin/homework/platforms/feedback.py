@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.question import in_letters, texts_in
 from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import SLIP, Explanation, Habit
 from graphkin.marking.records import Judged
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
-from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import say
 from graphkin.say.marks import departs, how_sure, joined, mistake_hint, mistake_kind, mistakes_together, verdict
-from graphkin.say.names import symbols, vector
 from graphkin.say.numbers import number
 
 _NAMED = 4  # of what is to be done again not more quantities are named
@@ -80,14 +78,6 @@ def as_on_sheets(result: Result, text: str) -> str:
     return in_letters(text, (line.text for line in result.lines))
 
 
-def in_letters(text: str, names: Iterable[str]) -> str:
-    """A text with these quantities, with rotations and arrows as the sheets write them."""
-    known = {name for whole in names for name in (whole, whole.split(" #")[0].split(" @")[0])}
-    turning = ("theta ", "omega ", "alpha ")
-    typed = respelled(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
-    return re.sub(r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+", lambda arrow: vector(arrow[0]), typed)
-
-
 def under_table(page: Feedback) -> Iterator[str]:
     """The arithmetic, and what carried means."""
     result, lang = page.result, page.lang
@@ -132,11 +122,13 @@ def next_step(page: Feedback) -> str:
 def _to_do(result: Result) -> Iterator[tuple[str, list[str]]]:
     """What there may be to do, the most useful first, with the quantities."""
     wrong = [line for line in result.lines if line.verdict == "wrong"]
+    sense = [line.text for line in wrong if line.credit and line.sense == "wrong"]
     yield "unread", [line.text for line in result.lines if line.written]
+    yield "sense", sense if len(wrong) == 1 else []
     if result.suspicions:
         yield "mistake", [*result.suspicions[0].explains]
     yield "unit", [line.text for line in wrong if not line.unit_right]
-    yield "sense", [line.text for line in wrong if line.credit and line.sense == "wrong"]
+    yield "sense", sense
     yield "departure", [result.departure.text] if result.departure is not None else []
     yield "wrong", [line.text for line in wrong][:1]
     yield "missing", [line.text for line in result.lines if line.verdict == "missing" and line.points]
@@ -258,9 +250,14 @@ def _in_words(one: Explanation, lang: Lang) -> list[str]:
 
 
 def points_that_count(result: Result, lang: Lang) -> Iterator[str]:
-    """That the teacher gave them, and the points that count; nothing where there are none."""
+    """The points that count, and that the teacher gave them, or what they wait for; and what the teacher writes."""
     most = exponentless(result.most)
     if result.override is not None:
         yield say("feedback.override", lang, points=exponentless(result.override), most=most)
     if result.total is not None:
         yield say("feedback.total", lang, points=exponentless(result.total), most=most)
+    elif result.status == "marked":
+        names = say("common.list", lang).join(line.text for line in result.lines if line.written)
+        yield as_on_sheets(result, say("feedback.no total", lang, names=names))
+    if result.comment:
+        yield say("feedback.comment", lang, comment=one_line(result.comment))

@@ -36,19 +36,19 @@ h1 { font-size: 1.35em; line-height: 1.25; margin: 2px 0 8px } h2 { font-size: 1
 .total { font-size: 1.3em; font-weight: bold; margin: 0 } .praise { margin: 4px 0 }
 .next { border-left: 4px solid #1f4e79; background: #eef4fa; padding: 8px 12px; margin: 10px 0 }
 .next b { display: block; color: #1f4e79 } figure { margin: 8px 0; max-width: 100%; overflow-x: auto }
-figure svg, figure img { display: block; max-width: 100%; height: auto } figure.wide svg { min-width: 165mm }
+figure svg, figure img { display: block; max-width: 100%; height: auto }
 .pictures { display: flex; flex-wrap: wrap; gap: 4px 8px; align-items: flex-start }
-.pictures p, .pictures figure.wide { flex: 1 0 100%; margin: 6px 0 0 } .pictures figure { flex: 0 1 88mm }
+.pictures p { flex: 1 0 100%; margin: 6px 0 0 } .pictures figure { flex: 0 1 88mm }
 table { border-collapse: collapse; width: 100% } th { color: #55606e; font-weight: normal; font-size: .9em }
 th, td { border-bottom: 1px solid #d5dbe2; padding: 5px 8px; text-align: left; vertical-align: top }
-th.number, td.number { text-align: right; font-variant-numeric: tabular-nums }
+th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
+span { white-space: nowrap } tr.not.read td { white-space: normal; overflow-wrap: anywhere }
 .right .verdict, .carried .verdict { color: #1b6e3c } .not.read .verdict { color: #8a5a00 }
 .wrong .verdict, .missing .verdict { color: #a61b1b; font-weight: bold } .note { font-size: .9em; color: #434d59 }
 @media (max-width: 520px) { body { font-size: 15px; padding: 12px } th, td { padding: 5px 4px } }
 @media print { @page { size: A4; margin: 15mm } body { max-width: none; padding: 0; font-size: 10.5pt }
   figure, tr, .next { break-inside: avoid } h2 { break-after: avoid } }
 """
-_WIDE = 105.0  # a drawing that is wider is shown at full size, to be moved across a small screen [mm]
 
 Page = Callable[[Feedback], bytes]
 
@@ -56,7 +56,8 @@ Page = Callable[[Feedback], bytes]
 def html(page: Feedback) -> bytes:
     """A page that needs nothing but itself: points and the next step, the quantities, the diagnosis, pictures."""
     lang = page.lang
-    begin = "".join(_paragraph(text, "total") for text in feedback.points_that_count(page.result, lang))
+    points = enumerate(feedback.points_that_count(page.result, lang))
+    begin = "".join(_paragraph(text, "praise" if k else "total") for k, text in points)
     begin += _paragraph(feedback.praise(page.result, lang), "praise")
     if step := feedback.next_step(page):
         begin += f'<div class="next"><b>{say("feedback.next", lang)}</b>{typeset(step)}</div>'
@@ -65,14 +66,14 @@ def html(page: Feedback) -> bytes:
     if (problem := page.problem) is not None:
         heading, who = problem.label, f'<p class="who">{in_html(title)}</p>'
         label = say("feedback.problem", lang, title=problem.label)
-        figure = _figure(replace(problem, label=label)) if problem.data else ""
+        figure = figure_element(replace(problem, label=label)) if problem.data else ""
     body = [f'<div class="start"><div>{begin}</div>{figure}</div>']
     body += [_html_table(page)] if page.result.lines else []
     body += [_paragraph(text, "note") for text in feedback.under_table(page)]
     found = [text for text in feedback.diagnosis(page.result, lang, page.reveal) if text != step]
     if found or page.pictures:
         body += [f"<h2>{in_html(say('feedback.diagnosis', lang))}</h2>", *map(_paragraph, found)]
-        body += [f'<div class="pictures">{"".join(map(_figure, page.pictures))}</div>'] if page.pictures else []
+        body += [f'<div class="pictures">{"".join(map(figure_element, page.pictures))}</div>'] if page.pictures else []
     body += [_paragraph(text, "note") for text in feedback.at_the_end(page)]
     return document(title, f"<header>{who}<h1>{in_html(heading)}</h1></header>\n" + "\n".join(body), lang)
 
@@ -88,7 +89,8 @@ def document(title: str, body: str, lang: Lang) -> bytes:
 
 def typeset(text: str) -> str:
     """A sentence with its quantities in the letters of the sheet."""
-    return "<br>".join(html_words(formula(clean(line))) for line in text.split("\n"))
+    lines = "<br>".join(html_words(formula(clean(line))) for line in text.split("\n"))
+    return re.sub("<math>(?:(?!</math>).)*</math>[,.;:)、，。；：）]+", r"<span>\g<0></span>", lines)
 
 
 def _paragraph(text: str, kind: str = "") -> str:
@@ -112,18 +114,17 @@ def _row(kind: str, cells: Iterable[str], kinds: Sequence[str], tag: str) -> str
     return f'<tr class="{kind}">' + "".join(texts) + "</tr>"
 
 
-def _figure(picture: ResultPicture) -> str:
+def figure_element(picture: ResultPicture) -> str:
     """A drawing of graphkin's own within the page, described for those who hear it; any other picture as its data."""
     if not picture.data:
         return _paragraph(picture.label)
     label = escape(clean(picture.label))
     if picture.kind != _SVG:
         data = base64.b64encode(picture.data).decode()
-        return f'<figure><img alt="{label}" src="data:{picture.kind};base64,{data}"></figure>'
+        image = f'<img alt="" src="data:{picture.kind};base64,{data}">'
+        return f"<figure>{image}<figcaption>{label}</figcaption></figure>"
     text = picture.data.decode()
-    wide = (match := _START.match(text)) is not None and float(match[1]) > _WIDE
-    kind = ' class="wide"' if wide else ""
-    return f"<figure{kind}>" + text.replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1) + "</figure>"
+    return "<figure>" + text.replace("<svg ", f'<svg role="img" aria-label="{label}" ', 1) + "</figure>"
 
 
 # --- a drawing, for platforms that take back drawings -----------------------------------------------------------------

@@ -100,8 +100,8 @@ class PolygonPictures:
         if changed is not None:
             shows = as_on_sheets(result, mistakes_together(mistake, lang))
             label.append(say("pictures.shows", lang, mistake=shows))
-            thick = any(changed.arrows.values()) or any(changed.images.values())
-            label += [say("pictures.thick", lang)] if thick else []
+            red = any(mark.new for sheet in sheets for mark in sheet.marks)
+            label += [say("pictures.red", lang)] if red else []
         label += [say("pictures.brackets", lang)] if own or answer else []
         label += [] if answer else [say("pictures.no scale", lang)]
         sentence = say("pictures.between", lang).join(label)
@@ -110,16 +110,16 @@ class PolygonPictures:
     def _otherwise(
         self, here: Marker, at: int, names: Sequence[tuple[Name, ...]]
     ) -> tuple[tuple[Name, ...], DrawingComparison | None]:
-        """The first of the mistakes that draws something otherwise, and its drawing; else the first known."""
+        """The likeliest of the mistakes that is known, and its drawing; nothing where only others draw otherwise."""
         if at not in self._rewrites:
             every = rewrites(here.method, here.plot, here.quantities, here.key.marking.scales)
             self._rewrites[at] = {one.name: one for one in every}
         own = self._rewrites[at]
         known = [mistake for mistake in names[:_SAME] if mistake and all(name in own for name in mistake)]
-        for mistake in known:
+        for k, mistake in enumerate(known):
             changed = compare_drawings(here.method, here.plot, [own[name] for name in mistake])
-            if changed.planes:
-                return mistake, changed
+            if changed.planes:  # where the likeliest draws nothing otherwise, no other's drawing is the student's
+                return ((), None) if k else (mistake, changed)
         return next(iter(known), ()), None
 
 

@@ -9,6 +9,7 @@ right value is left out.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -20,9 +21,10 @@ from graphkin.errors import Lang, NoRightNumber
 from graphkin.homework.platforms.tables import rounded, tolerated
 from graphkin.marking.key import Key, KeyEntry
 from graphkin.model.quantities import EDGE, at_position
+from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.marks import joined, mistake
-from graphkin.say.names import symbols
+from graphkin.say.names import symbols, vector
 
 Text = Mapping[Lang, str]  # a text in each language
 
@@ -121,14 +123,24 @@ def question_of(id: str, key: Key, text: Text, figure: bytes = b"", shows: str =
     return Question(id, text, tuple(parts), figure, shows)
 
 
+_SURELY = re.compile("theta |omega |alpha |a_[nktr] |.* .*@")  # no other words are written so
+
+
+def in_letters(text: str, names: Iterable[str]) -> str:
+    """A text with these quantities, with rotations and arrows as the sheets write them."""
+    known = {name for whole in names for name in (whole, whole.split(" #")[0].split(" @")[0])}
+    typed = respelled(text, lambda name: symbols(name) if name in known or _SURELY.match(name) else name)
+    return re.sub(r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+(?:,[\w@]+)?", lambda arrow: vector(arrow[0]), typed)
+
+
 def _wrongs(key: Key, column: int, entry: KeyEntry) -> Iterator[Wrong]:
     """The number that each mistake gives for this quantity, as far as it gives one."""
-    factor, mistakes = EDGE[entry.unit].factor, key.singles
+    factor, mistakes, asked = EDGE[entry.unit].factor, key.singles, [one.text for one in key.entries]
     columns = zip(mistakes.names, mistakes.values[:, column], mistakes.scatters[:, column], strict=True)
     for names, value, scatter in columns:
         if np.isfinite(value) and np.isfinite(scatter):
             number = abs(float(value)) if entry.sort == "size" else float(value)
-            words = {lang: mistake(names[0], lang) for lang in LANGUAGES}
+            words = {lang: in_letters(mistake(names[0], lang), asked) for lang in LANGUAGES}
             yield Wrong((names[0][0],), number * factor, key.marking.sigmas * float(scatter) * factor, words,
                         form=names[0][3])  # fmt: skip
 

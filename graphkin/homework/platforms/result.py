@@ -49,7 +49,7 @@ class Result:
 
     most      points there are; 0 where it was not marked and nobody has said
     notes     what was passed over in it
-    override  the teacher's own points, which count instead
+    override  the teacher's own points, which count instead; comment: words to this student
     drawn     points that were measured on a drawing, by plane and letter, SI, from any of them
     habits    mistakes that show in several problems of the student
     departure  where the numbers leave the right way, if no mistake explains them
@@ -69,6 +69,7 @@ class Result:
     habits: tuple[Habit, ...] = ()
     departure: Departure | None = None
     remarks: tuple[str, ...] = ()
+    comment: str = ""
 
     @property
     def earned(self) -> Decimal:

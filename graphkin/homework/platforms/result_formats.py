@@ -28,10 +28,13 @@ from graphkin.homework.platforms.tables import BOM, Cell, line, printed, workboo
 from graphkin.marking.diagnosis import Trace, habits
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import LANGUAGES, in_both, say
-from graphkin.submissions import safe_name
+from graphkin.submissions import pictures_of, safe_name
 
 CLASS_TABLE = "class.csv"  # in this table of a results folder teachers write their overrides
-_JSON, _TABLE = (b'"graphkin"',), (b"override",)
+_JSON = (b'"graphkin"',)
+_TABLE = tuple(
+    title.encode(code) for title in in_both("platforms.column override").values() for code in ("utf-8", "gbk")
+)
 _BOOK = tuple(
     ",".join(say(f"platforms.column {key}", lang) for key in ("student", "name")).encode() for lang in LANGUAGES
 )
@@ -78,7 +81,8 @@ class Order:
             own = [traces[result.student] for traces in self.several if result.lines and result.student in traces]
             whole = bool(result.lines) and not any(line.written for line in result.lines)
             most, override = result.most if whole else self.most, self.overrides.of(result.student, result.file)
-            yield replace(result, override=None if override is None else override.points, most=most, habits=habits(own))
+            result = replace(result, most=most, habits=habits(own))
+            yield result if override is None else replace(result, override=override.points, comment=override.comment)
 
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""
@@ -102,7 +106,7 @@ class Order:
 
 
 def write_results(
-    folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
+    folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "mistake", *,
     assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
     several: Sequence[Mapping[str, Trace]] = (), merged: Sequence[Path] = (), names: Mapping[str, str] | None = None,
 ) -> WrittenResults:  # fmt: skip
@@ -276,10 +280,13 @@ def _report(order: Order) -> WrittenResults:
     data = order.lines("class-report.json", [record + "\n"], _JSON)
     figure = order.folder / "class-report.svg"
     remark = reports.write_class_figure(figure, report, order.lang, order.force)
-    drawn = figure.read_text("utf-8")
+    drawn, shows = figure.read_text("utf-8"), order.pictures
+    figures = (shows.problem(one, order.lang) for one in order.results) if isinstance(shows, PolygonPictures) else ()
+    title = next((problem.label for problem in figures if problem is not None), "")
     page = order.folder / "class-report.html"
     with beside(page, order.force, [PAGE]) as draft:
-        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn[drawn.index("<svg") :]))
+        drawn, seen = drawn[drawn.index("<svg") :], pictures_of({file for _, file, _ in report.remarks})
+        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn, title, seen))
     return WrittenResults((words, data, figure, page), () if remark is None else (remark.message(order.lang),))
 
 

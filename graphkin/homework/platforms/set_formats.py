@@ -9,9 +9,7 @@ QTI 1.2 in a zip, as Canvas and Brightspace take it in: one bank of questions (`
 `numerical_question` a number, figures beside it. Canvas gives all points for any answer that an item lists, so only
 right numbers are listed: no halves, no mistakes. It rounds answers below 0.0001 to 0.
 
-As a table there is a row an answer, with its share of the points and what is said to it. As a Word file for 学习通
-(Chaoxing) a question a number: `1.【填空题】题干`, then `答案：1.25`, then what is allowed as its explanation, for that
-layout, which is an exporter's and no official one, has no tolerance.
+As a table there is a row an answer, with its share of the points and what is said to it.
 """
 
 from __future__ import annotations
@@ -19,34 +17,37 @@ from __future__ import annotations
 import base64
 import hashlib
 import html
-import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from decimal import ROUND_HALF_UP, Decimal
+from decimal import Decimal
 from math import gcd
 from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NotForPlatform
 from graphkin.homework.platforms.markup import (
-    OFFICE,
     ZIP_MARKS,
     broken,
     element,
     in_html,
-    office_link,
-    office_package,
     one_line,
     pack,
     xml,
 )
 from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives, refuse, sentence
-from graphkin.homework.platforms.tables import BOM, exponentless, line, points, printed, write_lines
+from graphkin.homework.platforms.tables import (
+    BOM,
+    exponentless,
+    line,
+    points,
+    printed,
+    write_lines,
+)
+from graphkin.homework.platforms.xuexitong import excel_files, word_files
 from graphkin.outputs.files import beside
-from graphkin.outputs.paged import raster
 from graphkin.outputs.typesetting import html_words
 from graphkin.say.catalogue import LANGUAGES, say
-from graphkin.sheet.lettering import Run, formula
+from graphkin.sheet.lettering import formula
 
 _FIGURE = "figure.svg"
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
@@ -199,14 +200,11 @@ def _item(name: str, problems: ProblemSet, question: Question, part: Part, lang:
     return element("item", about, presentation, judged, ident=ident, title=one_line(f"{title}, {part.shown}"))
 
 
-# --- tables and Word files; all formats -------------------------------------------------------------------------------
+# --- tables; all formats --------------------------------------------------------------------------------------------
 
 CSV_HEADERS = (
     "student", "text", "quantity", "unit", "points", "percent", "number", "tolerance", "mistakes", "sentence",
 )  # fmt: skip
-_WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
-_DRAWN, _WORD_DPI = "http://schemas.openxmlformats.org/drawingml/2006", 150
-_MAIN = "application/vnd.openxmlformats-officedocument.wordprocessingml.document.main+xml"
 
 
 def csv_head(lang: Lang) -> str:
@@ -226,67 +224,6 @@ def csv_lines(problems: ProblemSet, lang: Lang) -> Iterator[str]:
                 ))  # fmt: skip
 
 
-def word_files(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
-    """The files of the .docx."""
-    yield from office_package([("/word/document.xml", _MAIN)], "word/document.xml")
-    pictures = [question for question in problems.questions if question.figure]
-    body = element("w:body")
-    numbers = {question.id: number for number, question in enumerate(pictures, 1)}
-    for text, of in word_paragraphs(problems, lang):
-        paragraph = element("w:p", *map(_word_run, formula(text)))
-        if of is not None and of.id in numbers:
-            paragraph.append(_word_picture(of, numbers[of.id]))
-        body.append(paragraph)
-    spaces = {"xmlns:w": _WORD, "xmlns:r": OFFICE, "xmlns:wp": f"{_DRAWN}/wordprocessingDrawing",
-              "xmlns:a": f"{_DRAWN}/main", "xmlns:pic": f"{_DRAWN}/picture"}  # fmt: skip
-    yield "word/document.xml", xml(element("w:document", body, **spaces))
-    if pictures:
-        yield "word/_rels/document.xml.rels", office_link("image", *(f"media/{k}.png" for k in numbers.values()))
-    for question in pictures:
-        yield f"word/media/{numbers[question.id]}.png", raster(question.figure.decode(), _WORD_DPI)
-
-
-def _word_run(run: Run) -> ET.Element:
-    """Letters in one style."""
-    style = element("w:rPr", *([element("w:i")] if run.italic else []))
-    if run.place != "base":
-        style.append(element("w:vertAlign", **{"w:val": "superscript" if run.place == "sup" else "subscript"}))
-    return element("w:r", style, element("w:t", run.text, **{"xml:space": "preserve"}))
-
-
-def _word_picture(question: Question, number: int) -> ET.Element:
-    """The figure in true size, by the width and height that its file states."""
-    stated = dict(re.findall(r' (width|height)="([0-9.]+)mm"', question.figure[:1000].decode()))
-    size = {side: str(round(36000 * float(stated[name]))) for side, name in (("cx", "width"), ("cy", "height"))}
-    name = {"id": str(number), "name": f"{number}.png"}
-    picture = element(
-        "pic:pic", element("pic:nvPicPr", element("pic:cNvPr", **name), element("pic:cNvPicPr")),
-        element("pic:blipFill", element("a:blip", **{"r:embed": f"rId{number}"}),
-                element("a:stretch", element("a:fillRect"))),
-        element("pic:spPr", element("a:xfrm", element("a:off", x="0", y="0"), element("a:ext", **size)),
-                element("a:prstGeom", element("a:avLst"), prst="rect")),
-    )  # fmt: skip
-    graphic = element("a:graphic", element("a:graphicData", picture, uri=f"{_DRAWN}/picture"))
-    shown = element("wp:docPr", descr=one_line(question.shows), **name)
-    return element("w:r", element("w:drawing", element("wp:inline", element("wp:extent", **size), shown, graphic)))
-
-
-def word_paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, Question | None]]:
-    """The lines of the file: a question, with whose figure stands in it, its answer, and so on."""
-    number = 0
-    for question in problems.questions:
-        title = say("platforms.problem title", lang, set=problems.name, id=question.id)
-        for part in question.parts:
-            number += 1
-            right = alternatives(question, part)[0]
-            yield one_line(f"{number}.【填空题】{title}  {question.text[lang]} {part.heading} = ____"), question
-            answer = right.number
-            if right.tolerance:  # to a tenth of its tolerance, as one would write it
-                answer = answer.quantize(Decimal(1).scaleb(right.tolerance.adjusted() - 1), ROUND_HALF_UP)
-            yield f"答案：{exponentless(answer)}", None
-            yield f"答案解析：±{printed(right.tolerance)}", None
-
-
 Writer = Callable[[Path, ProblemSet, Lang], None]
 
 
@@ -299,7 +236,7 @@ class SetFormat:
     marks: tuple[bytes, ...]
 
 
-def _packed(members: Callable[[ProblemSet, Lang], Iterator[tuple[str, bytes]]]) -> Writer:
+def _packed(members: Callable[[ProblemSet, Lang], Iterator[tuple[str, bytes | Iterable[bytes]]]]) -> Writer:
     return lambda path, problems, lang: pack(path, members(problems, lang))
 
 
@@ -319,6 +256,7 @@ SETS: Mapping[str, SetFormat] = {
         tuple(csv_head(lang).encode() for lang in LANGUAGES),
     ),
     "xuexitong": SetFormat(".docx", _packed(word_files), ZIP_MARKS),
+    "xuexitong-xlsx": SetFormat(".xlsx", _packed(excel_files), ZIP_MARKS),
 }  # fmt: skip
 """By name, as `graphkin problems --format` has them."""
 

@@ -7,11 +7,10 @@
 say.problems words a problem; handouts writes the set for graphkin, platforms for others.
 """
 
-from graphkin.homework.problems.draws import Variant, drawn_variants, roster, variants
+from graphkin.homework.problems.draws import Variant, drawn_variants, roster
 from graphkin.homework.problems.posed import PosedProblem, well_posed
 from graphkin.homework.problems.template import Template, TemplateRange, read_template
 
 __all__ = [
-    "PosedProblem", "Template", "TemplateRange", "Variant", "drawn_variants", "read_template", "roster", "variants",
-    "well_posed",
+    "PosedProblem", "Template", "TemplateRange", "Variant", "drawn_variants", "read_template", "roster", "well_posed",
 ]  # fmt: skip

@@ -27,7 +27,7 @@ from graphkin.homework.grading.sets import class_list
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
 from graphkin.homework.problems.template import Template
 from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, MistakeVisibility, mistake_visibility
-from graphkin.marking.key import TELLS, Marking
+from graphkin.marking.key import TELLS, Marking, columns
 from graphkin.marking.key_making import AskedAnswers, asked_alone, parts_off
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import at_position
@@ -38,6 +38,7 @@ from graphkin.submissions import Student
 _TRIES = 200
 _HOPELESS = 20  # where so many draws do not assemble, and no other did better, the template is wrong
 _APART = 60  # so many draws look for numbers that no other student has; then well-posed is enough
+_CROWDED = 4  # of a class too large for its ranges so many draws a student, and those of one, look for such numbers
 _DISTINCT = 0.02
 """Two problems whose answers all differ by a smaller part, or by less than paper allows, are like each other."""
 _FAILS = 0.02  # where more of the drawings with a pencil do not close, a dead point is too near
@@ -68,14 +69,6 @@ class Variant:
     drawn: DrawnSides
     told: Discriminability
     shared: bool = False
-
-
-def variants(
-    template: Template, students: Sequence[Student], seed: str, pencils: Pencils = USUAL
-) -> tuple[Variant, ...]:
-    """In the order of the students. Raises NoVariant, and what is wrong with the template itself."""
-    own = {one.student.id: one for one in drawn_variants(template, students, seed, pencils)}
-    return tuple(own[student.id] for student in students)
 
 
 def drawn_variants(
@@ -131,7 +124,9 @@ def _drawn_for(template: Template, student: Student, seed: str, others: _GivenOu
     tried: list[tuple[tuple[int, ...], _ProblemAnswers | None]] = []
     tries = goal.likely_first([_numbers(template, student.id, seed, attempt) for attempt in range(_TRIES)])
     for attempt, numbers in enumerate([*tries, *tries[:_APART]]):  # at last those that others have, too
-        draw = _posed(template, student, numbers, others, goal, attempt < _APART)
+        apart = attempt < _APART and others.taken <= _APART + _CROWDED * len(others.answers)
+        draw = _posed(template, student, numbers, others, goal, apart)
+        others.taken += draw == "taken"
         tried.append((numbers, None if isinstance(draw, str) else draw[1]))
         if isinstance(draw, str):
             refused[draw] += attempt < _TRIES
@@ -167,14 +162,14 @@ def _posed(
     if (against := goal.against(drawn)) is not None:
         others.refused[numbers] = against
         return against
-    posed, tells = drawn.posed, drawn.tells
-    own = _ProblemAnswers(answers(posed), tells.right, tells.tolerance)
+    posed, table = drawn.posed, columns(drawn.asked[1])
+    own = _ProblemAnswers(answers(posed), table.right, table.tolerance)
     shared = others.have(numbers, own)
     if shared and apart:
         others.numbers.add(numbers)
         return "taken"
     sides = drawn_sides(posed.method, posed.drawn)
-    return Variant(student, numbers, posed.method.mechanism, sides, goal.always.told(tells), shared), own
+    return Variant(student, numbers, posed.method.mechanism, sides, goal.always.told(drawn.tells), shared), own
 
 
 @frozen
@@ -325,11 +320,12 @@ class _ProblemAnswers:
 
 class _GivenOut:
     """Numbers and answers that other students have, or nearly; numbers that are no good problem, each with why; and the
-    least part of each answer that may be off in any problem."""
+    least part of each answer that may be off in any problem; and how many draws others had already."""
 
     def __init__(self) -> None:
         self.refused: dict[tuple[int, ...], Refused] = {}
         self.least: dict[str, float] = {}
+        self.taken = 0
         self.numbers: set[tuple[int, ...]] = set()
         self.answers: list[_ProblemAnswers] = []
 

@@ -60,7 +60,7 @@ def crank_omega(scene: Scene) -> Iterator[Rewrite]:
 def absolute_velocity(scene: Scene) -> Iterator[Rewrite]:
     """With the velocity of either coincident point for that of the one against the other."""
     for size, name in terms(scene):
-        for end in (size.tail, size.head):
+        for end in (end for end in (size.tail, size.head) if end != scene.method.velocity.pole):
 
             def change(plot: Redrawing, right: Value, size: Coriolis = size, end: str = end) -> Value:
                 return in_sense_of(plot, 2 * plot.omega[size.link] * plot.velocity[end], right, "m/s^2")

@@ -93,8 +93,9 @@ def metadata(kind: str, title: str) -> dict[str, str | None]:
 
 
 @contextmanager
-def settings() -> Iterator[None]:
-    """matplotlib as it comes, with our letters; what the user has set is there again afterwards."""
+def settings(outlines: bool = False) -> Iterator[None]:
+    """matplotlib as it comes, with our letters, or their outlines, which are as wide in any viewer; what the user has
+    set is there again afterwards."""
     import matplotlib
 
     with _ALONE, matplotlib.rc_context():
@@ -102,7 +103,7 @@ def settings() -> Iterator[None]:
         # PDF fonts as outlines (3): as 42, letters of OpenType Chinese fonts are not seen
         matplotlib.rcParams.update({
             "font.family": letters(), "font.size": 9.0, "mathtext.fontset": "stix", "mathtext.fallback": None,
-            "svg.hashsalt": "graphkin", "svg.fonttype": "none", "pdf.fonttype": 3, "text.hinting": "no_hinting",
-            "path.simplify": False,
+            "svg.hashsalt": "graphkin", "svg.fonttype": "path" if outlines else "none", "pdf.fonttype": 3,
+            "text.hinting": "no_hinting", "path.simplify": False,
         })  # fmt: skip
         yield

@@ -57,7 +57,7 @@ def chinese_font() -> str | None:
 def letters() -> list[str]:
     """Font families in the order in which a letter is looked for."""
     chinese = chinese_font()
-    return [LATIN] if chinese is None else [LATIN, chinese]
+    return [LATIN, *([] if chinese is None else [chinese]), "DejaVu Sans"]  # matplotlib's own, with raised letters
 
 
 def has_chinese(text: str) -> bool:
