@@ -14,6 +14,7 @@ import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 from unittest import mock
 
@@ -74,14 +75,19 @@ def worksheet() -> Image:
     from graphkin.handouts import handout
     from graphkin.handouts.typst import pdf
 
-    compile, pages = typst.compile, []
+    pages: list[bytes] = []
+    Compiler = typst.Compiler
 
-    def seen(source: bytes, **options: Any) -> bytes:
-        kept = {key: options[key] for key in ("sys_inputs", "font_paths")}
-        pages.extend(compile(source, format="png", ppi=66, **kept))
-        return compile(source, **options)
+    def compiler(source: bytes, **options: Any) -> Any:
+        real = Compiler(source, **options)
 
-    with mock.patch.object(typst, "compile", seen):
+        def seen(source: bytes, **how: Any) -> Any:
+            pages.extend(real.compile(source, format="png", ppi=66))
+            return real.compile(source, **how)
+
+        return SimpleNamespace(query=real.query, compile=seen)
+
+    with mock.patch.object(typst, "Compiler", compiler):
         pdf(handout([library.load("ex3-1")], "blank", "en"))
     first, second = (Image.open(io.BytesIO(page)).convert("L") for page in pages[:2])
     both = Image.new("L", (first.width * 2 + 8, first.height), 160)

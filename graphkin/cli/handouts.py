@@ -33,13 +33,15 @@ _MARKS = (b"graphkin handout",)
 @click.option("--font", type=click.Path(path_type=Path, dir_okay=False), help="A font file with the letters wanted.")
 @click.option("--scan", type=click.IntRange(0, 60_000), metavar="NUMBER",
               help="Print what sets a photograph straight, and sheet numbers from this one on.")
+@click.option("--number", type=click.IntRange(1), help="Of the first problem; of several it is 1 if left out.")
 @click.option("--seed", default="", help="The set it belongs to, as every page says it.")
 @shared.force_option
 @shared.driver_options
 @shared.speaking
 def handout(
     mechanisms: tuple[str, ...], output: Path | None, stage: Stage, upto: int, answers: bool, both: bool, paper: str,
-    duplex: bool, font: Path | None, scan: int | None, seed: str, force: bool, at: DriverOptions, lang: Lang,
+    duplex: bool, font: Path | None, scan: int | None, number: int | None, seed: str, force: bool, at: DriverOptions,
+    lang: Lang,
 ) -> None:  # fmt: skip
     """Make handouts: a problem, a worksheet at true scale, a half-worked or a whole solution; several make a book.
 
@@ -71,9 +73,11 @@ def handout(
     for path, several in books:
         files.refuse(path, force, _MARKS)
         machines, whose = zip(*several, strict=True)
-        made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex)
+        made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex,
+                            number=number)  # fmt: skip
         pages = _write(path, made, paper, font, scan, force)
-        scan = None if scan is None else scan + pages  # sheet numbers go on from file to file
+        scan = None if scan is None else scan + pages  # sheet numbers go on from file to file, and those of problems
+        number = number if number is None or any(whose) else number + 1
 
 
 def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[list[tuple[Mechanism, str]], str]:
@@ -96,12 +100,12 @@ def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[l
 def _write(path: Path, made: Handout, paper: str, font: Path | None, scan: int | None, force: bool) -> int:
     """Write a handout; the number of its pages of paper."""
     from graphkin.handouts.markup import html
-    from graphkin.handouts.typst import pages, pdf
+    from graphkin.handouts.typst import page_count, pdf
     from graphkin.outputs import files
 
     on_paper = path.suffix.lower() != ".html"
     content = pdf(made, paper, font, scan) if on_paper else html(made, paper).encode()
-    count = pages(content) if on_paper else 0
+    count = page_count(content) if on_paper else 0
     with files.beside(path, force, _MARKS) as draft:
         draft.write_bytes(content)
     if scan is not None:

@@ -15,7 +15,8 @@ LINE: Mapping[str, str] = {
 
 EXAMPLES: Mapping[str, Mapping[str, str]] = {
     "file": {
-        "title": 'title = "Shaper"', "source": 'source = "Example 3-1"', "ask": 'ask = ["omega 3", "v C"]',
+        "title": 'title = "Shaper"', "source": 'source = "Example 3-1"',
+        "text": 'text = "In a shaper the crank AB drives the arm DC."', "ask": 'ask = ["omega 3", "v C"]',
         "points": "[points]", "frame": "[frame]", "links": "[links.1]", "slide": "[[slide]]", "gear": "[[gear]]",
         "roll": "[[roll]]", "cam": "[[cam]]", "driver": "[[driver]]", "pose": "[[pose]]", "sketch": "[sketch]",
         "scales": "[scales]",

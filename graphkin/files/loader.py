@@ -150,6 +150,7 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
         _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
         slide_titles={name: title for name, title in titled.items() if title},
         worth={**dict.fromkeys(file.ask, 1.0), **file.points.worth}, follows=CREDIT[file.points.follows],
+        stories=_titles(file.text),
         given=Deferred(partial(stated_values, document)),
     )  # fmt: skip
     check_questions(draft, machine)

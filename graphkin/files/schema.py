@@ -164,6 +164,7 @@ class File:
 
     title: Titles = key(TITLES, default=Titles())
     source: Titles = key(TITLES, default=Titles())
+    text: Titles = key(TITLES, default=Titles())
     ask: Sequence[str] = key(fields.list_of(fields.TEXT), default=())
     points: PointsTable = key(fields.one_table(PointsTable), default=PointsTable(worth={}))
     frame: FrameTable = key(fields.one_table(FrameTable), default=FrameTable(points={}))
@@ -186,8 +187,9 @@ TABLES: Mapping[str, type] = {
 """The tables as they are called in the file, in the order in which one writes them."""
 
 TABLES_AT: Mapping[tuple[str, ...], type] = {
-    (): File, ("title",): Titles, ("source",): Titles, ("slide", "title"): Titles, ("slide",): SlideTable,
-    ("gear",): GearTable, ("roll",): RollTable, ("cam",): CamTable, ("cam", "profiles"): ProfileTable,
+    (): File, ("title",): Titles, ("source",): Titles, ("text",): Titles, ("slide", "title"): Titles,
+    ("slide",): SlideTable, ("gear",): GearTable, ("roll",): RollTable, ("cam",): CamTable,
+    ("cam", "profiles"): ProfileTable,
     ("points",): PointsTable, ("driver",): DriverTable, ("pose",): PoseTable, ("scales",): ScalesTable,
 }  # fmt: skip
 """The table at a path, item numbers left out, where its keys are known."""

@@ -23,6 +23,7 @@ from graphkin.model.mechanism import KeyPath
 
 Document: TypeAlias = dict[str, Any]  # the data of a file, as `tomllib` gives them
 
+_IN_A_LINE = ("title", "source", "text")  # tables of a text in each language
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -49,7 +50,7 @@ def toml(document: Mapping[str, object]) -> str:
     <BLANKLINE>
     """
     plain = {name: value for name, value in document.items()
-             if not _several(value) and (name == "title" or not isinstance(value, Mapping))}  # fmt: skip
+             if not _several(value) and (name in _IN_A_LINE or not isinstance(value, Mapping))}  # fmt: skip
     lines = [f"{key_text(name)} = {value_text(value, name)}" for name, value in plain.items()]
     for name, value in document.items():
         if name not in plain:

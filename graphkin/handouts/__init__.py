@@ -1,7 +1,8 @@
 """Handouts on paper: a problem, a worksheet to draw on, a half-worked solution, a solution; for one mechanism or many.
 
-`stages` makes blocks of a solution's sections and what stands after it (`problem`), with what is to be filled in;
-`typst` sets them as PDF, `markup` as HTML. Texts and drawings are those of `explain` and `draw`.
+`stages` makes blocks of a solution's sections and what stands after it (`problem`), with what is to be filled in
+(`worksheet`); `paging` turns the pages. `typst` sets them as PDF, `markup` as HTML. Texts and drawings are those of
+`explain` and `draw`.
 """
 
 from __future__ import annotations

@@ -51,19 +51,30 @@ class TermRows:
 
 
 @frozen
+class NameLine:
+    """What a student fills in above a problem."""
+
+    words: tuple[str, ...]
+
+
+@frozen
 class HandoutPicture:
-    """A drawing in its true size, and in words what it shows."""
+    """A drawing in its true size, in words what it shows, and its number: `Fig. 1`; `of_all`: it belongs to the whole
+    problem before it, not to the last section alone."""
 
     sheet: Sheet
     words: str
+    number: str = ""
+    of_all: bool = False
 
 
 @frozen
 class HandoutTable:
-    """Rows under their heads; an empty label is room to write."""
+    """Rows under their heads; an empty label is room to write; `under`: the width of gridded paper above it [mm]."""
 
     heads: tuple[Label, ...]
     rows: tuple[tuple[Label, ...], ...]
+    under: float = 0.0
 
 
 @frozen
@@ -85,9 +96,6 @@ class NewPage:
     front: bool = False
 
 
-Block = HandoutHeading | Paragraph | FormulaLine | TermRows | HandoutPicture | HandoutTable | GridRoom | NewPage
-
-
 @frozen
 class Foot:
     """The foot of every page; digest: the beginning of the file's SHA-256, where that is one; seed: of the set."""
@@ -104,11 +112,35 @@ class Foot:
 
 
 @frozen
+class HandoutPart:
+    """What follows is in this language, on pages with this foot; `contents`: the head of the list of its problems."""
+
+    lang: Lang
+    foot: Foot
+    contents: str = ""
+
+
+Block = (
+    HandoutPart | HandoutHeading | NameLine | Paragraph | FormulaLine | TermRows | HandoutPicture | HandoutTable
+    | GridRoom | NewPage
+)  # fmt: skip
+
+
+@frozen
 class Handout:
-    """One or several problems. `contents`: what the list of problems is headed with, where there is one."""
+    """One or several problems, in one language or in both: each begins with a part of its own."""
 
     title: str
     lang: Lang
     blocks: tuple[Block, ...]
-    foot: Foot
-    contents: str = ""
+
+    @property
+    def parts(self) -> list[tuple[HandoutPart, list[Block]]]:
+        """Each part with what is in it."""
+        parts: list[tuple[HandoutPart, list[Block]]] = []
+        for block in self.blocks:
+            if isinstance(block, HandoutPart):
+                parts.append((block, []))
+            else:
+                parts[-1][1].append(block)
+        return parts

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 
 import graphkin
 from graphkin.construction import Construction
-from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutTable, Paragraph
+from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutPart, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem
-from graphkin.handouts.stages import answer_boxes, answer_rows
+from graphkin.handouts.worksheet import answer_boxes, answer_rows
 from graphkin.homework.platforms.tables import Cell
 from graphkin.model.mechanism import FRAME
 from graphkin.say.catalogue import say
@@ -22,11 +22,12 @@ _EXAMPLE = "20270001"
 
 def hand_in_page(problems: Sequence[HandoutProblem], workbook: str) -> Handout:
     """The page, once for each language in which the problem is there; workbook: the name of the file to fill in."""
-    blocks = [block for problem in problems for block in _page(problem, workbook)]
+    blocks: list[Block] = []
+    for problem in problems:
+        foot = Foot("", graphkin.__version__, "", "", say("handouts.bar", problem.lang))
+        blocks += [HandoutPart(problem.lang, foot), *_page(problem, workbook)]
     first = problems[0]
-    title = say("handouts.what to hand in", first.lang, title=first.title)
-    foot = Foot("", graphkin.__version__, "", "", say("handouts.bar", first.lang))
-    return Handout(title, first.lang, tuple(blocks), foot)
+    return Handout(say("handouts.what to hand in", first.lang, title=first.title), first.lang, tuple(blocks))
 
 
 def _page(problem: HandoutProblem, workbook: str) -> Iterator[Block]:

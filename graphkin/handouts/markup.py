@@ -12,8 +12,9 @@ from graphkin.api import Drawing
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
-from graphkin.handouts.document import Block, Foot, Handout
+from graphkin.handouts.document import Block, Foot, Handout, HandoutPart
 from graphkin.handouts.grid import room_svg
+from graphkin.handouts.paging import page_parts
 from graphkin.handouts.stages import blocks_of
 from graphkin.outputs.svg import inline
 from graphkin.outputs.typesetting import html_words, signs, tex_words
@@ -33,7 +34,8 @@ def solution(drawing: Drawing, lang: Lang, *, everything: bool = False, only: Pl
     entries = derivation(drawing.method, drawing.plot, scales, lang, everything, only)
     digest = hashlib.sha256(drawing.mechanism.text.encode()).hexdigest()[:12]
     foot = Foot(say("handouts.stage solution", lang), graphkin.__version__, digest, "", say("handouts.bar", lang))
-    return Handout(drawing.mechanism.headline(lang), lang, tuple(blocks_of([*entries], lang)), foot)
+    blocks = (HandoutPart(lang, foot), *blocks_of([*entries], lang, drawing.mechanism.points))
+    return Handout(drawing.mechanism.headline(lang), lang, blocks)
 
 
 _STYLE = """@page{{size:{width}mm {height}mm;margin:15mm 20mm 20mm}}
@@ -48,6 +50,8 @@ height:7mm;padding:0 2mm;text-align:center;font-weight:normal}}.rows{{margin-lef
 padding:.6mm 1mm}}.rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
 footer{{margin-top:8mm;font-size:8pt;display:flex;justify-content:space-between;align-items:flex-end}}
 .bar{{width:100mm;height:2mm;border:solid;border-width:.35mm .18mm 0}}
+.part{{break-inside:avoid}}section+section{{break-before:page}}
+.names{{display:flex;gap:2mm;align-items:flex-end}}.names .rule{{flex:1}}
 .new{{break-before:page}}.front{{break-before:right}}
 small{{font-size:8pt;font-weight:normal}}
 .act{{display:inline-block;min-width:3.6mm;line-height:3.6mm;border:.2mm solid;border-radius:2mm;text-align:center;
@@ -58,25 +62,32 @@ def html(handout: Handout, paper: str = "A4") -> str:
     """The whole page: MathML, drawings in it, printed in true millimetres."""
     size = PAPERS[paper]
     style = _STYLE.format(width=size.width, height=size.height, room=size.width - 40)
-    contents = ""
-    if handout.contents:
-        heads = (block for block in handout.blocks if isinstance(block, document.HandoutHeading) and block.level == 1)
-        items = "".join(f"<li>{html_words(head.words)}</li>" for head in heads)
-        contents = f"<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n"
-    bar = f'<div><div class="bar"></div>{escape(handout.foot.bar)}</div>'
-    body = "\n".join(map(_html, handout.blocks))
-    foot = f"<footer>{bar}<span>{escape(handout.foot.words)}</span></footer>"
+    body = "\n".join(_section(part, blocks) for part, blocks in handout.parts)
     return (
         f'<!DOCTYPE html>\n<html lang="{handout.lang}"><head><meta charset="utf-8">'
         f'<meta name="generator" content="graphkin handout"><title>{escape(handout.title)}</title>\n'
-        f"<style>{style}</style></head>\n<body>\n{contents}{body}\n{foot}\n</body></html>\n"
+        f"<style>{style}</style></head>\n<body>\n{body}\n</body></html>\n"
     )
+
+
+def _section(part: HandoutPart, blocks: list[Block]) -> str:
+    """A part with the list of its problems, and its foot."""
+    contents = ""
+    if part.contents:
+        heads = (block for block in blocks if isinstance(block, document.HandoutHeading) and block.level == 1)
+        items = "".join(f"<li>{html_words(head.words)}</li>" for head in heads)
+        contents = f"<h1>{escape(part.contents)}</h1>\n<ol>{items}</ol>\n"
+    bar = f'<div><div class="bar"></div>{escape(part.foot.bar)}</div>'
+    together = ("\n".join(map(_html, each.blocks)) for each in page_parts(blocks))
+    body = "\n".join(f'<div class="part">{each}</div>' for each in together)
+    foot = f"<footer>{bar}<span>{escape(part.foot.words)}</span></footer>"
+    return f'<section lang="{part.lang}">\n{contents}{body}\n{foot}\n</section>'
 
 
 def _html(block: Block) -> str:
     match block:
         case document.HandoutHeading(words, level, said):
-            whose = said and not "".join(run.text for run in words).endswith(said)
+            whose = said and said not in "".join(run.text for run in words)
             small = f" <small>{escape(said)}</small>" if whose else ""
             return f"<h{level}>{html_words(words)}{small}</h{level}>"
         case document.Paragraph(words, act):
@@ -88,15 +99,21 @@ def _html(block: Block) -> str:
             rule = '<span class="rule"></span>'
             lines = ([rule if cell is None else html_words(cell) for cell in line] for line in block.lines)
             return '<table class="rows">' + "".join(_row("td", line) for line in lines) + "</table>"
-        case document.HandoutPicture(sheet, words):
-            return f'<figure role="img" aria-label="{escape(words)}">{inline(sheet)}</figure>'
+        case document.NameLine(words):
+            blanks = (f'<span>{escape(word)}</span><span class="rule"></span>' for word in words)
+            return f'<p class="names">{"".join(blanks)}</p>'
+        case document.HandoutPicture(sheet, words, number, _):
+            caption = f"<figcaption>{escape(number)}</figcaption>" if number else ""
+            return f'<figure><div role="img" aria-label="{escape(words)}">{inline(sheet)}</div>{caption}</figure>'
         case document.GridRoom():
             return f"<figure>{room_svg(block)}</figure>"
-        case document.HandoutTable(heads, rows):
+        case document.HandoutTable(heads, rows, _):
             body = "".join(_row("td", map(html_words, row)) for row in rows)
             return f'<table class="filled">{_row("th", map(html_words, heads))}{body}</table>'
         case document.NewPage(front):
             return f'<div class="{"front" if front else "new"}"></div>'
+        case document.HandoutPart():
+            raise TypeError("a part has no place in another")
         case _:
             assert_never(block)
 
@@ -116,7 +133,7 @@ _TEX_PAGE = r"""\usepackage[margin=25mm]{geometry}
 def tex(handout: Handout) -> str:
     """A LaTeX file that stands alone; Chinese wants xelatex."""
     chinese = [r"\usepackage[fontset=fandol]{ctex}"] if handout.lang == "zh" else []
-    body = "\n\n".join(map(_latex, handout.blocks))
+    body = "\n\n".join(map(_latex, handout.parts[0][1]))
     head = [f"% {MARK}", r"\documentclass[a4paper]{article}", r"\usepackage{amsmath,amssymb,graphicx}", *chinese]
     return "\n".join([*head, _TEX_PAGE, r"\begin{document}", body, r"\end{document}", ""])
 
@@ -134,7 +151,8 @@ def _latex(block: Block) -> str:
             lines = (" & ".join(tex_words(cell or ()) for cell in line) for line in block.lines)
             table = rf"\begin{{tabular}}{{{'c' * len(block.lines[0])}}}" + r" \\ ".join(lines) + r"\end{tabular}"
             return rf"\quad\fit{{{table}}}"
-        case document.HandoutPicture() | document.HandoutTable() | document.GridRoom() | document.NewPage():
+        case (document.HandoutPicture() | document.HandoutTable() | document.GridRoom() | document.NewPage()
+              | document.NameLine() | document.HandoutPart()):  # fmt: skip
             raise TypeError(f"{type(block).__name__} has no place in a solution of words alone")
         case _:
             assert_never(block)
@@ -142,7 +160,7 @@ def _latex(block: Block) -> str:
 
 def markdown(handout: Handout) -> str:
     """Plain Markdown: subscripts and parts as HTML has them, equations as tables."""
-    return "\n\n".join([f"<!-- {MARK} -->", *map(_markdown, handout.blocks)]) + "\n"
+    return "\n\n".join([f"<!-- {MARK} -->", *map(_markdown, handout.parts[0][1])]) + "\n"
 
 
 def _markdown(block: Block) -> str:
@@ -156,7 +174,8 @@ def _markdown(block: Block) -> str:
         case document.TermRows():
             lines = ["| " + " | ".join(_markdown_words(cell or ()) for cell in line) + " |" for line in block.lines]
             return "\n".join([lines[0], "|" + ":-:|" * len(block.lines[0]), *lines[1:]])
-        case document.HandoutPicture() | document.HandoutTable() | document.GridRoom() | document.NewPage():
+        case (document.HandoutPicture() | document.HandoutTable() | document.GridRoom() | document.NewPage()
+              | document.NameLine() | document.HandoutPart()):  # fmt: skip
             raise TypeError(f"{type(block).__name__} has no place in a solution of words alone")
         case _:
             assert_never(block)

@@ -19,6 +19,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
+from graphkin.handouts.letters import lettered
 from graphkin.homework.grading.keys import key_drawn, paper_scales
 from graphkin.marking.key import Key, columns, upright
 from graphkin.marking.weights import shifts
@@ -99,6 +100,11 @@ class HandoutProblem:
             return self.goal
         wanted = tuple(read(mechanism, text) for text in mechanism.ask)
         return replace(self.goal, wanted=wanted, texts=mechanism.ask, chosen=True)
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """The mechanism's."""
+        return self.drawing.mechanism.points
 
     @property
     def title(self) -> str:
@@ -213,7 +219,8 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
     texts = {entry.text for entry in key.entries}
     signs = respelled(name, lambda text: names.symbols(text) if text in texts else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
-    return formula(say("handouts.gives", problem.lang, mistake=raised, values=", ".join(shown)))
+    text = raised[:1].upper() + raised[1:] if raised[:2].islower() and raised[:2].isascii() else raised
+    return lettered(say("handouts.gives", problem.lang, mistake=text, values=", ".join(shown)), problem.points)
 
 
 _COMMON = (

@@ -272,7 +272,7 @@ def problem_set(template: Template, variants: Iterable[Variant], judge: SetMarke
         lines = [line.strip() for line in text_lines(problem.posed, lang)]
         lines += () if there else (say("problems.figure elsewhere", lang),)
         scales = "".join(sign.plain for sign in signs(scales_to_use(problem)))
-        lines += (f"{say('handouts.scales', lang)}{say('common.colon', lang)}{scales}", say("platforms.answers", lang))
+        lines += (scales, say("platforms.answers", lang))
         text, figure = "\n".join(filter(None, lines)), inline(picture.sheet).encode()
         questions.append(question_of(variant.student.id, marker.key, {lang: text}, figure, picture.words))
     return ProblemSet(template.name, questions)

@@ -2,133 +2,38 @@
 
 from __future__ import annotations
 
-import cmath
 import hashlib
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import assert_never
 
 import graphkin
-from graphkin.base.geometry import place
-from graphkin.base.value import frozen
-from graphkin.construction import LayOff, Plane
+from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
-from graphkin.handouts.document import Block, Foot, GridRoom, Handout, HandoutTable, Stage, TermRows
+from graphkin.handouts.document import Block, Foot, Handout, Stage
+from graphkin.handouts.letters import lettered
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
+from graphkin.handouts.worksheet import answer_boxes, empty_rows, measured, room, worth
 from graphkin.homework.problems.posed import shown_at
-from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, Centre, Rotation, at_position
 from graphkin.say import entry
 from graphkin.say.catalogue import say
-from graphkin.say.entry import VectorEquation
-from graphkin.say.problems import positions
+from graphkin.say.problems import story
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import Label, formula, joined, plain, point_label
+from graphkin.sheet.lettering import Label, formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import written
-from graphkin.sheet.window import corners
 
-_MORE = 1.2
-_EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
-_STEP = 10.0  # rooms are so many millimetres, or a multiple of it
+_NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
-
-
-def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
-    """The same room for every problem, with the pole somewhere, by lot, from where its polygon has room: neither tells
-    anything of the polygon. Where a scale of the file's own makes that larger, the box of the polygon and a fifth more.
-    """
-    construction, points = problem.construction(plane), problem.drawing.plot.points(plane)
-    names = (construction.pole, *construction.nodes)
-    low, high = corners([place(points[name]) / problem.scales[plane] for name in names if name in points])
-    wide, tall = _whole((high - low).real, ROOM.real), _whole((high - low).imag, ROOM.imag)
-    right, up = (byte / 255 for byte in hashlib.sha256((problem.drawing.mechanism.text + plane).encode()).digest()[:2])
-    pole = complex(_placed(low.real, high.real, wide, right), tall - _placed(low.imag, high.imag, tall, up))
-    direction = 0.0
-    for step in construction.steps:  # the first arrow that is laid off is given with the driver
-        if isinstance(step, LayOff) and abs(arrow := place(points[step.term.head] - points[step.term.tail])) > 0:
-            direction = cmath.phase(arrow) % math.pi
-            break
-    mark = plain(f"{round(math.degrees(direction), 1):g}°")
-    return GridRoom(wide, tall, pole, point_label(construction.pole), direction, mark)
-
-
-def _placed(low: float, high: float, room: float, lot: float) -> float:
-    """A place of the pole in a room, so that what reaches from low to high about it keeps off the edge."""
-    first, last = _EDGE - low, room - _EDGE - high
-    least, most = math.ceil(first / _GRID), math.floor(last / _GRID)
-    return _GRID * (least + round(lot * (most - least)))
-
-
-def _whole(length: float, usual: float) -> float:
-    return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
-
-
-def empty_rows(problem: HandoutProblem, equation: VectorEquation | None = None, terms: int = 3) -> TermRows:
-    """Lines to write an equation on: as many terms as it has, or as any may have."""
-    lang = problem.lang
-    heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
-    columns: list[tuple[Label, Label, Label] | None] = []
-    sides = [len(side) for side in equation.sides] if equation is not None else [1, terms - 1]
-    if equation is not None and equation.front:
-        sides = [1, *sides]
-    for k, count in enumerate(sides):
-        columns += [(plain("="), (), ())] if k else []
-        for n in range(count):
-            columns += [(plain("+"), (), ()), None] if n else [None]
-    return TermRows((heads[0], heads[1]), tuple(columns))
-
-
-def measured(problem: HandoutProblem, count: int = 3) -> HandoutTable:
-    """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
-    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("vector", "measured", "value"))
-    return HandoutTable(heads * 2, (((),) * 6,) * count)
-
-
-@frozen
-class AnswerRow:
-    """A place for an answer: `ω3 #2`, its unit, whether it has a sense, and what it is worth."""
-
-    symbol: str
-    unit: str
-    turns: bool
-    points: str
-
-
-def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
-    """Each quantity that is asked for, at each position."""
-    mechanism, rows = problem.drawing.mechanism, list[AnswerRow]()
-    worth = {text: f"{mechanism.worth[text]:g}" for text in asked_of(mechanism)}
-    for at in range(1, 2 + positions(mechanism)):
-        for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
-            if quantity is not None:
-                unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
-                turns = isinstance(quantity, Rotation) and quantity.word != "theta"
-                symbol = at_position(problem.goal.symbol(quantity), at)
-                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, "")))
-    return rows
-
-
-def answer_boxes(problem: HandoutProblem) -> HandoutTable:
-    """A box an answer, with its unit, and one for the sense where it has one; what it is worth, where that differs."""
-    rows = answer_rows(problem)
-    columns = ["quantity", "answer", "unit", "sense", "points"]
-    scored = problem.whose or len({row.points for row in rows}) > 1
-    labels = [(formula(row.symbol), (), plain(row.unit), () if row.turns else plain("—"), plain(row.points))
-              for row in rows]  # fmt: skip
-    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
-    end = None if scored else -1
-    return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
 
 
 def handout(
     mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = "",
-    whose: Sequence[str] = (), duplex: bool = False,
+    whose: Sequence[str] = (), duplex: bool = False, number: int | None = None,
 ) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
@@ -137,42 +42,71 @@ def handout(
     seed     of the set the problems belong to, as every page says it
     whose    the student each problem is for, or "": it stands after the title
     duplex   printed on both sides: each problem begins on the front of a sheet
+    number   of the first problem; of several the first is 1 if left out. Students' own problems are one by number
 
     Raises what loading, planning and proving raise.
     """
     owners = whose or [""] * len(mechanisms)
     problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, owners, strict=True)]
-    contents = say("handouts.contents", lang) if len(problems) > 1 else ""
+    numbers: Sequence[int] = [number or 0] * len(problems)
+    if not any(owners) and len(problems) > 1:
+        numbers = range(number or 1, (number or 1) + len(problems))
+    contents = say("handouts.contents", lang) if len(problems) > _NO_LIST else ""
     blocks: list[Block] = []
-    for k, problem in enumerate(problems):
+    for k, (problem, own_number) in enumerate(zip(problems, numbers, strict=True)):
         blocks += [document.NewPage(duplex)] if k or contents else []
         own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
         said = " · ".join(filter(None, (problem.whose, own)))
-        blocks += (replace(b, said=said) if isinstance(b, document.HandoutHeading) and b.level == 1 else b
-                   for b in _staged(problem, stage, upto))  # fmt: skip
+        blocks += _numbered(_staged(problem, stage, upto), lang, own_number, said)
     if answers:
         blocks += [document.NewPage(duplex), document.HandoutHeading(plain(say("handouts.answers", lang)), 1)]
-        for problem in problems:
-            blocks.append(document.HandoutHeading(plain(problem.title)))
-            blocks += blocks_of(problem.answers.entries, lang)
+        for problem, own_number in zip(problems, numbers, strict=True):
+            blocks.append(document.HandoutHeading(plain(_titled(problem.title, lang, own_number))))
+            blocks += blocks_of(problem.answers.entries, lang, problem.points)
     title = " / ".join(problem.title for problem in problems)
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     words = say("handouts.seed", lang, seed=seed) if seed else ""
     foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, say("handouts.bar", lang))
-    return Handout(title, lang, tuple(blocks), foot, contents)
+    return Handout(title, lang, (document.HandoutPart(lang, foot, contents), *blocks))
 
 
 def in_languages(
     mechanisms: Sequence[Mechanism], stage: Stage, langs: Sequence[Lang], *, upto: int = 1, answers: bool = False,
-    seed: str = "", whose: Sequence[str] = (), duplex: bool = False,
+    seed: str = "", whose: Sequence[str] = (), duplex: bool = False, number: int | None = None,
 ) -> Handout:  # fmt: skip
-    """The handout in each of the languages, one after the other; its feet are in the first."""
-    made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex)
+    """The handout in each of the languages, one after the other, each with its own feet."""
+    made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex,
+                   number=number)  # fmt: skip
     first, *others = (made(lang=lang) for lang in langs)
+    front = [document.NewPage(True)] if duplex else []
     blocks = list(first.blocks)
     for other in others:
-        blocks += [*([] if other.contents else [document.NewPage(duplex)]), *other.blocks]
+        blocks += [other.blocks[0], *front, *other.blocks[1:]]
     return replace(first, blocks=tuple(blocks))
+
+
+def _numbered(blocks: Iterator[Block], lang: Lang, number: int, said: str) -> Iterator[Block]:
+    """A problem whose title bears its number, and whose figures are numbered."""
+    figures = 0
+    for block in blocks:
+        match block:
+            case document.HandoutHeading(words, 1):
+                yield replace(block, words=(*plain(_titled("", lang, number)), *words), said=said)
+            case document.HandoutPicture():
+                figures += 1
+                yield replace(block, number=figure_name(lang, figures))
+            case _:
+                yield block
+
+
+def figure_name(lang: Lang, number: int) -> str:
+    """`Fig. 2`."""
+    return say("handouts.figure", lang, number=number)
+
+
+def _titled(title: str, lang: Lang, number: int) -> str:
+    """`Problem 3. Shaper`."""
+    return (say("handouts.problem", lang, number=number) if number else "") + title
 
 
 def _digest(mechanisms: Sequence[Mechanism]) -> str:
@@ -185,15 +119,8 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             yield from posed(problem)
         case "blank":
             yield from posed(problem, to_draw=True)
-            for plane in problem.polygons:  # an empty equation, gridded paper with the pole, a table to measure into
-                yield document.NewPage()
-                yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
-                for _ in problem.construction(plane).equations[: MOST_EQUATIONS]:
-                    yield empty_rows(problem, terms=TERMS[plane])
-                before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
-                yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
-                yield room(problem, plane)
-                yield measured(problem)
+            for plane in problem.polygons:
+                yield from _worksheet(problem, plane)
         case "half":
             yield from posed(problem, to_draw=True)
             yield from _half(problem, upto)
@@ -203,17 +130,37 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             assert_never(stage)
 
 
+def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
+    """Empty equations, gridded paper with the pole, a table to measure into: where that paper is tall, before it."""
+    yield document.NewPage()
+    yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
+    for _ in problem.construction(plane).equations[:MOST_EQUATIONS]:
+        yield empty_rows(problem, terms=TERMS[plane])
+    grid = room(problem, plane)
+    tall = grid.height > ROOM.imag
+    yield from [measured(problem, 1, grid.width)] if tall else []
+    before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
+    yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
+    yield grid
+    yield from [] if tall else [measured(problem, 3, grid.width)]
+
+
 def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
     """The data and the question, the mechanism to scale, the scales to use, boxes for the answers.
 
     to_draw  there is room to draw below: the figure stands where it is asked for, whatever could be measured on it
     """
-    yield document.HandoutHeading(plain(problem.title), 1)
-    yield from blocks_of(problem.posed, problem.lang)
+    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
+    if not problem.whose:
+        blanks = ("name", "student number", "class")
+        yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang).capitalize() for key in blanks))
+    blocks = [*blocks_of(problem.posed, problem.lang, problem.points)]
+    first = next((k for k, block in enumerate(blocks) if isinstance(block, document.HandoutHeading)), 0)
+    sentence = say("handouts.see figure", problem.lang, figure=figure_name(problem.lang, 1))
+    yield from (*blocks[:first], document.Paragraph(plain(sentence)), *blocks[first:])
     picture, there = given_figure(problem, to_draw)
     yield picture
     yield from () if there else (document.Paragraph(plain(say("problems.figure elsewhere", problem.lang))),)
-    yield document.HandoutHeading(plain(say("handouts.scales", problem.lang)))
     yield document.Paragraph(scales_to_use(problem))
     if problem.asked.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
@@ -223,9 +170,10 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
 
 
 def scales_to_use(problem: HandoutProblem) -> Label:
-    """Those of the mechanism and of the polygons that are drawn."""
+    """Those of the mechanism and of the polygons that are drawn, as a sentence."""
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    return joined([written(plane, problem.scales[plane]) for plane in planes], ";  ")
+    before = say("handouts.scales", problem.lang) + say("common.colon", problem.lang)
+    return (*plain(before), *joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
 
 
 def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[document.HandoutPicture, bool]:
@@ -239,61 +187,73 @@ def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[docume
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
-    """The solution as far as whole equations go, drawn so far; then the next equation, empty."""
-    yield document.NewPage()
-    last, waiting = 0, None
+    """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and it, empty."""
+    last, figures = 0, 1
     for section, following in problem.upto(upto):
-        yield from _section(section, problem.lang)
+        entries, lead = section.entries, tuple[entry.Entry, ...]()
+        if following is not None and entries and isinstance(entries[-1], entry.Sentence):
+            entries, lead = entries[:-1], entries[-1:]
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
-        last, waiting = max([last, *(act.page for act in acts if act is not None)]), following
+        last = max([last, *(act.page for act in acts if act is not None)])
+        figures += section.plane is not None
+        yield from _section(problem, replace(section, entries=entries), figures)
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction", last)
-    if waiting is not None:
-        yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
-        yield empty_rows(problem, waiting)
-        yield measured(problem, 2)
+        if following is not None:
+            yield from blocks_of(lead, problem.lang, problem.points)
+            yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
+            yield empty_rows(problem, following)
+            yield measured(problem, 2)
 
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
-    yield document.HandoutHeading(plain(problem.title), 1)
+    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
+    yield from blocks_of([*story(problem.drawing.mechanism, problem.lang)], problem.lang, problem.points)
     for section in problem.head:
-        yield from _section(section, problem.lang)
+        yield from _section(problem, section)
+    figures = 0
     for section in problem.parts:
-        yield from _section(section, problem.lang)
+        figures += section.plane is not None
+        yield from _section(problem, section, figures)
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction")
-    yield from _section(problem.answers, problem.lang)
+    yield from _section(problem, problem.answers)
     yield from beside_analysis(problem)
     yield from common_mistakes(problem)
 
 
-def _section(section: Section, lang: Lang) -> Iterator[Block]:
-    yield document.HandoutHeading(plain(section.heading))
-    yield from blocks_of(section.entries, lang)
+def _section(problem: HandoutProblem, section: Section, figure: int = 0) -> Iterator[Block]:
+    """A section under its heading, which names the figure that goes with it."""
+    lang = problem.lang
+    reference = say("handouts.with figure", lang, figure=figure_name(lang, figure)) if section.plane else ""
+    yield document.HandoutHeading(plain(section.heading + reference))
+    yield from blocks_of(section.entries, lang, problem.points)
 
 
-def blocks_of(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
-    """Each entry of a solution as a block."""
+def blocks_of(entries: Sequence[entry.Entry], lang: Lang, points: Collection[str]) -> Iterator[Block]:
+    """Each entry of a solution as a block; the mechanism's points are in italics."""
     for each in entries:
         match each:
             case entry.Heading(text):
                 yield document.HandoutHeading(plain(text))
             case entry.Sentence(text, act):
-                yield document.Paragraph(formula(text), str(act.number) if act is not None and act.numbered else "")
+                number = str(act.number) if act is not None and act.numbered else ""
+                yield document.Paragraph(lettered(text, points), number)
             case entry.Calculation():
                 note = f"  ({each.note})" if each.note else ""
-                yield document.FormulaLine(formula(each.text + note))
+                yield document.FormulaLine(lettered(each.text + note, points))
             case entry.VectorEquation():
-                yield rows(each, lang)
+                yield rows(each, lang, points)
             case _:
                 assert_never(each)
 
 
-def rows(equation: entry.VectorEquation, lang: Lang) -> document.TermRows:
+def rows(equation: entry.VectorEquation, lang: Lang, points: Collection[str]) -> document.TermRows:
     """A vector equation as it is printed."""
     heads = [plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row")]
-    columns = ((plain(term) if term in ("=", "+") else formula(term), formula(direction), formula(size))
+    columns = ((plain(term) if term in ("=", "+") else formula(term), lettered(direction, points),
+                formula(size))
                for term, direction, size in equation.columns)  # fmt: skip
     return document.TermRows((heads[0], heads[1]), tuple(columns))
 
@@ -305,4 +265,5 @@ def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | Non
     if last is not None:
         drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
-    return document.HandoutPicture(drawn, say(key, lang, what=HEADINGS[lang][plane], title=problem.title))
+    words = say(key, lang, what=HEADINGS[lang][plane], title=problem.title)
+    return document.HandoutPicture(drawn, words, of_all=style == "given")

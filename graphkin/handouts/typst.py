@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
+from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 from typing import assert_never
 
 from graphkin.errors import NoChineseLetters, NoFont, NoLetter
 from graphkin.handouts import document
-from graphkin.handouts.document import Block, Handout
+from graphkin.handouts.document import Block, Handout, HandoutPart
 from graphkin.handouts.grid import DIGITS, MARKERS, SIZE, digits, edges, markers_svg, room_svg
+from graphkin.handouts.paging import PagePart, page_parts, pages
 from graphkin.outputs.files import needed
 from graphkin.outputs.paged import unscaled
 from graphkin.outputs.svg import svg
 from graphkin.outputs.typesetting import mm, signs
-from graphkin.sheet.lettering import Label, Run
+from graphkin.sheet.lettering import Label, Run, width
 from graphkin.sheet.paper import PAPERS, Paper
 
 VARIABLE = "GRAPHKIN_FONT"  # the environment's name for a font file
@@ -23,11 +27,20 @@ _LATIN = ("Times New Roman", "Liberation Serif", "Tinos", "Libertinus Serif")
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
 _ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
+_BOUND = re.compile(r"(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|rad|deg|in|ft)\b)")  # spaces at which no line ends
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
-_MARGIN, _BOTTOM, _CLEAR = 20.0, 26.0, 5.0  # at the sides of a page, at its foot, and between a drawing and words [mm]
+_MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
+_BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
+_LETTERS, _INSET, _ROW = 3.7, 5.0, 7.5  # of a table: its letters, what a cell is wider than they, a row [mm]
+_HEAVY = 600  # the weight of bold letters
+_SLACK = 0.5  # of a page's height that is left over, as lengths are rounded [mm]
+Pictures = dict[str, str]  # drawings by the names by which a page asks for them
+PageRun = tuple[str, list[tuple[PagePart, str]]]  # what stands before some parts in a row, and their markup
+
 _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #set text(font: ({families}), size: 10.5pt, lang: {lang}, region: none)
-#set par(justify: false, leading: 0.62em)
+#set par(justify: false, leading: 0.62em, spacing: 1em)
+#set block(spacing: 1em)
 #show math.equation: set text(font: "New Computer Modern Math")
 #set heading(outlined: true, bookmarked: true)
 #show heading.where(level: 1): set text(size: 15pt)
@@ -37,37 +50,34 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #let lettered(body) = text(font: ({families}), body)
 #let act(number) = box(
   circle(radius: 1.9mm, inset: 0mm, stroke: 0.2mm, align(center + horizon, text(size: 7.5pt, number))))
-// A drawing for which the page has no room comes first on the next one, and what follows it is told before.
-// Whether there is room is asked as if it were not yet on the page, over what it follows.
-#let drawn(name, body) = {{
-  block(height: 0pt, above: 0pt)[#metadata(name)#label(name)]
-  context {{
-    let (high, at) = (measure(body).height + {clear}mm, locate(label(name)).position())
-    let over = query(label(name + "-shown")).map(it => it.location().position())
-      .filter(it => it.page == at.page and it.y < at.y)
-    let room = page.height - {bottom}mm - at.y + over.len() * high
-    let shown = align(center)[#metadata(name)#label(name + "-shown")#body]
-    if high > room {{ place(top + center, float: true, clearance: {clear}mm, shown) }} else {{ shown }}
-  }}
-}}
-#let bar = {{
+#let part(above, breakable, body) = block(
+  breakable: breakable, width: 100%, above: above, below: 0mm, body)
+#let foot = state("foot", (bar: "", words: ""))
+#let said = state("said", "")
+#let bar(words) = {{
   set text(size: 7pt)
   stack(dir: ttb, spacing: 1mm,
     box(width: 100mm, height: 2mm, {{
       place(top + left, line(length: 100mm, stroke: 0.35mm))
       for k in range(11) {{ place(top + left, dx: k * 10mm, line(start: (0mm, 0mm), end: (0mm, 2mm), stroke: 0.18mm)) }}
     }}),
-    {bar})
+    words)
 }}
-#set page(width: {width}mm, height: {height}mm, margin: (x: {margin}mm, top: 18mm, bottom: {bottom}mm),
+#set page(width: {width}mm, height: {height}mm, margin: (x: {margin}mm, top: {top}mm, bottom: {bottom}mm),
   background: {background},
   footer: context {{
     set text(size: 8pt)
     grid(columns: (1fr, auto), align: (left + bottom, right + bottom),
-      bar, {foot} + state("said", "").get(){number} + " · " +
+      bar(foot.get().bar), foot.get().words + said.get(){number} + " · " +
         str(counter(page).get().first()) + "/" + str(counter(page).final().first()))
   }})
 """
+_BOLD = r"""#show heading: it => {
+  show regex("[\u{2e80}-\u{9fff}\u{ff00}-\u{ffef}]+"): set text(stroke: 0.035em)
+  it
+}
+"""
+"""Chinese headings, where the Chinese letters come in one weight."""
 _MARKER = """#let bits = ({bits})
 #let marker(id) = box(width: {size}mm, height: {size}mm, fill: black, {{
   for k in range(16) {{
@@ -90,21 +100,24 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     Raises NeedsExtra without typst, NoFont, NoChineseLetters, NoLetter.
     """
     typst = needed("typst", "pdf")
-    pictures: dict[str, str] = {}
-    page, body = PAPERS[paper], "\n".join(_markup(block, pictures) for block in handout.blocks)
-    families, folders = _fonts(font, bool(_WIDE.search(handout.title + body + handout.foot.bar)))
+    pictures: Pictures = {}
+    page = PAPERS[paper]
     if scan is not None:
         pictures["markers"] = markers_svg(page.width, page.height)
-    contents = ""
-    if handout.contents:
-        title = f"heading(level: 1, outlined: false)[#{_string(handout.contents)}]"
-        contents = f"#{title}\n#outline(title: none, depth: 1)\n"
-    text = _head(handout, families, page, scan) + contents + body
+    wide = page.width - 2 * _side(scan)
+    runs = [run for k, part in enumerate(handout.parts) for run in _runs(k, *part, pictures, wide)]
+    words = "".join(markup for _, parts in runs for _, markup in parts)
+    chinese = bool(_WIDE.search(handout.title + words + "".join(part.foot.bar for part, _ in handout.parts)))
+    fonts, families, one_weight = _fonts(typst, font, chinese)
+    head = _head(handout, families, page, scan) + (_BOLD if one_weight else "")
+    measure = "".join(f"#context [#metadata(measure(width: {mm(wide)}mm)[{markup}].height.mm())<high>]\n"
+                      for _, parts in runs for _, markup in parts)  # fmt: skip
+    compiler = typst.Compiler((head + measure).encode(), font_paths=fonts, sys_inputs=pictures)
     try:
-        made: bytes = typst.compile(
-            text.encode(), format="pdf", sys_inputs=pictures, font_paths=folders, timestamp=0,
-            pdf_standards=["ua-1"],
-        )  # fmt: skip
+        heights = iter(json.loads(compiler.query("<high>", field="value")))
+        room = page.height - _TOP - _BOTTOM - _SLACK
+        body = "".join(before + _paged(parts, [next(heights) for _ in parts], room) for before, parts in runs)
+        made: bytes = compiler.compile((head + body).encode(), format="pdf", timestamp=0, pdf_standards=["ua-1"])
     except typst.TypstError as problem:
         if (letter := _MISSING.search(str(problem))) is None:
             raise
@@ -112,36 +125,70 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     return unscaled(made)
 
 
-def pages(content: bytes) -> int:
+def _runs(number: int, part: HandoutPart, blocks: list[Block], pictures: Pictures, wide: float) -> Iterator[PageRun]:
+    """A part from one new page to the next."""
+    here = f"part{number}"
+    foot = f"(bar: {_string(part.foot.bar)}, words: {_string(part.foot.words)})"
+    before = (f"#pagebreak(weak: true)\n#set text(lang: {_string(part.lang)})\n#foot.update({foot})\n"
+              f"#said.update(\"\")\n#metadata(none) #label({_string(here)})\n")  # fmt: skip
+    if part.contents:
+        inside = f"heading.where(level: 1, outlined: true).after(label({_string(here)}))"
+        following = f"query(label(\"part{number + 1}\"))"
+        before += (f"#heading(level: 1, outlined: false)[#{_string(part.contents)}]\n"
+                   f"#context outline(title: none, target: if {following}.len() > 0 "
+                   f"{{ {inside}.before(label(\"part{number + 1}\")) }} else {{ {inside} }})\n")  # fmt: skip
+    together: list[Block] = []
+    for block in [*blocks, document.NewPage()]:
+        if not isinstance(block, document.NewPage):
+            together.append(block)
+            continue
+        parts = page_parts(together)
+        yield before, [(each, "".join(_markup(one, pictures, wide) for one in each.blocks)) for each in parts]
+        before, together = "#pagebreak(weak: true" + (', to: "odd"' if block.front else "") + ")\n", []
+
+
+def _paged(parts: list[tuple[PagePart, str]], heights: list[float], room: float) -> str:
+    """The markup of parts on the pages that cost least."""
+    above = [_BEFORE if part.heads else _BETWEEN for part, _ in parts]
+    whole = [high + over for high, over in zip(heights, above, strict=True)]
+    sheets = pages([part for part, _ in parts], whole, room + _BETWEEN)
+    breaks = ["true" if high > room else "false" for high in heights]
+    return "#pagebreak(weak: true)\n".join(
+        "".join(f"#part({mm(above[k])}mm, {breaks[k]})[{parts[k][1]}]\n" for k in page) for page in sheets
+    )
+
+
+def page_count(content: bytes) -> int:
     """The number of pages of a PDF of this writer."""
     return len(re.findall(rb"/Type\s*/Page\b", content))
 
 
-def _fonts(named: Path | None, chinese: bool) -> tuple[tuple[str, ...], list[str]]:
-    """Families in the order in which they are tried, folders beside the system's. Raises NoFont, NoChineseLetters."""
+def _fonts(typst: ModuleType, named: Path | None, chinese: bool) -> tuple[object, tuple[str, ...], bool]:
+    """The fonts of typst, their families in the order in which they are tried, and whether Chinese letters have but one
+    weight. Raises NoFont, NoChineseLetters."""
     from matplotlib.ft2font import FT2Font
 
     from graphkin.outputs.diagram.fonts import chinese_font
 
     path = named or (Path(os.environ[VARIABLE]) if os.environ.get(VARIABLE) else None)
     own: tuple[str, ...] = ()
-    folders: list[str] = []
-    if path is not None:
-        try:
-            own, folders = (FT2Font(str(path)).family_name,), [str(path.parent)]
-        except (OSError, RuntimeError):
-            raise NoFont(str(path)) from None
+    try:
+        own = (FT2Font(str(path)).family_name,) if path is not None else ()
+    except (OSError, RuntimeError):
+        raise NoFont(str(path)) from None
+    fonts = typst.Fonts(font_paths=[str(path.parent)] if path is not None else [])
     if not chinese:
-        return (*own, *_LATIN), folders
+        return fonts, (*own, *_LATIN), False
     letters = own or tuple(filter(None, [chinese_font()]))
     if not letters:
         raise NoChineseLetters()
-    return (*_LATIN, *letters), folders
+    heaviest = max((each.weight for each in fonts.fonts() if each.family == letters[0]), default=0)
+    return fonts, (*_LATIN, *letters), heaviest < _HEAVY
 
 
 def _head(handout: Handout, families: tuple[str, ...], page: Paper, scan: int | None) -> str:
     """The settings of all pages; of those that are photographed also their markers, and each one's number."""
-    foot, before, number, background = handout.foot, "", "", "none"
+    before, number, background = "", "", "none"
     if scan is not None:
         left, right = edges(page.width, page.height)
         page_number = f"{scan - 1} + counter(page).get().first()"
@@ -156,51 +203,75 @@ def _head(handout: Handout, families: tuple[str, ...], page: Paper, scan: int | 
         number = f' + " · #" + str({page_number})'
     return before + _HEAD.format(
         title=_string(handout.title), families=", ".join(map(_string, families)), lang=_string(handout.lang),
-        width=mm(page.width), height=mm(page.height), margin=mm(_MARGIN + (8 if scan is not None else 0)),
-        bottom=mm(_BOTTOM), clear=mm(_CLEAR), bar=_string(foot.bar), foot=_string(foot.words), number=number,
-        background=background,
+        width=mm(page.width), height=mm(page.height), margin=mm(_side(scan)), top=mm(_TOP), bottom=mm(_BOTTOM),
+        number=number, background=background,
     )  # fmt: skip
 
 
-def _markup(block: Block, pictures: dict[str, str]) -> str:
-    """A block in typst's markup; drawings are kept under the names by which it asks for them."""
+def _side(scan: int | None) -> float:
+    """The margin at the sides; a page to be photographed has its markers there [mm]."""
+    return _MARGIN + (8 if scan is not None else 0)
+
+
+def _markup(block: Block, pictures: Pictures, wide: float) -> str:
+    """A block in typst's markup; drawings are kept under the names by which it asks for them; wide: the page [mm]."""
     match block:
         case document.HandoutHeading(words, level, said):  # with what the feet say from here on
-            foot = f"#state(\"said\", \"\").update({_string(' · ' + said)})\n" if said else ""
+            foot = f"#said.update({_string(' · ' + said)})\n" if said else ""
             return f"{foot}#heading(level: {level})[{_words(words)}]\n"
+        case document.NameLine(words):
+            rules = "".join(f"[#{_string(word)}], line(length: 100%, stroke: 0.18mm), " for word in words)
+            shape = f"columns: (auto, 1fr) * {len(words)}, align: bottom, column-gutter: 2mm"
+            return f"#block(above: 4mm, below: 4mm, grid({shape}, {rules}))\n"
         case document.Paragraph(words, act):
             number = f"#act({_string(act)}) " if act else ""
             return f"#par[{number}{_words(words)}]\n"
         case document.FormulaLine(words):
             return f"#pad(left: 8mm, par[{_words(words)}])\n"
-        case document.TermRows():  # terms, directions, sizes; a blank is a line to write on
-            rule = "#box(width: 20mm, height: 6mm, stroke: (bottom: 0.18mm))"
-            cells = [f"[{_words(cell) if cell is not None else rule}]" for line in block.lines for cell in line]
-            shape = f"columns: {len(block.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
-            return f"#block(breakable: false, pad(left: 8mm, grid({shape}, {', '.join(cells)})))\n"
-        case document.HandoutPicture(sheet, words):
-            name, image = _image(pictures, svg(sheet), sheet.paper.width, words)
-            return f"#drawn({_string(name)}, {image})\n"
+        case document.TermRows():
+            return f"#block(breakable: false, pad(left: 8mm, {_rows(block, wide)}))\n"
+        case document.HandoutPicture(sheet, words, number, _):
+            image = _image(pictures, svg(sheet), sheet.paper.width, words)
+            return f"#figure({image}, caption: [#{_string(number)}], numbering: none, gap: 2mm)\n"
         case document.GridRoom():
-            _, image = _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
+            image = _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
             return f"#align(center, {image})\n"
-        case document.HandoutTable(heads, rows):
-            cells = [f"[{_words(cell)}]" for row in rows for cell in row]
-            first = ", ".join(f"[{_words(head)}]" for head in heads)
-            wide = mm(min(30, 152 / len(heads)))
-            shape = f"columns: ({wide}mm,) * {len(heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
-            return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
-        case document.NewPage(front):
-            return "#pagebreak(weak: true" + (', to: "odd"' if front else "") + ")\n"
+        case document.HandoutTable():
+            return f"#block(breakable: false, width: 100%, {_table(block, wide)})\n"
+        case document.NewPage() | document.HandoutPart():
+            raise TypeError(f"{type(block).__name__} stands between pages, not on one")
         case _:
             assert_never(block)
 
 
-def _image(pictures: dict[str, str], text: str, width: float, words: str) -> tuple[str, str]:
-    """The name of a drawing, and what shows it."""
+def _rows(rows: document.TermRows, wide: float) -> str:
+    """A grid of terms, directions, sizes; a blank is a line to write on, as long as all have room."""
+    blanks = sum(column is None for column in rows.columns)
+    signs = 8.0 + 16.0 + 4.0 + 6.5 * (len(rows.columns) - blanks) + 2.0 * blanks  # edge, heads, the rest, gaps [mm]
+    long = min(20.0, (wide - signs) / blanks) if blanks else 0.0
+    rule = f"#box(width: {mm(long)}mm, height: 6mm, stroke: (bottom: 0.18mm))"
+    cells = [f"[{_words(cell) if cell is not None else rule}]" for line in rows.lines for cell in line]
+    shape = f"columns: {len(rows.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
+    return f"grid({shape}, {', '.join(cells)})"
+
+
+def _table(table: document.HandoutTable, wide: float) -> str:
+    """A table whose heads do not break; under gridded paper it ends where that ends."""
+    cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
+    first = ", ".join(f"[{_words(head)}]" for head in table.heads)
+    room = table.under or min(30.0 * len(table.heads), wide - 10)
+    least = [width(head, _LETTERS) + _INSET for head in table.heads]
+    columns = ", ".join("1fr" if each < room / len(least) else f"{mm(each)}mm" for each in least)
+    shape = f"columns: ({columns}), rows: {mm(_ROW)}mm, align: center + horizon, stroke: 0.18mm"
+    place = "center" if table.under else "left"
+    return f"align({place}, block(width: {mm(room)}mm, table({shape}, table.header({first}), {', '.join(cells)})))"
+
+
+def _image(pictures: Pictures, text: str, width: float, words: str) -> str:
+    """A drawing under a name of its own, and what shows it."""
     name, own_font = f"picture{len(pictures)}", r'<tspan font-family="Libertinus Serif">\1</tspan>'
     pictures[name] = _BETWEEN_TAGS.sub(lambda part: _ACCENTED.sub(own_font, part[0]), text)
-    return name, f'image(bytes(sys.inputs.{name}), format: "svg", width: {mm(width)}mm, alt: {_string(words)})'
+    return f'image(bytes(sys.inputs.{name}), format: "svg", width: {mm(width)}mm, alt: {_string(words)})'
 
 
 def _words(label: Label) -> str:
@@ -218,8 +289,9 @@ def _words(label: Label) -> str:
 
 def _run(run: Run) -> str:
     """Its letters; one with an accent of its own in typst's own font, as few others have such accents."""
+    text = _BOUND.sub("\u00a0", run.text)
     parts = (_string(part) if not k % 2 else f'text(font: "Libertinus Serif", {_string(part)})'
-             for k, part in enumerate(_ACCENTED.split(run.text)) if part)  # fmt: skip
+             for k, part in enumerate(_ACCENTED.split(text)) if part)  # fmt: skip
     return "".join(f"#emph({part})" if run.italic else f"#{part}" for part in parts)
 
 

@@ -176,6 +176,7 @@ class Mechanism:
     text      the file, to be put into drawings and shown; `lines` gives the line of each of its keys
     given     what the file states, by place and in its order: tables and lists, each followed by what is in it
     worth     points of an answer, by question; follows: the part of them where it follows rightly from a wrong one
+    stories   the words of a problem that stand before what is given
     """
 
     name: str
@@ -197,6 +198,7 @@ class Mechanism:
     given: Mapping[KeyPath, GivenValue] = field(default_factory=dict)
     worth: Mapping[str, float] = field(default_factory=dict)
     follows: float = 1.0
+    stories: Mapping[Lang, str] = field(default_factory=dict)
 
     @cached_property
     def owners(self) -> dict[str, tuple[str, ...]]:
@@ -266,6 +268,10 @@ class Mechanism:
     def credit(self, lang: Lang) -> str:
         """Its source, in this language, else in the other."""
         return _spoken(self.source, lang)
+
+    def story(self, lang: Lang) -> str:
+        """What stands before what is given, in this language, else in the other."""
+        return _spoken(self.stories, lang)
 
     @cached_property
     def driven(self) -> frozenset[str]:

@@ -184,6 +184,9 @@ def test_titles_sketch_scales_and_questions() -> None:
     assert mechanism.sketch == {"C": 0.065 + 0.04j}
     assert mechanism.scales == {"length": 0.001, "velocity": 1}
     assert loads('title = { zh = "刨床" }\n' + FOURBAR).title == {"zh": "刨床"}
+    told = loads('text = { en = "A crank.", zh = "曲柄。" }\n' + FOURBAR)
+    assert [told.story(lang) for lang in ("en", "zh")] == ["A crank.", "曲柄。"]
+    assert loads('text = "A crank."\n' + FOURBAR).story("zh") == "A crank."
 
 
 def test_units_wherever_a_number_stands() -> None:
@@ -607,6 +610,8 @@ TEXTS = [
     bad("TooDeep", "a" + ' . "a b"' * 20_000 + " = 1", "", "", "nested far too deep", "嵌套过深"),
     bad("ControlCharacter", 'source = "a\\u0001b"\n' + FOURBAR, "source", "source", "U+0001", "U+0001"),
     bad("ControlCharacter", 'ask = ["v C", "\\u001b[31m"]\n' + FOURBAR, "ask", "ask.1", "U+001B", "U+001B"),
+    bad("WrongType", "text = [1]\n" + FOURBAR, "text", "text", "a text in quotes, or", "带引号的文字或"),
+    bad("UnknownKey", 'text = { de = "x" }\n' + FOURBAR, "text", "text.de", "Possible: en, zh", "可用：en, zh"),
     bad("ControlCharacter", 'title.en = "\\u202eab"\n' + FOURBAR, "title", "title.en", "U+202E", "U+202E"),
     bad("ControlCharacter", FOURBAR + '"\\u0085x" = 1', '"\\u0085x"', "driver.0.x", "U+0085", "U+0085"),
     bad("ControlCharacter", FOURBAR + "# \ufffe", "# \ufffe", "", "U+FFFE", "U+FFFE"),

@@ -16,7 +16,7 @@ from graphkin.cli import main
 from graphkin.errors import NoKeyAtPosition, Where
 from graphkin.files import library
 from graphkin.handouts.problem import drawn_problem
-from graphkin.handouts.stages import answer_rows
+from graphkin.handouts.worksheet import answer_rows
 from graphkin.homework.grading import OneKey, grade, judge_from, key_for
 from graphkin.homework.grading.keys import further_methods
 from graphkin.homework.platforms import PolygonPictures

@@ -87,6 +87,9 @@ PHRASES: Phrases = {
     "file_keys.file source": ("Where the problem is from; shown only. One text, or one in each language as { en = .., "
                               "zh = .. }.",
                               "题目出处，只显示。一段文字，或写成 { en = .., zh = .. }。"),
+    "file_keys.file text": ("A story that stands before what is given, in handouts and sets: one text, or one in each "
+                            "language as { en = .., zh = .. }.",
+                            "题目正文，在讲义与作业中印在已知条件之前：一段文字，或写成 { en = .., zh = .. }。"),
     "file_keys.file ask": ("What the problem wants, a list of quantities; a question in words ends with `?` and is "
                            "shown only.",
                            "题目要求的量；以“？”结尾的文字只显示、不求解。"),

@@ -1,0 +1,110 @@
+"""The pages of a handout: what holds together, and where the pages turn so that least of them is left empty."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from graphkin.base.value import frozen
+from graphkin.handouts import document
+from graphkin.handouts.document import Block
+
+_PAGE, _EARLY, _OVER = 0.2, 0.01, 3.0  # costs of a page, of a drawing before the end of its text, of no room
+_LEAST = 0.18  # a last page has that much of its height, or more
+
+_FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom)  # stay with what leads
+
+
+@frozen
+class PagePart:
+    """Blocks that stay together; for a drawing, `of` is the first of the parts it belongs to, the last is before it."""
+
+    blocks: tuple[Block, ...]
+    of: int | None = None
+
+    @property
+    def heads(self) -> bool:
+        """True where it begins with a heading."""
+        return isinstance(self.blocks[0], document.HandoutHeading)
+
+
+def page_parts(blocks: Sequence[Block]) -> list[PagePart]:
+    """A heading stays with what it heads, a sentence with the formulas, rows, boxes and blanks that it leads to."""
+    parts: list[PagePart] = []
+    first, leads = 0, False  # the first part of what the next drawing belongs to
+    for block in blocks:
+        follows = isinstance(block, _FOLLOWING)
+        if isinstance(block, document.HandoutPicture) and first < len(parts):
+            parts.append(PagePart((block,), 0 if block.of_all else first))
+            first = len(parts)
+        elif first < len(parts) and (leads or follows):
+            parts[-1] = PagePart((*parts[-1].blocks, block))
+        else:
+            first = len(parts) if isinstance(block, document.HandoutHeading) else first
+            parts.append(PagePart((block,)))
+        leads = _leads(block)
+    return parts
+
+
+def _leads(block: Block) -> bool:
+    match block:
+        case document.HandoutHeading() | document.NameLine():
+            return True
+        case document.Paragraph(words):
+            return "".join(run.text for run in words).endswith((":", "："))
+        case _:
+            return False
+
+
+def pages(parts: Sequence[PagePart], heights: Sequence[float], room: float) -> list[list[int]]:
+    """The parts of each page, by their numbers: those of least cost. A drawing stands on a page with some of what it
+    belongs to, behind the last of that there.
+
+    heights  of the parts, and `room` of a page, in one unit
+    """
+    belonging = {n: range(part.of, n) for n, part in enumerate(parts) if part.of is not None}
+    # one that has no room beside any of what it belongs to has a page of its own
+    belonging = {n: of for n, of in belonging.items() if min(heights[k] for k in of) + heights[n] <= room}
+    drawings = {k: n for n, of in belonging.items() for k in of}
+    texts = [k for k in range(len(parts)) if k not in belonging]
+    if not texts:
+        return []
+    # by the text that a page begins with, and the drawing of what goes on there if that is placed already
+    best: dict[tuple[int, int | None], tuple[float, list[list[int]]]] = {(0, None): (0.0, [])}
+    for first in range(len(texts)):
+        for there in dict.fromkeys((None, drawings.get(texts[first]))):
+            if (before := best.get((first, there))) is None:
+                continue
+            for page, end, done in _choices(texts, drawings, first, there):
+                used = sum(heights[k] for k in page)
+                if used > room and end > first + 1:
+                    continue
+                early = _EARLY if done is not None and done in page else 0.0
+                total = before[0] + early + _cost(used / room, end == len(texts))
+                if (end, done) not in best or total < best[end, done][0]:
+                    best[end, done] = total, [*before[1], page]
+    return best[len(texts), None][1]
+
+
+def _choices(
+    texts: list[int], drawings: dict[int, int], first: int, there: int | None
+) -> Iterator[tuple[list[int], int, int | None]]:
+    """What a page may hold from a text on, the shorter first; the next text, and its drawing if that is placed."""
+    page: list[int] = []
+    for end, text in enumerate(texts[first:], first + 1):
+        page.append(text)
+        own = drawings.get(text)
+        over = own is not None and end < len(texts) and drawings.get(texts[end]) == own
+        if own is None or own == there:
+            yield [*page], end, own if over else None
+        elif over:
+            yield [*page], end, None
+            yield [*page, own], end, own
+        else:
+            page.append(own)
+            yield [*page], end, None
+
+
+def _cost(used: float, last: bool) -> float:
+    """The cost of a page that is filled so far; a last one may be empty, but for a few lines."""
+    empty = max(0.0, 1 - used / _LEAST) if last else max(0.0, 1 - used) ** 2
+    return _PAGE + empty + (_OVER if used > 1 else 0.0)

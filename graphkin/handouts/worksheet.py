@@ -1,0 +1,118 @@
+"""Room to draw and to write in: gridded paper with a pole, empty rows of an equation, tables, boxes for answers."""
+
+from __future__ import annotations
+
+import cmath
+import hashlib
+import math
+
+from graphkin.base.geometry import place
+from graphkin.base.value import frozen
+from graphkin.construction import LayOff, Plane
+from graphkin.handouts.document import GridRoom, HandoutTable, TermRows
+from graphkin.handouts.problem import ROOM, HandoutProblem
+from graphkin.marking.answers import asked_of
+from graphkin.model.quantities import EDGE, Centre, Rotation, at_position
+from graphkin.say.catalogue import say
+from graphkin.say.entry import VectorEquation
+from graphkin.say.problems import positions
+from graphkin.sheet.lettering import Label, formula, plain, point_label
+from graphkin.sheet.window import corners
+
+_MORE = 1.2
+_EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
+_STEP = 10.0  # rooms are so many millimetres, or a multiple of it
+
+
+def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
+    """The same room for every problem, with the pole somewhere, by lot, from where its polygon has room: neither tells
+    anything of the polygon. Where a scale of the file's own makes that larger, the box of the polygon and a fifth more.
+    """
+    construction, points = problem.construction(plane), problem.drawing.plot.points(plane)
+    names = (construction.pole, *construction.nodes)
+    low, high = corners([place(points[name]) / problem.scales[plane] for name in names if name in points])
+    wide, tall = _whole((high - low).real, ROOM.real), _whole((high - low).imag, ROOM.imag)
+    right, up = (byte / 255 for byte in hashlib.sha256((problem.drawing.mechanism.text + plane).encode()).digest()[:2])
+    pole = complex(_placed(low.real, high.real, wide, right), tall - _placed(low.imag, high.imag, tall, up))
+    direction = 0.0
+    for step in construction.steps:  # the first arrow that is laid off is given with the driver
+        if isinstance(step, LayOff) and abs(arrow := place(points[step.term.head] - points[step.term.tail])) > 0:
+            direction = cmath.phase(arrow) % math.pi
+            break
+    mark = plain(f"{round(math.degrees(direction), 1):g}°")
+    return GridRoom(wide, tall, pole, point_label(construction.pole), direction, mark)
+
+
+def _placed(low: float, high: float, room: float, lot: float) -> float:
+    """A place of the pole in a room, so that what reaches from low to high about it keeps off the edge."""
+    first, last = _EDGE - low, room - _EDGE - high
+    least, most = math.ceil(first / _GRID), math.floor(last / _GRID)
+    return _GRID * (least + round(lot * (most - least)))
+
+
+def _whole(length: float, usual: float) -> float:
+    return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
+
+
+def empty_rows(problem: HandoutProblem, equation: VectorEquation | None = None, terms: int = 3) -> TermRows:
+    """Lines to write an equation on: as many terms as it has, or as any may have."""
+    lang = problem.lang
+    heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
+    columns: list[tuple[Label, Label, Label] | None] = []
+    sides = [len(side) for side in equation.sides] if equation is not None else [1, terms - 1]
+    if equation is not None and equation.front:
+        sides = [1, *sides]
+    for k, count in enumerate(sides):
+        columns += [(plain("="), (), ())] if k else []
+        for n in range(count):
+            columns += [(plain("+"), (), ()), None] if n else [None]
+    return TermRows((heads[0], heads[1]), tuple(columns))
+
+
+def measured(problem: HandoutProblem, count: int, under: float = 0.0) -> HandoutTable:
+    """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
+    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("vector", "measured", "value"))
+    return HandoutTable(heads * 2, (((),) * 6,) * count, under)
+
+
+@frozen
+class AnswerRow:
+    """A place for an answer: `ω3 #2`, its unit, whether it has a sense, and what it is worth."""
+
+    symbol: str
+    unit: str
+    turns: bool
+    points: str
+
+
+def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
+    """Each quantity that is asked for, at each position."""
+    mechanism, rows = problem.drawing.mechanism, list[AnswerRow]()
+    worth = {text: f"{mechanism.worth[text]:g}" for text in asked_of(mechanism)}
+    for at in range(1, 2 + positions(mechanism)):
+        for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
+            if quantity is not None:
+                unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
+                turns = isinstance(quantity, Rotation) and quantity.word != "theta"
+                symbol = at_position(problem.goal.symbol(quantity), at)
+                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, "")))
+    return rows
+
+
+def worth(problem: HandoutProblem) -> str:
+    """` (points: 10)`: all answers together, where the file says what any is worth."""
+    given = problem.drawing.mechanism.given
+    has_points = any(path[0] == "points" and path[1:] not in ((), ("follows",)) for path in given)
+    total = sum(float(row.points or 0) for row in answer_rows(problem))
+    return say("handouts.worth", problem.lang, points=f"{total:g}") if has_points else ""
+
+
+def answer_boxes(problem: HandoutProblem) -> HandoutTable:
+    """A box an answer, with its unit, and one for the sense where it has one; what it is worth, where that differs."""
+    rows = answer_rows(problem)
+    columns = ["quantity", "answer", "unit", "sense", "points"]
+    end = None if problem.whose or worth(problem) else -1
+    labels = [(formula(row.symbol), (), plain(row.unit), () if row.turns else plain("—"), plain(row.points))
+              for row in rows]  # fmt: skip
+    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
+    return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
