@@ -123,13 +123,18 @@ def question_of(id: str, key: Key, text: Text, figure: bytes = b"", shows: str =
     return Question(id, text, tuple(parts), figure, shows)
 
 
-_SURELY = re.compile("theta |omega |alpha |a_[nktr] |.* .*@")  # no other words are written so
+_SURELY = ("theta ", "omega ", "alpha ", "a_n ", "a_k ", "a_t ", "a_r ")  # no other words begin so
 
 
 def in_letters(text: str, names: Iterable[str]) -> str:
     """A text with these quantities, with rotations and arrows as the sheets write them."""
     known = {name for whole in names for name in (whole, whole.split(" #")[0].split(" @")[0])}
-    typed = respelled(text, lambda name: symbols(name) if name in known or _SURELY.match(name) else name)
+
+    def lettered(name: str) -> str:
+        surely = name in known or name.startswith(_SURELY) or "@" in name.partition(" ")[2]
+        return symbols(name) if surely else name
+
+    typed = respelled(text, lettered)
     return re.sub(r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+(?:,[\w@]+)?", lambda arrow: vector(arrow[0]), typed)
 
 
