@@ -79,7 +79,8 @@ def heads_apart(figure: Figure) -> Figure:
         own = replace(vector, half=_half(vector, near), back=rim)
         tries = [replace(own, back=rim + back) for back in _BACK if back < 0.4 * vector.length]
         tries += [replace(own, half=side) for side in _SIDES]
-        changed[id(vector)] = best = min(tries, key=lambda each: _melting(head(each), heads))
+        apart = next((each for each in tries if not _melting(head(each), heads)), None)
+        changed[id(vector)] = best = apart or min(tries, key=lambda each: _melting(head(each), heads))
         heads.append(head(best))
     return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
 
