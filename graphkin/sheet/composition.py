@@ -338,7 +338,10 @@ class SheetContents:
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         more: Last | None = None
         if drawing.style == "construction" and plane == "position":  # annotations of what is used for the polygons
-            more = MechanismNotes(drawing.skeleton(window), drawing.reading(layout.scales), self.planes)
+            reading = drawing.reading(layout.scales)
+            more = MechanismNotes(drawing.skeleton(window), reading, drawing.sizes, self.planes)
+        elif drawing.style == "given":
+            more = MechanismNotes(drawing.skeleton(window), drawing.reading(layout.scales), drawing.sizes)
         elif drawing.style == "construction":
             acts = [act for act in drawing.method.acts if act.plane == plane]
             spoken = PolygonReading(drawing.reading(layout.scales), plane)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from itertools import product
+from itertools import islice, product
 
 from graphkin.base.value import frozen
 from graphkin.say.sizes import Corner, Size, Span
@@ -25,8 +25,10 @@ from graphkin.sheet.window import Figure
 
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
 _GAPS = (1.1, 1.9)  # between a line and its letters [mm]
-_OFFSETS = (7.5, 10.5, 14.0, 18.0, 23.0)  # of a dimension line from what it measures [mm]
+_OFFSETS = (7.5, 11.0, 16.0, 22.0)  # of a dimension line from what it measures [mm]
 _RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
+_BLOCK = 6.2  # from the middle of a block to an extension line [mm]
+_AT_ONCE = 10  # ways that are tried together
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
 _CLEAR = 2.2  # between an arc and what else there is [mm]
@@ -54,14 +56,15 @@ class DimensionLines:
 
     def draw(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""
-        trials = list(self._trials(size))
-        number = self.free.first([(trial.free, trial.crossing) for trial in trials])
-        if number is None:
-            return []
-        trial = trials[number]
-        marks = [*trial.touching, *trial.crossing, *trial.free]
-        self.free.add(marks)
-        return marks
+        every = self._trials(size)
+        while trials := list(islice(every, _AT_ONCE)):
+            number = self.free.first([(trial.free, trial.crossing) for trial in trials])
+            if number is not None:
+                trial = trials[number]
+                marks = [*trial.touching, *trial.crossing, *trial.free]
+                self.free.add(marks)
+                return marks
+        return []
 
     def _trials(self, size: Size) -> Iterator[_Trial]:
         match size.shape:
@@ -115,9 +118,12 @@ class DimensionLines:
             return
         along *= math.copysign(1, ((end - start) / along).real)
         wide, long = box(label, LABEL)[0], ((end - start) / along).real
+        blocks = [self.skeleton.at(slide.point) for slide in self.skeleton.blocks.values()]
+        first, second = (_BLOCK if min((abs(end - at) for at in blocks), default=9.0) < 0.1 else 2 * HINGE
+                         for end in (start, end))  # fmt: skip
         for crossing, offset, across in product((False, True), _OFFSETS, (1j * along, -1j * along)):
             past = 0.0 if wide + 1 <= long else wide + 5
-            line, both, heads = dimension_line((start, end), across, offset, past, step)
+            line, both, heads = dimension_line((start, end), across, offset, past, step, (first, second))
             middle = line.places[1] - along * (past - wide / 2 - 4 if past else long / 2)
             text = self._text(label, middle, along, 0.8, step)
             yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
@@ -228,4 +234,5 @@ def _lies_on(at: Place, arm: complex, bar: tuple[Place, Place]) -> bool:
 
 def angle_label(size: Size) -> Label:
     """`φ1 = 60°`; of an angle between points the value alone."""
-    return formula(size.figure if size.symbol.startswith("∠") else size.text)
+    named = plain(size.symbol, italic=True) if len(size.symbol) == 1 else formula(size.symbol)
+    return formula(size.figure) if size.symbol.startswith("∠") else (*named, *plain(f" = {size.figure}"))

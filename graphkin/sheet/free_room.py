@@ -246,5 +246,10 @@ def _cover(mark: Mark) -> tuple[Array, Array]:
         ends = np.stack([at - 1j * turn * up, at + 1j * turn * down])
         sides = np.stack([ends.real, ends.imag], axis=-1)
         return sides.min(axis=0), sides.max(axis=0)
-    on = places([mark], _SLICE).T
+    if isinstance(mark, Stroke) and len(mark.places) == 2:
+        start, end = mark.places
+        line = start + (end - start) * np.linspace(0.0, 1.0, int(abs(end - start) / _SLICE) + 2)
+        on = np.stack([line.real, line.imag], axis=-1)
+    else:
+        on = places([mark], _SLICE).T
     return on, on

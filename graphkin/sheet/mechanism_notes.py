@@ -13,9 +13,9 @@ from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Rotation, read
 from graphkin.planning.method import rate_found
-from graphkin.say.dimensions import length_size, measured_lengths, sizes
+from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
-from graphkin.say.sizes import Corner
+from graphkin.say.sizes import Corner, Size
 from graphkin.sheet.dimension_lines import DimensionLines, angle_label
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
@@ -42,11 +42,13 @@ Arc = tuple[tuple[str, ...], float, complex, bool]
 class MechanismNotes:
     """Annotations of a mechanism with what the solution reads off it.
 
+    given   data of the problem
     planes  of which results may be shown; none where only what is given is drawn
     """
 
     skeleton: Skeleton
     reading: Reading
+    given: Sequence[Size]
     planes: Sequence[Plane] = field(default_factory=tuple)
     loose: Sequence[EquationBlock] = ()
 
@@ -60,21 +62,21 @@ class MechanismNotes:
         for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
             if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
                 added.over.extend(self._arc(half, free))
-        given, unsaid = DimensionLines(self.skeleton, free), list[Label]()
+        lines, unsaid = DimensionLines(self.skeleton, free), list[Label]()
         lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
-        for datum in sizes(self.reading):
-            marks = given.draw(datum)
+        for datum in self.given:
+            marks = lines.draw(datum)
             added.over.extend(marks)
             if not marks and not (isinstance(datum.shape, Corner) and angle_label(datum) in lettered):
                 unsaid.append(formula(datum.text))
         for one, other in measured_lengths(self.reading) if self.planes else ():
             if abs(self.skeleton.at(one) - self.skeleton.at(other)) >= _TOLD:
-                added.over.extend(replace(given, accent="grey").draw(length_size(self.reading, one, other)))
+                added.over.extend(replace(lines, accent="grey").draw(length_size(self.reading, one, other)))
         widths = (free.room.size.real - 8, *_NARROWER)
         for size, wide in product((LABEL, LEAST), widths) if self.planes else ():
-            lines = WrittenLines.of(unsaid, wide, size)
-            if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
-                marks = [*lines.marks(corner)]
+            text = WrittenLines.of(unsaid, wide, size)
+            if text.lines and (corner := free.corner(text.size, from_below=True)) is not None:
+                marks = [*text.marks(corner)]
                 free.add(marks)
                 added.over.extend(marks)
                 break

@@ -12,10 +12,14 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
+from graphkin.say.dimensions import sizes
+from graphkin.say.reading import Reading
+from graphkin.sheet.dimension_lines import angles
 from graphkin.sheet.layout import HEAD, Layout, alone, divided
 from graphkin.sheet.lettering import LABEL, formula, width
 from graphkin.sheet.marks import Mark, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
+from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.skeleton import Skeleton
@@ -125,23 +129,27 @@ class Picture:
 def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
     """The figure of a problem at the position of a plot: the mechanism with its letters, and nothing that is found."""
     alone = place_for(method, [plot], mechanism_places(method, plot), None)
-    return alone.sheet(plot, HEADINGS[lang]["position"], _given(method, plot, alone.window), lang)
+    return alone.sheet(plot, HEADINGS[lang]["position"], _given(Reading(method, plot, {}, lang), alone.window), lang)
 
 
 def problem_picture(method: Method, plot: Plot, size: complex, lang: Lang) -> Sheet:
     """The same, on a paper no larger than this [mm], with nothing around it."""
-    extent = Extent.of(mechanism_places(method, plot), partial(_given, method, plot))
+    reading = Reading(method, plot, {}, lang)
+    extent = Extent.of(mechanism_places(method, plot), partial(_given, reading))
     scale = extent.finest(Room(0, 0, size.real, size.imag))
     whole = extent.size / scale + extent.reach
     room = Room(0, 0, whole.real, whole.imag)
     window = extent.window(room, scale)
-    panel = Panel(_given(method, plot, window), window, room)
+    notes = MechanismNotes(Skeleton(method.mechanism, plot, window, {}), reading, sizes(reading))
+    panel = Panel(_given(reading, window), window, room, more=notes)
     paper = Paper("figure", room.right, room.bottom, 0.0)
     return Page(paper, [panel], method.mechanism, plot.facts.values, lang).sheet()
 
 
-def _given(method: Method, plot: Plot, window: Window) -> Figure:
-    bare = bare_figure(method, Skeleton(method.mechanism, plot, window, {}))
+def _given(reading: Reading, window: Window) -> Figure:
+    skeleton = Skeleton(reading.mechanism, reading.plot, window, {})
+    bare = bare_figure(reading.method, skeleton)
+    bare = angles(sizes(reading), skeleton, bare.marks) + bare
     return Figure([plainly(mark) for mark in bare.marks], bare.wanted)
 
 

@@ -51,8 +51,11 @@ class Skeleton:
 
     def named(self, link: str) -> tuple[str, ...]:
         """The points of a link that people named, and that are drawn."""
-        placed = {*self.plot.position, *self.mechanism.links[FRAME].points}
-        return tuple(p for p in self.mechanism.named(link) if p in placed)
+        return tuple(p for p in self.mechanism.named(link) if p in self._placed)
+
+    @cached_property
+    def _placed(self) -> frozenset[str]:
+        return frozenset((*self.plot.position, *self.mechanism.links[FRAME].points))
 
     @cached_property
     def points(self) -> tuple[str, ...]:

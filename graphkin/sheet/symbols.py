@@ -197,17 +197,21 @@ def angle_arc(at: Place, radius: float, first: complex, sweep: float, step: int 
 
 
 def dimension_line(
-    ends: tuple[Place, Place], across: complex, offset: float, past: float = 0.0, step: int | None = None
-) -> tuple[Stroke, list[Stroke], list[Stroke]]:
+    ends: tuple[Place, Place], across: complex, offset: float, past: float = 0.0, step: int | None = None,
+    clear: tuple[float, float] = (2 * HINGE, 2 * HINGE),
+) -> tuple[Stroke, list[Stroke], list[Stroke]]:  # fmt: skip
     """The line, extension lines from what it measures, and heads (ISO 129): `offset` beyond the farther of two places
-    in the direction `across`; heads of a short one point inwards, and the line goes on `past` its second end [mm]."""
+    in the direction `across`; heads of a short one point inwards, and the line goes on `past` its second end [mm].
+
+    clear  what stays free at each of the places [mm]
+    """
     feet = [(end / across).real for end in ends]
     one, other = (end + across * (max(feet) + offset - foot) for end, foot in zip(ends, feet, strict=True))
     along = (other - one) / abs(other - one)
     inside = abs(other - one) >= 2 * THIN_HEAD + 1.5
     line = Stroke((one - along * 5 * (not inside), other + along * past), "thin", step=step)
-    clear = min(2 * HINGE, offset / 2)
-    starts = [(end + across * clear, tip + across * 1.5) for end, tip in zip(ends, (one, other), strict=True)]
+    tips = zip(ends, (one, other), clear, strict=True)
+    starts = [(end + across * free, tip + across * 1.5) for end, tip, free in tips]
     ways = (-along, along) if inside else (along, -along)
     heads = [arrow_head(tip, way, step, THIN_HEAD) for tip, way in zip((one, other), ways, strict=True)]
     return line, [Stroke(places, "thin", step=step) for places in starts], heads

@@ -12,7 +12,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
-from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, joined, plain, width
+from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import Paper, Room, written
 from graphkin.sheet.text_blocks import Ladder, Paragraphs, flowed, laid_out, line_size
@@ -273,16 +273,16 @@ def _footer(
     ruler: float,
 ) -> Iterator[Mark]:  # fmt: skip
     """Title and scales; under them source, a line of 100 mm to lay a ruler on, and the program's name."""
-    told = [(*written(plane, scale), *((Run("  "), *notes[plane]) if plane in notes else ()))
-            for plane, scale in scales.items()]  # fmt: skip
-    said = joined(told, "   ")
-    free = room.size.real - (width(said, LABEL) + 4 if said else 0.0)
+    told = [label for plane in scales for label in (written(plane, scales[plane]), notes.get(plane, ())) if label]
+    free = room.size.real - sum(width(label, LABEL) + 4 for label in told)
     title = machine.headline(lang)
     size = TITLE if width(plain(title), TITLE) <= free else LABEL
     pen, line = complex(room.left, room.top + 6.0), two_lines(title, size, free)[:1]
     yield from (Text(plain(text), pen, size) for text in line)
-    if said:
-        yield Text(said, complex(room.right - width(said, LABEL), pen.imag), LABEL)
+    at = complex(room.left + free + 4, pen.imag)
+    for label in told:
+        yield Text(label, at, LABEL)
+        at += width(label, LABEL) + 4
     name, low = plain(_NAME), room.top + 11.6
     yield Text(name, complex(room.right - width(name, LEAST), low), LEAST)
     at = complex(room.right - width(name, LEAST) - 5 - ruler, low)

@@ -36,11 +36,11 @@ def said(machine) -> list[str]:
 
 
 @pytest.mark.parametrize(("name", "texts"), [
-    ("ex3-1", ["AD = 78 mm"]),  # level
-    ("p3-4a", ["AC = 80 mm"]),  # upright
+    ("ex3-1", ["l_AD = 78 mm", "γ = 100°"]),  # level
+    ("p3-4a", ["l_AC = 80 mm"]),  # upright
     ("p3-16", ["x_AF = 185 mm", "y_AF = 55 mm"]),
     ("p3-11b", ["β_B = 70°", "s_left = −50 mm"]),
-    ("p3-21", ["AG = 20 mm", "x_H = 130 mm", "y_H = 50 mm", "s_screw = 90 mm"]),
+    ("p3-21", ["l_AG = 20 mm", "x_H = 130 mm", "y_H = 50 mm", "s_screw = 90 mm"]),
 ])  # fmt: skip
 def test_places_of_the_frame_and_of_driven_slides(name: str, texts: list[str]) -> None:
     assert set(texts) <= set(said(library.load(name)))
@@ -48,3 +48,39 @@ def test_places_of_the_frame_and_of_driven_slides(name: str, texts: list[str]) -
 
 def test_coordinates_count_from_the_first_point() -> None:
     assert said(loads(SHIFTED))[:2] == ["x_AD = 50 mm", "y_AD = 20 mm"]
+
+
+STATED = """
+[frame]
+A = [0, 0]
+D = ["5 in", "-1 in"]
+[links.1]
+AB = "2.50 in"
+[links.2]
+BC = "0.15 m"
+BE = 60
+CBE = 30
+ccw = [["B", "C", "E"]]
+[links.3]
+CD = "5 in"
+[[driver]]
+vector = "AB"
+angle = "1.2 rad"
+omega = "-60 rpm"
+[sketch]
+C = [160, 100]
+E = [80, 120]
+"""
+
+
+def test_data_are_stated_as_the_file_states_them() -> None:
+    """Values, angles and units of the file; derived lengths, such as l_CE, are none."""
+    assert said(loads(STATED)) == [
+        "x_D = 5 in", "y_D = −1 in", "l_AB = 2.50 in", "l_BC = 0.15 m", "l_BE = 60 mm", "∠CBE = 30°", "l_CD = 5 in",
+        "φ1 = 1.2 rad", "n1 = 60 r/min",
+    ]  # fmt: skip
+
+
+def test_a_changed_size_is_not_said_to_be_as_stated() -> None:
+    machine = loads(STATED).with_({"links.1.AB": 70})
+    assert "l_AB = 70 mm" in said(machine)

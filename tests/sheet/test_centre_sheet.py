@@ -153,7 +153,10 @@ def test_a_mark_left_out_or_renamed_is_caught(tmp_path: Path):
 def test_no_name_of_a_centre_lies_on_anything(name: str):
     """Every label in the figure is clear of all that is drawn there, and of the other labels."""
     drawn = sheet(name)
-    names = [mark for mark in drawn.marks if isinstance(mark, Text) and _names_a_centre(mark)]
+    rules = [m.places for m in drawn.marks if isinstance(m, Stroke) and m.pen == "outline" and len(m.places) == 2]
+    table = min(low.imag for low, high in rules if abs(high - low) > 150)
+    texts = [mark for mark in drawn.marks if isinstance(mark, Text) and mark.at.imag < table]
+    names = [mark for mark in texts if _names_a_centre(mark)]
     figure = [m for m in drawn.marks if not isinstance(m, Text) and not (isinstance(m, Stroke) and m.pen == "leader")]
     known = obstacles(figure)
     boxes = [_box(mark) for mark in names]
@@ -169,7 +172,7 @@ def test_no_name_of_a_centre_lies_on_anything(name: str):
 
 def _names_a_centre(mark: Text) -> bool:
     text = "".join(run.text for run in mark.label)
-    return mark.size > 3.5 and re.match(r"(, )?P[\w,′]+", text) is not None and mark.step is not None
+    return mark.size == 3.5 and re.match(r"(, )?P[\w,′]+", text) is not None and mark.step is not None
 
 
 def _box(mark: Text) -> tuple[float, float, float, float]:
