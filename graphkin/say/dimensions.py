@@ -176,21 +176,21 @@ def _eccentricity(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> It
             start, point = fixed[points[0]], pair.point
             span = Span(start, reading.at(point), 1j * line.direction, (points[0], point))
             places = [*_coordinates((*path, "through"), points[0]), *_coordinates(("frame", line.origin), points[0])]
-            yield sized(reading, f"e_{names.point(points[0])}", abs(off), "length", *places, shape=span)
+            size = sized(reading, f"e_{names.point(points[0])}", abs(off), "length", *places, shape=span)
+            yield replace(size, derived=abs(line.direction.real * line.direction.imag) > 1e-9)
 
 
 def _inclination(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> Iterator[Size]:
     """The angle of a line with +x, or with two points of its link; none of one that goes through two points."""
     stated = reading.mechanism.given.get((*path, "angle"))
-    base = line.base if line.link != FRAME or line.base is not None else None
-    if line.link != FRAME and base is None:
-        return
-    start = reading.arm(*base) if base is not None and _placed(reading, base) else 1 + 0j
+    start = reading.arm(*line.base) if line.base is not None and _placed(reading, line.base) else 1 + 0j
     turn = float(reading.plot.theta.get(line.link, 0.0))
     angle = phase(line.direction * rect(1, turn) / start)
     if stated is not None and stated.si is not None and abs(rect(1, stated.si) - rect(1, angle)) < 1e-6:
         angle = stated.si
-    if not round(degrees(angle), 6) % 90 or (stated is None and line.link != FRAME):
+    elif line.link != FRAME:
+        return
+    if not round(degrees(angle), 6) % 90:
         return
     symbol = f"β_{names.point(pair.point if isinstance(pair, Slide) else line.origin)}"
     if isinstance(pair, Slide) and (of := guide_angle(reading, pair)) is not None and of.symbol:
@@ -314,9 +314,9 @@ def length_size(reading: Reading, one: str, other: str) -> Size:
     """`l_BD = 69.2 mm`, of the mechanism itself, as it is measured."""
     length, unit = reading.distance(one, other), length_unit(reading)
     start, end = reading.at(one), reading.at(other)
-    span = Span(start, end, _unit(end - start), (one, other))
+    span = Span(start, end, _unit(end - start), (one, other), "measured")
     written = f"{number(in_unit(length, unit, 'length'))} {unit}"
-    return Size(f"l_{names.pair(one, other)}", length * 1000, "mm", written, shape=span)
+    return Size(f"l_{names.pair(one, other)}", length * 1000, "mm", written, shape=span, derived=True)
 
 
 def dimensions(reading: Reading) -> list[str]:

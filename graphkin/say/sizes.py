@@ -20,14 +20,15 @@ class Span:
     """A length in the drawing, between two places [m], measured in the direction `along`.
 
     points  of the mechanism from which on it can be drawn
-    form    "bar": along a link, on which no other of its points lies between; "radius": from a centre to a rim
+    form    "bar": along a link, on which no other of its points lies between; "radius": from a centre to a rim;
+            "measured": in the drawing
     """
 
     start: complex
     end: complex
     along: complex
     points: tuple[str, ...] = ()
-    form: Literal["bar", "apart", "radius"] = "apart"
+    form: Literal["bar", "apart", "radius", "measured"] = "apart"
 
 
 @frozen
@@ -47,6 +48,7 @@ class Size:
     written  the value as the file has it, where it states it
     worked   the value in the unit of the solution, where the file has another: ` = 50.8 mm`
     shape    where it lies in the drawing
+    derived  it follows from data of the file, which does not state it
     """
 
     symbol: str
@@ -55,6 +57,7 @@ class Size:
     written: str = ""
     worked: str = ""
     shape: Span | Corner | None = None
+    derived: bool = False
 
     @property
     def figure(self) -> str:
@@ -81,6 +84,7 @@ _UNITS: Mapping[Dimension, str] = {
     "angular velocity": "rad/s", "angular acceleration": "rad/s²",
 }  # fmt: skip
 """The units of the solution."""
+_DIGITS = 7  # a figure of more than these was computed, and is rounded
 _TURNS = {"r/min": "/60", "rev/s": ""}
 _PRINTED = {"deg": "°", "rpm": "r/min", "rpm/s": "r/min/s"}
 
@@ -102,6 +106,8 @@ def sized(
     if not isinstance(stated.written, str):
         return replace(size, written=size.figure)
     figure, other = _split(stated.written)
+    if sum(letter.isdigit() for letter in figure) > _DIGITS:
+        figure = given_figure(in_unit(abs(value), other, dimension))
     if (printed := _PRINTED.get(other, other)) == unit:
         return replace(size, written=size.figure)
     sign = "−" if value < 0 else ""

@@ -29,6 +29,7 @@ _SAME = 0.2  # heads nearer than this are at one place [mm]
 _ONE, _MELT = math.radians(2), math.radians(22)
 """Under the first angle two arrows come from one side; under the second their heads become one to the eye."""
 _BACK = (0.0, 2.0, 3.0, 4.0)  # so far a head may stand back [mm]
+_SIDES: tuple[Half, Half] = ("left", "right")
 _SHARE = 0.08  # so much of a head may lie in another
 _GRID = np.stack(np.meshgrid(*2 * [np.linspace(0.04, 0.96, 12)])).reshape(2, -1)
 
@@ -76,9 +77,10 @@ def heads_apart(figure: Figure) -> Figure:
         near = [vectors[k] for k in np.flatnonzero(np.abs(ends - vector.end) < _SAME)]
         rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
         own = replace(vector, half=_half(vector, near), back=rim)
-        tries = (replace(own, back=rim + back) for back in _BACK if back < 0.4 * vector.length)
-        apart = (each for each in tries if not _melts(head(each), heads))
-        changed[id(vector)] = best = next(apart, own)
+        tries = [replace(own, back=rim + back) for back in _BACK if back < 0.4 * vector.length]
+        tries += [replace(own, half=side) for side in _SIDES]
+        apart = next((each for each in tries if not _melting(head(each), heads)), None)
+        changed[id(vector)] = best = apart or min(tries, key=lambda each: _melting(head(each), heads))
         heads.append(head(best))
     return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
 
@@ -105,9 +107,10 @@ def head_size(vector: VectorMark) -> tuple[float, float]:
     return 1.0 if vector.length > 1.6 * TIP + vector.back else 0.5, min(vector.back, 0.4 * vector.length)
 
 
-def _melts(corners: Array, heads: Sequence[Array]) -> bool:
-    """True where more than a little of the smaller of two heads lies in the other."""
-    return any(_share(corners, each) > _SHARE for each in heads if abs(each.mean() - corners.mean()) < 2 * TIP)
+def _melting(corners: Array, heads: Sequence[Array]) -> float:
+    """The part of a head, or of a smaller one, that lies in another, so far as it is more than a little."""
+    near = (each for each in heads if abs(each.mean() - corners.mean()) < 2 * TIP)
+    return max([0.0, *(_share(corners, each) - _SHARE for each in near)])
 
 
 def _share(one: Array, other: Array) -> float:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import islice, product
 
 from graphkin.base.value import frozen
@@ -17,7 +18,7 @@ from graphkin.sheet.fixed_link import clearance
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, box, formula, plain
-from graphkin.sheet.marks import Accent, ArcMark, Mark, Place, Stroke, Text
+from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
@@ -45,14 +46,10 @@ class _Trial:
 
 @frozen
 class DimensionLines:
-    """Draws data on a mechanism.
-
-    accent  grey where they are no data but measured
-    """
+    """Draws data on a mechanism; what the file does not state in grey."""
 
     skeleton: Skeleton
     free: FreeRoom
-    accent: Accent | None = None
 
     def draw(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""
@@ -61,7 +58,8 @@ class DimensionLines:
             number = self.free.first([(trial.free, trial.crossing) for trial in trials])
             if number is not None:
                 trial = trials[number]
-                marks = [*trial.touching, *trial.crossing, *trial.free]
+                marks = [replace(mark, accent="grey") if size.derived and isinstance(mark, Stroke | Text) else mark
+                         for mark in (*trial.touching, *trial.crossing, *trial.free)]  # fmt: skip
                 self.free.add(marks)
                 return marks
         return []
@@ -73,13 +71,13 @@ class DimensionLines:
             case Span() as span:
                 start, end = self.skeleton.window(span.start), self.skeleton.window(span.end)
                 step = self.skeleton.step(*span.points)
-                if self.accent is not None:
+                if span.form == "measured":
                     yield from self._measured(start, end, formula(size.text), step)
+                    return
                 if span.form == "bar":
                     yield from self._beside(start, end, formula(size.bare.figure), step)
-                if self.accent is None:
-                    along = self.skeleton.window.turned(span.along)
-                    yield from self._dimension(start, end, along, formula(size.bare.figure), step)
+                along = self.skeleton.window.turned(span.along)
+                yield from self._dimension(start, end, along, formula(size.bare.figure), step)
             case Corner() | None:
                 pass
 
@@ -91,7 +89,7 @@ class DimensionLines:
         (wide, up, down), on = box(label, LABEL), cmath.rect(1, turn)
         base = -1j * on * (off + down) if off > 0 else 1j * on * (up - off)
         turn = 0.0 if abs(turn) < 1e-6 else turn
-        return Text(label, middle + base - on * wide / 2, LABEL, step, accent=self.accent, turn=turn)
+        return Text(label, middle + base - on * wide / 2, LABEL, step, turn=turn)
 
     def _beside(self, start: Place, end: Place, label: Label, step: int | None) -> Iterator[_Trial]:
         """Letters along a link, nothing more."""

@@ -165,7 +165,7 @@ class LabelScene:
 
     @cached_property
     def arrows(self) -> Arrows:
-        return Arrows(self.drawn)
+        return Arrows(self.drawn) if self.beneath is None else self.beneath.arrows
 
     def touched(self, low: Array, high: Array) -> Array:
         """Rows of the boxes low..high (n, 2) that touch something, once for each thing touched."""

@@ -36,7 +36,7 @@ _FAR = np.array([13.0, 17.5, 22.5, 28.0, 35.0, 44.0, 54.0])
 """Distances of labels of a crowd if nothing nearer is free [mm]."""
 LEAST = (0.0, 1.2 * float(_OFF_WIDE[0, 0]), *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR)))
 """No place of the tiers costs less: near, wide, led, far."""
-_LED_ALONG = (0.5, 0.35, 0.65, 0.2, 0.8)  # places along a line for the end of a leader
+_LED_ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)  # places along a line for the end of a leader
 _OFF_MIDDLE = 1.5  # the cost of the whole length off the middle
 _UPRIGHT = math.sin(math.radians(61))  # of the angle at which a leader meets its line at least
 LONGEST = 12.0  # no leader is longer [mm]

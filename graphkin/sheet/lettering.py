@@ -120,7 +120,7 @@ def box(label: Label, size: float) -> tuple[float, float, float]:
     places = {run.place for run in label}
     small = run_size(Run("", place="sup"), size) / size
     up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * small
-    hanging = any(letter in "fgjpqyμφψγ,;()Q" for run in label for letter in run.text)
+    hanging = any(letter in "fgjpqyμφψγ,;()Q∥" for run in label for letter in run.text)
     down = _DROP + 0.05 if "sub" in places else (_DESCENT if hanging else 0.04)
     return width(label, size), up * size, down * size
 

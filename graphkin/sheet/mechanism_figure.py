@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from graphkin.base import geometry
 from graphkin.base.geometry import place
-from graphkin.base.value import frozen
-from graphkin.construction import Along, Arc, Meet, Plot, Ray, Site, Touch
+from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.planning import Method
-from graphkin.planning.method import births, pages
+from graphkin.planning.method import births
 from graphkin.sheet import symbols
+from graphkin.sheet.added_points import contacts, named_specials, specials
 from graphkin.sheet.fixed_link import drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import link_label, plain, point_label
+from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
-from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line
-from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.wheels import circular_slot, equivalents, follower, profiles, rims, wheels, wheels_of
-from graphkin.sheet.window import Figure, Window, corners
+from graphkin.sheet.window import Figure, Window
 
 _JOINED = 3.0  # lines that cross so near to a point are joined there [mm]
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
@@ -281,94 +277,3 @@ def plainly(mark: Mark) -> Mark:
     if not isinstance(mark, PointMark):
         return mark
     return Disc(mark.at, mark.radius, "outline" if mark.fill == "paper" else "construction", mark.fill, step=mark.step)
-
-
-# --- points the construction adds: special points with the lines that meet there, and contacts ------------------------
-
-
-_BEYOND = 6.0  # how far a leg's line goes on past the special point [mm]
-_CUT = 34.0  # how much is drawn of a line to a special point off the paper [mm]
-_FAR = 1.9  # so many times larger the mechanism may become for a special point's sake
-
-
-@frozen
-class _Special:
-    """A special point: its letter, its site as written (`S4`) and as `S@4`, and the two lines."""
-
-    name: str
-    of: str
-    site: str
-    rays: tuple[Ray, Ray]
-    step: int
-
-
-def _special_points(method: Method) -> Iterator[_Special]:
-    sites = {node.site: node.of for node in method.velocity.nodes.values() if node.site is not None}
-    page = pages(method)
-    for step in method.position.steps:
-        if not isinstance(step, Meet) or step.point not in method.special:
-            continue
-        if not isinstance(step.first, Arc) and not isinstance(step.second, Arc):
-            node = method.position.nodes[step.point]
-            of, site = (node.of, "") if node.site is None else (sites.get(node.site, node.of), named_site(node.site))
-            yield _Special(step.point, of, site, (step.first, step.second), page["position", step])
-
-
-def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping[str, complex]:
-    """Special points that lie near enough to the mechanism to be drawn [m]."""
-    low, high = corners(others)
-    size, near = max((high - low).real, (high - low).imag), dict[str, complex]()
-    for special in _special_points(method):
-        at = geometry.place(plot.position[special.name])
-        least, most = corners([low, high, at])
-        if max((most - least).real, (most - least).imag) <= _FAR * size:
-            near[special.name] = at
-    return near
-
-
-def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
-    """The legs' lines, thin, to where they meet; towards it only where it is not among the places drawn [m]."""
-    figure = Figure()
-    for special in _special_points(method):
-        at = skeleton.at(special.name)
-        if not cmath.isfinite(at):  # the legs are parallel: neither points anywhere
-            continue
-        if geometry.place(skeleton.plot.position[special.name]) in drawn:
-            for ray in special.rays:  # from the leg's far end through the special point
-                start = max(_ends(skeleton, ray), key=lambda end: abs(end - at))
-                if abs(at - start) >= 0.5:
-                    end = at + (at - start) / abs(at - start) * _BEYOND
-                    figure.marks.append(Stroke((start, end), "thin", step=special.step))
-            dot = PointMark("position", special.name, special.of, at, 0.6, step=special.step, site=special.site)
-            figure.marks.append(dot)
-            figure.wanted.append(LabelRequest(point_label(special.name), at, gap=0.8, step=special.step))
-        else:
-            for ray in special.rays:
-                start = min(_ends(skeleton, ray), key=lambda end: abs(end - at))
-                if at == start:  # the leg's near end is the special point itself
-                    continue
-                along = (at - start) / abs(at - start)
-                tip, label = start + along * _CUT, (*plain("→ "), *point_label(special.name))
-                head = arrow_head(tip, along, special.step)
-                figure.marks += [Stroke((start, tip), "thin", step=special.step), head]
-                for end in (tip, head.places[-1]):
-                    figure.wanted.append(LabelRequest(label, end, gap=0.6, step=special.step))
-    return figure
-
-
-def _ends(skeleton: Skeleton, ray: Ray) -> list[Place]:
-    """The ends of a leg on paper."""
-    names = [ray.through, *((ray.direction.tail, ray.direction.head) if isinstance(ray.direction, Along) else ())]
-    return [skeleton.at(name) for name in names]
-
-
-def contacts(method: Method, skeleton: Skeleton) -> Figure:
-    """Contacts of wheels, as small points with their letters."""
-    figure, page = Figure(), pages(method)
-    for step in method.position.steps:
-        if isinstance(step, Touch):
-            at, number = skeleton.at(step.point), page["position", step]
-            site = named_site(Site(step.point, FRAME))
-            figure.marks.append(PointMark("position", step.point, step.point, at, 0.6, step=number, site=site))
-            figure.wanted.append(LabelRequest(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number))
-    return figure

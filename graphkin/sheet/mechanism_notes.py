@@ -62,25 +62,30 @@ class MechanismNotes:
         for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
             if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
                 added.over.extend(self._arc(half, free))
-        lines, unsaid = DimensionLines(self.skeleton, free), list[Label]()
+        lines, unsaid = DimensionLines(self.skeleton, free), dict[bool, list[Label]]()
         lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
         for datum in self.given:
             marks = lines.draw(datum)
             added.over.extend(marks)
             if not marks and not (isinstance(datum.shape, Corner) and angle_label(datum) in lettered):
-                unsaid.append(formula(datum.text))
+                unsaid.setdefault(datum.derived, []).append(formula(datum.text))
         for one, other in measured_lengths(self.reading) if self.planes else ():
             if abs(self.skeleton.at(one) - self.skeleton.at(other)) >= _TOLD:
-                added.over.extend(replace(lines, accent="grey").draw(length_size(self.reading, one, other)))
-        widths = (free.room.size.real - 8, *_NARROWER)
-        for size, wide in product((LABEL, LEAST), widths) if self.planes else ():
-            text = WrittenLines.of(unsaid, wide, size)
-            if text.lines and (corner := free.corner(text.size, from_below=True)) is not None:
-                marks = [*text.marks(corner)]
-                free.add(marks)
-                added.over.extend(marks)
-                break
+                added.over.extend(lines.draw(length_size(self.reading, one, other)))
+        for derived, labels in unsaid.items() if self.planes else ():
+            marks = [replace(mark, accent="grey") if derived else mark for mark in self._written(labels, free)]
+            free.add(marks)
+            added.over.extend(marks)
         return added
+
+    @staticmethod
+    def _written(labels: Sequence[Label], free: FreeRoom) -> Iterator[Text]:
+        """Data in lines, as low as there is room for them; in small letters where large ones have none."""
+        for size, wide in product((LABEL, LEAST), (free.room.size.real - 8, *_NARROWER)):
+            text = WrittenLines.of(labels, wide, size)
+            if (corner := free.corner(text.size, from_below=True)) is not None:
+                yield from text.marks(corner)
+                return
 
     def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
         """An arc in the sense in which the link turns, across its bar, with its letter."""

@@ -310,8 +310,9 @@ class Lettered:
 
 
 def _worth(settled: Settled) -> tuple[int, int, int]:
-    """Labels without a place, labels left out, leaders: the less the better."""
-    return settled.clashes, -sum(isinstance(mark, Text) for mark in settled.marks), len(settled.led)
+    """Labels without a good place, labels left out, leaders: the less the better."""
+    letters = sum(isinstance(mark, Text) for mark in settled.marks)
+    return settled.clashes + len(settled.unclear), -letters, len(settled.led)
 
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:
