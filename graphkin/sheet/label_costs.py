@@ -83,7 +83,7 @@ class Prices(NamedTuple):
 
 
 NEARBY = Prices()
-CROWDED = Prices(600.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3, 1.5)
+CROWDED = Prices(1500.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3, 1.5)
 
 
 def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Array:

@@ -32,7 +32,7 @@ _LEADER, _FARTHER = 6.0, 1.6
 """The cost of a leader, and of each millimetre from the sign."""
 _WIDE, _OFF_WIDE = np.array([3.5, 5.0]), np.array([2.6, 3.6])[:, None]
 """Distances at which a label, if nothing is nearer to it, needs no leader yet [mm]."""
-_FAR = np.array([13.0, 17.5, 22.5, 28.0, 35.0, 44.0, 54.0])
+_FAR = np.array([13.0, 15.0, 17.5, 20.0, 22.5, 25.0, 28.0, 31.0, 35.0, 39.0, 44.0, 49.0, 54.0])
 """Distances of labels of a crowd if nothing nearer is free [mm]."""
 LEAST = (0.0, 1.2 * float(_OFF_WIDE[0, 0]), *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR)))
 """No place of the tiers costs less: near, wide, led, far."""
