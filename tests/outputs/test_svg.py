@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
@@ -48,8 +49,10 @@ def test_one_unit_is_one_millimetre(root: Element) -> None:
     assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("210mm", "297mm", "0 0 210 297")
 
 
-def test_nothing_is_moved(root: Element) -> None:
-    assert not [element for element in root.iter() if "transform" in element.attrib]
+def test_nothing_but_letters_is_turned(root: Element) -> None:
+    turned = [element for element in root.iter() if "transform" in element.attrib]
+    assert {element.tag.rpartition("}")[2] for element in turned} == {"text"}
+    assert all(re.fullmatch(r"rotate\(-?[\d.]+ [\d.]+ [\d.]+\)", element.attrib["transform"]) for element in turned)
 
 
 def test_vectors_are_lines_from_tail_to_head(root: Element) -> None:

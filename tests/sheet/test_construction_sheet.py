@@ -179,7 +179,10 @@ def test_commands_know_the_styles(tmp_path: Path) -> None:
 def test_measured_lengths_rotations_and_what_is_given_stand_on_the_mechanism() -> None:
     page = sheet("ex3-1")
     assert {"lBD = 69.20 mm", "ω3", "α3", "ω2", "α2"} <= set(texts(page))
-    assert {"78 mm", "48 mm"} <= set(texts(page))
+    stated = "24 mm", "48 mm", "78 mm", "γ = 100°", "φ1 = 60°", "ω1 = 10 rad/s"  # along links or in a line, as in the file
+    assert all(any(one in text for text in texts(page)) for one in stated)
+    grey = {"".join(run.text for run in m.label) for m in page.marks if isinstance(m, Text) and m.accent == "grey"}
+    assert grey == {"lBD = 69.20 mm"}
     arcs = [mark for mark in page.marks if isinstance(mark, ArcMark) and mark.accent is not None]
     turns = {mark.accent: mark.sweep > 0 for mark in arcs}
     assert turns == {"velocity": True, "acceleration": False}  # clockwise, and counter-clockwise, on paper
