@@ -95,7 +95,7 @@ def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
     lines = by_hand(library.load(name), scales(name))
     assert hold(lines) > 5
     readings = [line for line in lines if line.endswith("; hence")]
-    assert readings
+    assert readings or name == "s4-ex4"  # a train at a steady rate, without a vector equation
     for line in readings:
         assert all(2 * float(length) % 1 == 0 for length in re.findall(r"\d[\d.]*(?= mm)", line)), line
     assert not astray(lines)
