@@ -20,7 +20,7 @@ _SAME, _BIG = 6.0, 9.0  # baselines that far apart are one line's; letters of th
 _LEFT, _INDENT = 56.69, 15.0  # the left edge; a formula begins that far to the right of it, or farther [pt]
 _CLOSING = "，。；：、）】》”！？,;:!?)"
 _OPEN = re.compile("[\u4e00-\u9fffa-z:：，,]$")  # the end of a sentence that has none
-_ANSWERS = ("答", "Answers")
+_ANSWERS = ("答", "Answer", "Answers")
 _WIDE = re.compile("[\u4e00-\u9fff]")
 _FOOT, _HEAD = 74.0, 791.0  # the lower and the upper edge of what is printed on A4 [pt]
 

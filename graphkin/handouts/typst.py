@@ -33,6 +33,7 @@ _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
 _LETTERS, _INSET, _ROW = 3.7, 5.0, 7.5  # of a table: its letters, what a cell is wider than they, a row [mm]
 _HEAVY = 600  # the weight of bold letters
+_LINE = 6.0  # of a list of problems [mm]
 _SLACK = 0.5  # of a page's height that is left over, as lengths are rounded [mm]
 Pictures = dict[str, str]  # drawings by the names by which a page asks for them
 PageRun = tuple[str, list[tuple[PagePart, str]]]  # what stands before some parts in a row, and their markup
@@ -62,6 +63,16 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
       for k in range(11) {{ place(top + left, dx: k * 10mm, line(start: (0mm, 0mm), end: (0mm, 2mm), stroke: 0.18mm)) }}
     }}),
     words)
+}}
+// The titles between two places, on as many pages as they need, about as many on each.
+#let contents(start, end) = context {{
+  let inside = heading.where(level: 1, outlined: true).after(start)
+  let places = query(if query(end).len() > 0 {{ inside.before(end) }} else {{ inside }}).map(it => it.location())
+  let count = calc.ceil(places.len() / {lines})
+  for (k, some) in places.chunks(calc.max(1, calc.ceil(places.len() / calc.max(1, count)))).enumerate() {{
+    if k > 0 {{ pagebreak() }}
+    outline(title: none, target: selector.or(..some))
+  }}
 }}
 #set page(width: {width}mm, height: {height}mm, margin: (x: {margin}mm, top: {top}mm, bottom: {bottom}mm),
   background: {background},
@@ -132,11 +143,8 @@ def _runs(number: int, part: HandoutPart, blocks: list[Block], pictures: Picture
     before = (f"#pagebreak(weak: true)\n#set text(lang: {_string(part.lang)})\n#foot.update({foot})\n"
               f"#said.update(\"\")\n#metadata(none) #label({_string(here)})\n")  # fmt: skip
     if part.contents:
-        inside = f"heading.where(level: 1, outlined: true).after(label({_string(here)}))"
-        following = f"query(label(\"part{number + 1}\"))"
         before += (f"#heading(level: 1, outlined: false)[#{_string(part.contents)}]\n"
-                   f"#context outline(title: none, target: if {following}.len() > 0 "
-                   f"{{ {inside}.before(label(\"part{number + 1}\")) }} else {{ {inside} }})\n")  # fmt: skip
+                   f"#contents(label({_string(here)}), label(\"part{number + 1}\"))\n")  # fmt: skip
     together: list[Block] = []
     for block in [*blocks, document.NewPage()]:
         if not isinstance(block, document.NewPage):
@@ -204,7 +212,7 @@ def _head(handout: Handout, families: tuple[str, ...], page: Paper, scan: int | 
     return before + _HEAD.format(
         title=_string(handout.title), families=", ".join(map(_string, families)), lang=_string(handout.lang),
         width=mm(page.width), height=mm(page.height), margin=mm(_side(scan)), top=mm(_TOP), bottom=mm(_BOTTOM),
-        number=number, background=background,
+        number=number, background=background, lines=int((page.height - _TOP - _BOTTOM) / _LINE) - 3,
     )  # fmt: skip
 
 
