@@ -19,9 +19,9 @@ from graphkin.homework.platforms import learning_platforms as platform_files
 from graphkin.homework.platforms.class_table import Overrides, read_overrides
 from graphkin.homework.platforms.copies import with_copies
 from graphkin.homework.platforms.feedback import Feedback, Reveal
-from graphkin.homework.platforms.learning_platforms import Named, canvas, moodle
+from graphkin.homework.platforms.learning_platforms import canvas, moodle
 from graphkin.homework.platforms.markup import ZIP_MARKS, clean, pack
-from graphkin.homework.platforms.pages import PAGE, html
+from graphkin.homework.platforms.pages import KINDS, PAGE, html
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
 from graphkin.homework.platforms.result import Result, ResultPicture
 from graphkin.homework.platforms.tables import BOM, Cell, line, printed, workbook_files, write_lines
@@ -86,9 +86,9 @@ class Order:
 
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""
-        lang, name = self.lang, self.names.get(result.student, "")
-        problem = self.pictures.problem(result, lang) if isinstance(self.pictures, PolygonPictures) else None
-        return Feedback(result, lang, self.reveal, self.pictures(result, lang, self.reveal), name, problem)
+        lang, shows = self.lang, self.pictures
+        problem = shows.problem(result, lang) if isinstance(shows, PolygonPictures) else None
+        return Feedback(result, lang, self.reveal, shows(result, lang, self.reveal), self.names, problem)
 
     def lines(self, name: str, lines: Iterable[str], marks: Sequence[bytes]) -> Path:
         """A file of text in the folder."""
@@ -113,7 +113,7 @@ def write_results(
     """Results into a folder, which is made where it is not there.
 
     pictures  makes those of a student's page (`PolygonPictures`); none where left out
-    several   of all problems of which this is one, as `read_traces` gives them
+    several   of all problems of which this is one: the `Result.trace` of each student
     merged    folders of other graders, whose overrides count, too
     names     of all students of the class by id, where there is a list of them (`Roster.called`)
 
@@ -150,8 +150,7 @@ def _table(order: Order) -> Iterator[Sequence[Cell]]:
     names, there = class_table.quantities(order.results), {result.student for result in order.results}
     several = len(order.several) > 1
     rows = class_table.rows(order, names, order.lang, several, order.names)
-    table = chain(rows, class_table.absent(order.overrides, names, order.names, there, order.lang))
-    return class_table.commented(table, order.overrides, order.lang)
+    return chain(rows, class_table.absent(order.overrides, names, order.names, there, order.lang))
 
 
 def write_gradebook(
@@ -201,37 +200,27 @@ def _written_table(kind: str, order: Order) -> WrittenResults:
     return WrittenResults((path,), (*clashes, *kept))
 
 
-def _moodle(order: Order) -> WrittenResults:
-    grades = order.lines(
-        "moodle-grades.csv", platform_files.moodle_grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
-    )  # fmt: skip
-    pages = ((name.name, html(order.page(result))) for name, result in platform_files.named(order, moodle))
-    feedback = order.packed("moodle-feedback.zip", pages)
-    return WrittenResults((grades, feedback), tuple(_unnamed(order, moodle, "Moodle")))
-
-
-def _canvas(order: Order) -> WrittenResults:
-    grades = order.lines(
-        "canvas-grades.csv", platform_files.canvas_grades(order, order.assignment, order.most), (b"Points Possible,",),
-    )  # fmt: skip
-    named = platform_files.named(order, canvas)
-    writers = ((name.name, platform_files.canvas_page(name.name), result) for name, result in named)
+def _by_names(platform: str, order: Order) -> WrittenResults:
+    """A table of grades, and a zip of feedback in the kind of each file under the names of the platform's download."""
+    of = {"Moodle": moodle, "Canvas": canvas}[platform]
+    named = [(name, result) for result in order if (name := of(result.file)) is not None]
+    if platform == "Moodle":
+        rows, mark = platform_files.moodle_grades(named, order.lang, order.reveal), b"Identifier,Full name,"
+    else:
+        rows, mark = platform_files.canvas_grades(named, order.assignment, order.most), b"Points Possible,"
+    grades = order.lines(f"{platform.lower()}-grades.csv", rows, (mark,))
+    ends = {name.name: Path(name.name).suffix for name, _ in named}
+    writers = ((name.name, KINDS.get(ends[name.name].lower()), result) for name, result in named)
     pages = ((name, write(order.page(result))) for name, write, result in writers if write is not None)
-    feedback = order.packed("canvas-feedback.zip", pages)
-    names = (name.name for name, _ in platform_files.named(order.results, canvas))
-    kinds = Counter(Path(name).suffix for name in names if platform_files.canvas_page(name) is None)
-    unwritten = (
-        say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
-        for suffix, count in kinds.items()
-    )
-    return WrittenResults((grades, feedback), (*_unnamed(order, canvas, "Canvas"), *unwritten))
-
-
-def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) -> Iterator[str]:
-    """That some files have no name of the platform; the first of them as an example."""
-    files = [result.file for result in order.results if named(result.file) is None]
-    if files:
-        yield say("platforms.no platform name", order.lang, count=len(files), file=files[0], platform=platform)
+    feedback = order.packed(f"{platform.lower()}-feedback.zip", pages)
+    left_out = []
+    if files := [result.file for result in order.results if of(result.file) is None]:
+        example = {"count": len(files), "file": files[0], "platform": platform}
+        left_out.append(say("platforms.no platform name", order.lang, **example))
+    unwritten = Counter(ends[name.name] for name, _ in named if ends[name.name].lower() not in KINDS)
+    left_out += [say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
+                 for suffix, count in unwritten.items()]  # fmt: skip
+    return WrittenResults((grades, feedback), tuple(left_out))
 
 
 def _with_file_names(order: Order) -> Iterator[tuple[str, Result]]:
@@ -291,8 +280,9 @@ def _report(order: Order) -> WrittenResults:
 
 
 RESULTS: Mapping[str, Callable[[Order], WrittenResults]] = {
-    "csv": partial(_written_table, "csv"), "xlsx": partial(_written_table, "xlsx"), "moodle": _moodle,
-    "gradescope": partial(_each, "gradescope"), "prairielearn": partial(_each, "prairielearn"), "canvas": _canvas,
+    "csv": partial(_written_table, "csv"), "xlsx": partial(_written_table, "xlsx"),
+    "moodle": partial(_by_names, "Moodle"), "canvas": partial(_by_names, "Canvas"),
+    "gradescope": partial(_each, "gradescope"), "prairielearn": partial(_each, "prairielearn"),
     "pages": _pages, "report": _report,
 }  # fmt: skip
 """By name, as `graphkin grade --format` has them."""
