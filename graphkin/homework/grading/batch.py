@@ -173,7 +173,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     except Exception as problem:
         reason = OwnFault(Where(one.file), type(problem).__name__)
     once_more = isinstance(reason, _ONCE_MORE)
-    drawn = {} if one.drawn is None else one.drawn.in_si()
+    drawn = one.drawings[1].in_si() if 1 in one.drawings else {}
     remarks = [remark for drawing in one.drawings.values() for remark in drawing.remarks]
     remarks += [note for note in notes if isinstance(note, _LOOK)]
     return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn, (*remarks,))

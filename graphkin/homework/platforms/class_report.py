@@ -257,16 +257,19 @@ def class_figure(report: ClassReport, lang: Lang) -> Figure:
     page = Figure(figsize=(_WIDTH * _MM, total * _MM), dpi=200)
     FigureCanvasAgg(page)
     level = total - _TOP
-    for draw, height in zip((_steps, _mistakes, _scores), heights, strict=True):
+    parts = {"steps": _steps, "mistakes": _mistakes, "distribution": _scores}
+    for (part, draw), height in zip(parts.items(), heights, strict=True):
         place = (_LEFT / _WIDTH, (level - height) / total, 1 - (_LEFT + _RIGHT) / _WIDTH, height / total)
-        draw(page.add_axes(place), report, lang)
+        axes, title = page.add_axes(place), say(f"class_report.part {part}", lang)
+        # on the left of the page, where there is room beside the legend
+        axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
+        draw(axes, report, lang)
         level -= height + _BETWEEN
     return page
 
 
 def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
     steps = report.steps[:_MOST]
-    _title(axes, say("class_report.part steps", lang))
     if not steps:
         _write_instead(axes, say("class_report.nobody marked", lang))
         return
@@ -285,7 +288,6 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
 
 def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
     mistakes = report.mistakes[:_MOST]
-    _title(axes, say("class_report.part mistakes", lang))
     if not mistakes:
         texts = [say("class_report.unexplained", lang, count=report.unexplained)] if report.unexplained else []
         _write_instead(axes, say("class_report.nothing diagnosed", lang), *texts)
@@ -298,7 +300,6 @@ def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
 
 def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
     width = 100 / RANGES
-    _title(axes, say("class_report.part distribution", lang))
     if not any(report.ranges):
         _write_instead(axes, say("class_report.nobody marked", lang))
         return
@@ -314,11 +315,6 @@ def _write_instead(axes: Axes, *texts: str) -> None:
     """Words in place of a diagram of nothing."""
     axes.set_axis_off()
     axes.text(0.0, 1.0, "\n".join(texts), fontsize=8, va="top", parse_math=False, transform=axes.transAxes)
-
-
-def _title(axes: Axes, title: str) -> None:
-    """On the left of the page, where there is room beside the legend."""
-    axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
 
 
 def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:

@@ -201,18 +201,13 @@ class Overrides:
 
     def of(self, student: str, file: str) -> Override | None:
         """The teacher's for a submission, which is then none of the rest."""
-        override = self.at(student, file)
-        self._met |= {override} if override is not None else set()
-        return override
-
-    def at(self, student: str, file: str) -> Override | None:
-        """The teacher's for a submission."""
         student, file = one_line(student), one_line(file)
         override = self._exact.get((student, file))
         if override is None and _bare(student) not in self._shared:
             override = self._by_student.get(_bare(student))
         if override is None and file not in self._shared:
             override = self._by_file.get(file)
+        self._met |= {override} if override is not None else set()
         return override
 
     def rest(self) -> tuple[Override, ...]:

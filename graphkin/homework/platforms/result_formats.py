@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from decimal import Decimal
 from functools import partial
-from itertools import chain, islice
+from itertools import chain
 from pathlib import Path
 
 from graphkin.base.value import frozen
@@ -244,10 +244,8 @@ def _pages(order: Order) -> WrittenResults:
 
 def _each(platform: str, order: Order) -> WrittenResults:
     """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
-    alone = len([*islice(order.results, 2)]) == 1
-    any_there = False
+    alone = len(order.results) == 1
     for name, result in _with_file_names(order):
-        any_there = True
         folder = order.folder if alone else _made(order.folder / platform / name)
         with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
             if platform == "gradescope":
@@ -257,7 +255,7 @@ def _each(platform: str, order: Order) -> WrittenResults:
                 draft.write_bytes(platform_files.prairielearn_json(result, order.lang, order.reveal, pictures))
     if alone:
         return WrittenResults((order.folder / "results.json",))
-    return WrittenResults((order.folder / platform,) if any_there else ())
+    return WrittenResults((order.folder / platform,) if order.results else ())
 
 
 def _report(order: Order) -> WrittenResults:
