@@ -16,7 +16,7 @@ from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, NoMarks, OwnFault, SaidBefore, Where
 from graphkin.homework import opening
-from graphkin.homework.grading.sets import OneKey, SetMarker
+from graphkin.homework.grading.sets import SetMarker
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Drawn, Graded, HandedNumber, Marked, StudentWork
 from graphkin.model.quantities import at_position, position_of
@@ -148,7 +148,7 @@ def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> 
 def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -> Read:
     if isinstance(item, Read):
         return _read_before(item, judge)
-    one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits, judge.roster)
+    one = read_one(item, judge, limits, judge.roster)
     prints = (item.digest, reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number
@@ -232,17 +232,12 @@ def _marked(judge: SetMarker, batch: Sequence[Read], seconds: float) -> Iterator
         try:
             with limited(seconds + _EACH * len(alike), Where(alike[0].file)):
                 marks: list[Marked | GraphkinError] = [*marker.mark([one.work for one in alike])]
-        except Exception:
-            # one by one, each within its time: an error of ours or a hostile submission is one student's row
-            marks = [_marks_of_one(marker, one, seconds) for one in alike]
+        except Exception as problem:
+            if len(alike) > 1:
+                # one by one, each within its time: an error of ours or a hostile submission is one student's row
+                marks = [each for one in alike for each in _marked(judge, [one], seconds)]
+            elif isinstance(problem, GraphkinError):
+                marks = [problem]
+            else:
+                marks = [OwnFault(Where(alike[0].file), type(problem).__name__)]
         yield from marks
-
-
-def _marks_of_one(marker: Marker, one: Read, seconds: float) -> Marked | GraphkinError:
-    try:
-        with limited(seconds, Where(one.file)):
-            return marker.mark([one.work])[0]
-    except GraphkinError as problem:
-        return problem
-    except Exception as problem:
-        return OwnFault(Where(one.file), type(problem).__name__)

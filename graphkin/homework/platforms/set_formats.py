@@ -25,11 +25,10 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NotForPlatform
-from graphkin.homework.platforms.markup import ZIP_MARKS, broken, element, in_html, one_line, pack, xml
+from graphkin.homework.platforms.markup import ZIP_MARKS, broken, element, in_html, one_line, write_file, xml
 from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives, refuse, sentence
 from graphkin.homework.platforms.tables import BOM, exponentless, line, points, printed
 from graphkin.homework.platforms.xuexitong import excel_files, word_files
-from graphkin.outputs.files import beside
 from graphkin.outputs.typesetting import html_words
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.sheet.lettering import formula
@@ -232,9 +231,4 @@ def write_set(path: Path, problems: ProblemSet, kind: str, lang: Lang = "en", fo
     for question in problems.questions:
         for part in question.parts:
             refuse(question, part)
-    with beside(path, force, SETS[kind].marks) as draft:
-        made = SETS[kind].made(problems, lang)
-        if isinstance(made, bytes):
-            draft.write_bytes(made)
-        else:
-            pack(draft, made)
+    write_file(path, SETS[kind].made(problems, lang), force, SETS[kind].marks)
