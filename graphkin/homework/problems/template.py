@@ -13,7 +13,7 @@ from pathlib import Path
 
 from graphkin import files as loading
 from graphkin.base.value import frozen
-from graphkin.errors import NoRange, NotATemplate, Where
+from graphkin.errors import NoRange, NotATemplate, TooDeep, Where
 from graphkin.files.source import read_text, read_toml
 from graphkin.files.toml import replaced_values, value_spans
 from graphkin.model.mechanism import KeyPath, Mechanism
@@ -76,12 +76,15 @@ class Template:
 
 
 def read_template(path: Path) -> Template:
-    """Raises NotATemplate, NoRange, and what reading a mechanism file raises."""
+    """Raises NotATemplate, NoRange, TooDeep, and what reading a mechanism file raises."""
     file = str(path)
     text = read_text(path).removeprefix("\ufeff")
     document, lines = read_toml(text, file)
-    tables = {path: table for path, table in _tables(document, ()) if {"from", "to"} <= table.keys() <= _RANGE}
-    spans = {path: span for path, span in value_spans(text).items() if path in tables}
+    try:
+        tables = {path: table for path, table in _tables(document, ()) if {"from", "to"} <= table.keys() <= _RANGE}
+        spans = {path: span for path, span in value_spans(text).items() if path in tables}
+    except RecursionError:
+        raise TooDeep(Where(file)) from None
     if not spans:
         raise NotATemplate(Where(file))
     keys = (Where(file, lines.get(path), ".".join(map(str, path))) for path in spans)
