@@ -19,7 +19,6 @@ from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.question import in_letters
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
-from graphkin.marking.records import Judged
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import how_sure, verdict
 
@@ -56,9 +55,10 @@ def rows(
             say(f"verdicts.status {result.status}", lang), result.earned if marked else None, result.most,
             result.override, result.total, _percent(result.score), result.comment,
         ]  # fmt: skip
-        by_name: dict[str, tuple[Cell, Cell]] = {
-            line.text: (_cell(line, lang), None if line.written else points_of(line)) for line in result.lines
-        }
+        by_name: dict[str, tuple[Cell, Cell]] = {}
+        for line in result.lines:  # of an answer that was not read what was written
+            written = f' "{one_line(line.written)}"' if line.written else ""
+            by_name[line.text] = verdict(line, lang) + written, None if written else points_of(line)
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
         diagnosis = as_on_sheets(result, suspected(result.suspicions[0], lang)) if result.suspicions else ""
         look = (reason.rstrip(".。") for reason in look_at(result, lang))
@@ -124,12 +124,6 @@ def gradebook(problems: Marked, called: Called, lang: Lang) -> Iterator[list[Cel
         score = _percent(total / whole) if whole and total is not None and not waits else None
         look = say("common.semicolon", lang).join(reasons)
         yield [student, called.get(student, ""), *cells, total, whole, score, look]
-
-
-def _cell(line: Judged, lang: Lang) -> str:
-    """A verdict; of an answer that was not read with what was written."""
-    text = verdict(line, lang)
-    return f'{text} "{one_line(line.written)}"' if line.written else text
 
 
 def absent(
