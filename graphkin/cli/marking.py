@@ -226,11 +226,12 @@ class _Grading:
         beside files of marks that are marked anew goes with these."""
         from graphkin.homework import platforms
 
-        several = [platforms.read_traces(file) for file in files] if len(files) > 1 else []
-        book, called = dict[str, Sequence[platforms.Result]](), dict[str, str]()
+        book, called = {file.parent.name: platforms.read_results(file) for file in files}, dict[str, str]()
+        several = [{one.student: one.trace for one in results if one.status == "marked"}
+                   for results in book.values()] if len(files) > 1 else []  # fmt: skip
         for file, judge, problem in zip(files, judges, problems, strict=True):
-            results, pictures = platforms.read_results(file), platforms.PolygonPictures(judge)
-            book[file.parent.name], names = results, {} if judge.roster is None else judge.roster.called
+            results, pictures = book[file.parent.name], platforms.PolygonPictures(judge)
+            names = {} if judge.roster is None else judge.roster.called
             called |= {student: name for student, name in names.items() if name or student not in called}
             merged = [path.parent for path in map(Path, problem.paths) if path.name == MARKS and path != file]
             for kind in dict.fromkeys((*self.kinds, *(["csv"] if merged else []))):

@@ -131,6 +131,11 @@ def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
     return text
 
 
+def value_spans(text: str) -> dict[KeyPath, tuple[int, int]]:
+    """Where each value of a text begins and ends, in their order, by its keys as they are typed."""
+    return _TextWalk(text).values
+
+
 @lru_cache(maxsize=16)
 def _value_spans(text: str) -> tuple[dict[KeyPath, tuple[int, int]], dict[KeyPath, int]]:
     """The span of each value, and the end of the last thing that each table with a header has."""

@@ -71,6 +71,12 @@ UNITS: Mapping[Dimension, Mapping[str, tuple[float, float]]] = {
 }  # fmt: skip
 """By quantity: what one of the unit is in SI, as (times, divided by) so that 24 mm is exactly 0.024 m."""
 
+DIMENSIONS: Mapping[str, Dimension] = {
+    "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration",
+    "m": "length", "m/s": "velocity", "m/s^2": "acceleration",
+}  # fmt: skip
+"""By the SI unit of a quantity."""
+
 LARGEST = 1e12  # no quantity of a mechanism is larger than this, in SI
 LARGEST_ANGLE = 2 * math.pi * 10_000  # nor an angle, which is a direction, or some turns on from one
 SMALLEST_LENGTH = 1e-9  # lengths and radii are at least this [m]

@@ -57,11 +57,11 @@ def measured(
     """The vectors of a drawing's polygons, and what else is written on it. Raises what `picture_of` does, NoLetters."""
     picture = picture_of(name, content, where, limits)
     shapes = polygons(asked.mechanism, questions)
-    letters = find_letters(picture, shapes, asked.mechanism.points, limits.names)
+    letters, doubtful = find_letters(picture, shapes, asked.mechanism.points, limits.names)
     texts, written = _written_on(picture, where, questions, limits)
     first: dict[Plane, tuple[complex, complex]] = {}  # known and drawn long enough: as drawn [mm] and as it is [SI]
     for plane, vector, value in [(shape.plane, *known) for shape in shapes for known in shape.known]:
-        tail, head = (letters.points.get((plane, letter)) for letter in (vector.tail, vector.head))
+        tail, head = (letters.get((plane, letter)) for letter in (vector.tail, vector.head))
         if tail is not None and head is not None and abs(head - tail) >= _SHORTEST and value:
             first.setdefault(plane, (head - tail, value))
     calibrated = {plane: abs(value) / abs(drawn) for plane, (drawn, value) in first.items()}
@@ -71,17 +71,17 @@ def measured(
     page = turned.get("acceleration", 0.0)  # a driver's own acceleration does not tell its sense
     if abs(cmath.phase(cmath.rect(1.0, turned.get("velocity", page) - page))) > math.pi - _STRAIGHT:
         turned["velocity"] = page  # half a turn of the velocities alone is the sense of a driver
-    drawing = MeasuredDrawing(letters.points, scales, turned, where)
+    drawing = MeasuredDrawing(letters, scales, turned, where)
     vectors = _drawn(picture, drawing, shapes, questions)
     values = {name: HandedValue("", abs(vector), vector=vector) for name, vector in vectors.items()}
     values |= directions(picture, questions, limits)
-    if not values and not texts and not letters.points:
+    if not values and not texts and not letters:
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
     for question, text in texts.items():  # the written value, with the drawn direction
         drawn = values.get(question)
         values[question] = text if drawn is None else replace(text, vector=drawn.vector)
-    notes: list[GraphkinError] = [LetterTwice(where, letter) for letter in letters.doubtful]
-    planes = sorted({plane for plane, _ in letters.points})
+    notes: list[GraphkinError] = [LetterTwice(where, letter) for letter in doubtful]
+    planes = sorted({plane for plane, _ in letters})
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in planes if plane not in scales]
     remarks = tuple(_page_remarks(picture, drawing, shapes, asked.mechanism))
     return values, replace(drawing, remarks=remarks), notes
@@ -152,7 +152,7 @@ def _drawn_links(picture: PagePicture, mechanism: Mechanism) -> tuple[dict[str, 
     sizes: dict[Pair, float] = {pair: size for link, pair in pairs if (size := abs(link.arm(*pair))) > 0}  # [m]
     names = {name: (name,) for name in mechanism.points}
     figure = PaperPolygon("position", names, tuple(PolygonVector("", *pair) for pair in sizes), ())
-    places = {name: place for (_, name), place in find_letters(picture, [figure]).points.items()}
+    places = {name: place for (_, name), place in find_letters(picture, [figure])[0].items()}
     lengths = {(one, other): abs(places[other] - places[one]) / size for (one, other), size in sizes.items()
                if one in places and other in places}  # fmt: skip
     scale = float(np.median(list(lengths.values()))) if lengths else 0.0

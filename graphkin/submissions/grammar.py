@@ -22,17 +22,12 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, SenseDisputed
-from graphkin.files.values import read_quantity
+from graphkin.files.values import DIMENSIONS, read_quantity
 from graphkin.model.mechanism import Dimension
 from graphkin.submissions import numbers
 from graphkin.submissions.numbers import LONGEST, Number, in_si, plain, unit_named
 from graphkin.submissions.submission import HandedValue, Sense
 
-_KINDS_OF: Mapping[str, Dimension | None] = {
-    "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration", "m": "length", "m/s": "velocity",
-    "m/s^2": "acceleration", "1": None,
-}  # fmt: skip
-"""By the SI unit of a quantity, whose units may stand with it."""
 _SENSES: Mapping[float, Sense | None] = {1: "ccw", 0: None, -1: "cw"}
 WORDS = math.radians(60)
 """A direction in words holds within this angle on either side."""
@@ -358,15 +353,16 @@ _SIMPLE = re.compile(
 )
 _NO_SENSE = re.compile(r"\s+[—–―]+\s*$")
 _TURNING = ("rad", "rad/s", "rad/s^2")
-_STRAIGHT = tuple(si for si in _KINDS_OF if si not in _TURNING)
+_EVERY = (*DIMENSIONS, "1")
+_STRAIGHT = tuple(si for si in _EVERY if si not in _TURNING)
 _REWRITTEN: tuple[tuple[str, str | Callable[[re.Match[str]], str], Collection[str]], ...] = (
-    ("<([^<>]*)>", r"(\1)", _KINDS_OF), (r" \| |(?<=[^\s(:=,;]) - (?=[^0-9]*$)", ", ", _KINDS_OF),
+    ("<([^<>]*)>", r"(\1)", _EVERY), (r" \| |(?<=[^\s(:=,;]) - (?=[^0-9]*$)", ", ", _EVERY),
     ("(π(?: ?/ ?[0-9]+)?)(?![ 0-9/]*[a-z°度弧*])", r"\1 rad", ("rad",)), ("(?<=[0-9]) ?: ?(?=[0-9])", "/", ("1",)),
     (r"(?<=\S) +-+$", "", _STRAIGHT),  # in the last column of a table; of what turns a minus may be a sign
-    (r"([0-9][.,][0-9]+)\([0-9]{1,2}\)", r"\1", _KINDS_OF),
+    (r"([0-9][.,][0-9]+)\([0-9]{1,2}\)", r"\1", _EVERY),
     (r"([0-9]+)° ?([0-9]+(?:\.[0-9]+)?)'(?: ?([0-9]+(?:\.[0-9]+)?)'')?",
-     lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", _KINDS_OF),
-    ("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$", "", _KINDS_OF),
+     lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", _EVERY),
+    ("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$", "", _EVERY),
 )  # fmt: skip
 """What is written otherwise before it is read: a pattern, what stands in its place, and of which SI units."""
 
@@ -382,7 +378,7 @@ def parsed_value(text: str, si: str, unit: str = "", vector: bool = True, axis: 
 
     unit   of its column; vector: whether such a quantity has a direction; axis: of one component alone
     """
-    reading = _Reading(text, _KINDS_OF[si], si in _TURNING, vector and si in numbers.PLANES, axis, unit)
+    reading = _Reading(text, DIMENSIONS.get(si), si in _TURNING, vector and si in numbers.PLANES, axis, unit)
     try:
         if (number := simple(text)) is not None:
             return reading.in_si(number)

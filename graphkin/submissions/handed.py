@@ -137,11 +137,9 @@ def _of_archive(path: Path, where: Where, limits: Limits, roster: Roster | None)
             cells = cells_of(names[0], archives.read_member(archive, infos[0], member, limits), member, limits)
             yield from _of_table(rows_of(cells, member, limits), owner(names[0], _root(names)), member, limits)
             return
-
-        def read(k: int, member: Where) -> bytes:
-            return archives.read_member(archive, infos[k], member, limits)
-
-        yield from _of_students(names, f"{path}!", read, roster)
+        yield from _of_students(
+            names, f"{path}!", lambda k, at: archives.read_member(archive, infos[k], at, limits), roster
+        )
 
 
 def _of_students(

@@ -25,7 +25,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Plane
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.submissions.numbers import plain
-from graphkin.submissions.picture import Dot, Figures, PagePicture, PictureText, distances
+from graphkin.submissions.picture import Dot, PagePicture, PictureText, distances, lines_about
 from graphkin.submissions.questions import Questions
 
 _REACH = 6.0  # a letter belongs to no dot farther from it [mm]
@@ -44,18 +44,11 @@ _ROUNDS = 8
 Place = tuple[float, complex]  # how far a candidate is from its letter, and where it is [mm]
 
 
-@frozen
-class PlacedLetters:
-    """The places of letters, by plane and the construction's letter; and letters whose place is not clear."""
-
-    points: Mapping[tuple[Plane, str], complex]
-    doubtful: tuple[str, ...]
-
-
 def find_letters(
     picture: PagePicture, polygons: Sequence[PaperPolygon], others: Collection[str] = (), names: Sequence[str] = ()
-) -> PlacedLetters:
-    """The place of each letter of each polygon.
+) -> tuple[dict[tuple[Plane, str], complex], tuple[str, ...]]:
+    """The place of each letter of each polygon, by plane and the construction's letter; and letters whose place is not
+    clear.
 
     others  letters of something else: the points of the mechanism
     names   letters of the dots in the file's order, instead of those that stand beside them
@@ -63,29 +56,27 @@ def find_letters(
     spelled = {name: key for name, key in spellings(polygons).items() if name not in others}
     sure = by_name(picture.dots, names, spelled)
     written = texts_of(picture.texts, spelled)
-    figures = Figures(picture.lines)
     points, doubtful = dict(sure), []
     for polygon in polygons:
         own = {key: texts for key, texts in written.items() if key[0] == polygon.plane and key not in sure}
         choices = {key[1]: _candidates(picture, texts) for key, texts in own.items()}
         fixed = {letter: place for (plane, letter), place in sure.items() if plane == polygon.plane}
-        choices = _own_figure(choices, fixed, polygon, picture, figures)
+        choices = _own_figure(choices, fixed, polygon, picture)
         for letter, place in _settled(_Arranged({k: v for k, v in choices.items() if v}, fixed, polygon, picture)):
             if place is None:
                 doubtful.append(letter)
             else:
                 points[polygon.plane, letter] = place
-    return PlacedLetters(points, tuple(doubtful))
+    return points, tuple(doubtful)
 
 
 def _own_figure(
-    choices: dict[str, list[Place]], fixed: Mapping[str, complex], polygon: PaperPolygon, picture: PagePicture,
-    figures: Figures,
-) -> dict[str, list[Place]]:  # fmt: skip
+    choices: dict[str, list[Place]], fixed: Mapping[str, complex], polygon: PaperPolygon, picture: PagePicture
+) -> dict[str, list[Place]]:
     """The choices that hang together with the pole, for letters that have such; further letters by looser spellings."""
     pole = next(iter(polygon.letters))
     places = [fixed[pole]] if pole in fixed else [place for _, place in choices.get(pole, ())[:1]]
-    lines = figures.about(places[0]) if places else ()
+    lines = lines_about(places[0], picture.lines) if places else ()
     if not lines:
         return choices
     ends = np.array(lines)

@@ -75,33 +75,25 @@ _LARGEST = 2_000  # lines of a figure that are followed at most; of a larger one
 Line = tuple[complex, complex]
 
 
-class Figures:
-    """The lines of a page, and what hangs together with a place."""
-
-    def __init__(self, lines: Sequence[Line]) -> None:
-        ends = np.array(lines, dtype=complex).reshape(-1, 2)
-        self._tails, self._heads = ends[:, 0], ends[:, 1]
-
-    def about(self, place: complex) -> Sequence[Line]:
-        """The lines that hang together with a place, one through another; none where no line is there."""
-        figure = self._off(place) <= _TOUCH
-        new = np.flatnonzero(figure)
-        while new.size:
-            if figure.sum() > _LARGEST:
-                return ()
-            touched = np.zeros(len(figure), dtype=bool)
-            for k in new:  # the lines that end on line k or cross it, or on which it ends
-                tails, heads, tail, head = self._tails, self._heads, self._tails[k], self._heads[k]
-                touched |= (self._off(tail) <= _TOUCH) | (self._off(head) <= _TOUCH)
-                for ends in (tails, heads):
-                    touched |= distances(ends, np.array([tail]), np.array([head])) <= _TOUCH
-                touched |= _parted(tails, heads, tail, head) & _parted(tail, head, tails, heads)
-            new = np.flatnonzero(touched & ~figure)
-            figure |= touched
-        return [(complex(self._tails[k]), complex(self._heads[k])) for k in np.flatnonzero(figure)]
-
-    def _off(self, place: complex) -> Array:
-        return distances(np.array([place]), self._tails, self._heads)
+def lines_about(place: complex, lines: Sequence[Line]) -> Sequence[Line]:
+    """The lines that hang together with a place, one through another; none where no line is there."""
+    both = np.array(lines, dtype=complex).reshape(-1, 2)
+    tails, heads = both[:, 0], both[:, 1]
+    figure = distances(np.array([place]), tails, heads) <= _TOUCH
+    new = np.flatnonzero(figure)
+    while new.size:
+        if figure.sum() > _LARGEST:
+            return ()
+        touched = np.zeros(len(figure), dtype=bool)
+        for tail, head in both[new]:  # the lines that end on this one or cross it, or on which it ends
+            for end in (tail, head):
+                touched |= distances(np.array([end]), tails, heads) <= _TOUCH
+            for ends in (tails, heads):
+                touched |= distances(ends, np.array([tail]), np.array([head])) <= _TOUCH
+            touched |= _parted(tails, heads, tail, head) & _parted(tail, head, tails, heads)
+        new = np.flatnonzero(touched & ~figure)
+        figure |= touched
+    return [line for line, belongs in zip(lines, figure, strict=True) if belongs]
 
 
 def distances(places: Array, tails: Array, heads: Array) -> Array:

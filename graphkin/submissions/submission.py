@@ -110,11 +110,6 @@ class Submission:
     place: str = ""
     drawings: Mapping[int, MeasuredDrawing] = field(default_factory=dict)
 
-    @property
-    def drawn(self) -> MeasuredDrawing | None:
-        """Of the first position."""
-        return self.drawings.get(1)
-
 
 @frozen
 class Limits:

@@ -102,7 +102,7 @@ def test_what_many_have_is_no_copy():
 def page(told: dict, lang: str, reveal: str = "answer") -> Feedback:
     (result,) = results(told)
     problem = ResultPicture("Title <1>", "image/svg+xml", b'<svg width="9mm" viewBox="0 0 9 9"></svg>')
-    return Feedback(result, lang, reveal, (), "Li Lei", problem)  # type: ignore[arg-type]
+    return Feedback(result, lang, reveal, (), {result.student: "Li Lei"}, problem)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("lang", ["en", "zh"])

@@ -26,6 +26,7 @@ from graphkin.errors import (
     NoVariant,
     OutOfRange,
     StudentTwice,
+    TooDeep,
     UnknownQuantity,
 )
 from graphkin.files import library
@@ -107,6 +108,12 @@ def test_what_is_wrong_with_a_template_is_said(
     with pytest.raises(error) as caught:
         variants(read_template(template), roster("1"), "1")
     assert caught.value.message("zh") != caught.value.message("en")
+
+
+def test_a_template_that_is_nested_too_deep(tmp_path: Path):
+    (tmp_path / "a.toml").write_text(f"x = {'[' * 400}{']' * 400}\nlinks.1 = {{ AB = {{ from = 1, to = 2 }} }}\n")
+    with pytest.raises(TooDeep):
+        read_template(tmp_path / "a.toml")
 
 
 def test_a_template_without_ranges(tmp_path: Path):

@@ -63,7 +63,7 @@ def test_saved_by_inkscape():
     assert set(misses) >= EVERY - {"v B2"} | {"a B2"}
     assert max(misses.values()) < 0.01
     assert found.values["omega 3"].value == -3.92
-    assert math.degrees(found.drawn.turned["acceleration"]) == pytest.approx(-20, abs=0.01)
+    assert math.degrees(found.drawings[1].turned["acceleration"]) == pytest.approx(-20, abs=0.01)
     straight = off(handed("a.svg", (CASES / "inkscape-1.2.svg").read_bytes()))
     assert straight["a B3"] > 10
     assert straight["v B3"] < 0.01
@@ -96,7 +96,7 @@ def test_own_sheets(name: str):
     """Every named vector of a sheet of graphkin's own."""
     drawing = api.Drawing.of(api.load(name))
     found = handed("a.svg", drawing.sheet()._repr_svg_().encode(), drawing=drawing)
-    scales = {"m/s": found.drawn.scales["velocity"], "m/s^2": found.drawn.scales["acceleration"]}
+    scales = {"m/s": found.drawings[1].scales["velocity"], "m/s^2": found.drawings[1].scales["acceleration"]}
     misses = off(found, drawing, scales)
     assert misses
     assert max(misses.values()) < 0.01
@@ -184,7 +184,7 @@ def test_letters_on_every_kind_of_polygon(dots: bool):
         drawing = api.Drawing.of(api.load(name))
         content, true = lettered(drawing, dots, random.Random(1))
         shapes = polygons(drawing.mechanism, Questions(drawing.mechanism))
-        found = find_letters(read_svg(content, Where("a.svg"), USUAL), shapes, drawing.mechanism.points).points
+        found = find_letters(read_svg(content, Where("a.svg"), USUAL), shapes, drawing.mechanism.points)[0]
         count += len(true)
         doubtful += sum(key not in found for key in true)
         wrong += sum(abs(found[key] - place) > 0.2 for key, place in true.items() if key in found)

@@ -16,15 +16,15 @@ from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, NoMarks, OwnFault, SaidBefore, Where
 from graphkin.homework import opening
-from graphkin.homework.grading.sets import OneKey, SetMarker
+from graphkin.homework.grading.sets import SetMarker
 from graphkin.marking.marker import Marker
-from graphkin.marking.records import Drawn, Graded, HandedNumber, Marked, StudentWork
+from graphkin.marking.records import Graded, HandedNumber, Marked, StudentWork
 from graphkin.model.quantities import at_position, position_of
 from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 from graphkin.submissions.submission import fingerprint, tidy_id
 
-_EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each [s]
+_EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each further one [s]
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
 """Reasons that may be gone when it is tried again."""
 _LOOK = (errors.NotMarkable, errors.BrokenSubmission, errors.NoNumbers, errors.WantsExtra, errors.TooMuch,
@@ -50,20 +50,11 @@ def is_marks(path: str | Path) -> bool:
 
 @frozen
 class Read:
-    """A submission that is ready to be marked, or why it is not: read now, or then, as a file of marks has it.
-
-    prints   fingerprints of what was handed in, of the way it is read, of what is asked, of the key; empty where there
-             are none
-    """
+    """A submission that is ready to be marked, or why it is not: read now, or then, as a file of marks has it. Its
+    record is whole but for the marks."""
 
     work: StudentWork
-    file: str
-    place: str
-    reason: GraphkinError | None
-    notes: tuple[GraphkinError, ...]
-    prints: tuple[str, ...]
-    drawn: Drawn
-    remarks: tuple[GraphkinError, ...] = ()
+    record: Graded
 
 
 def earlier_reading(record: Record, where: Where) -> Read:
@@ -84,7 +75,7 @@ def earlier_reading(record: Record, where: Where) -> Read:
             SaidBefore(str(one["text"]), str(one["id"])) for one in record.get("remarks", ())
             if one["id"] != errors.AnotherStudent.id  # that is found anew
         )  # fmt: skip
-        return Read(work, file, place, reason, notes, prints, drawn_of(record), remarks)
+        return Read(work, Graded(student, file, place, None, reason, notes, drawn_of(record), prints, remarks))
     except (KeyError, TypeError, ValueError, AttributeError):
         raise NoMarks(where) from None
 
@@ -102,12 +93,13 @@ def records_of(path: Path) -> Iterator[Read]:
 def merged(paths: Sequence[Path]) -> Iterator[Read]:
     """The records of several graders: what more than one of them have of a student once, marked where one of them has
     marked it. Raises what reading one raises."""
-    every = [(one, (one.work.student, one.place or Path(one.file).name)) for path in paths for one in records_of(path)]
-    some = {at for one, at in every if one.reason is None}
+    read = ((one, one.record) for path in paths for one in records_of(path))
+    every = [(one, (record.student, record.place or Path(record.file).name)) for one, record in read]
+    some = {at for one, at in every if one.record.reason is None}
     met = set[object]()
     for one, at in every:
-        what = at if one.reason is not None else repr(one.work)
-        if what not in met and (one.reason is None or at not in some):
+        what = at if one.record.reason is not None else repr(one.work)
+        if what not in met and (one.record.reason is None or at not in some):
             met.add(what)
             yield one
 
@@ -129,26 +121,26 @@ Item = Handed | Read | StoredRecord
 def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> list[Graded | StoredRecord]:
     """The record of each, in order. It never raises."""
     items = [one if isinstance(one, StoredRecord) else _read(one, judge, limits, reading) for one in some]
-    marks = _marked(judge, [one for one in items if isinstance(one, Read) and one.reason is None], limits.seconds)
+    marks = _marked(judge, [one for one in items if isinstance(one, Read) and one.record.reason is None],
+                    limits.seconds)  # fmt: skip
     records: list[Graded | StoredRecord] = []
     for one in items:
         if isinstance(one, StoredRecord):
             records.append(one)
             continue
-        place, outcome = (one.work.student, one.file, one.place), one.reason or next(marks)
+        record, outcome = one.record, one.record.reason or next(marks)
         if isinstance(outcome, GraphkinError):
-            prints = () if isinstance(outcome, _ONCE_MORE) else one.prints
-            records.append(Graded(*place, None, outcome, one.notes, prints=prints, remarks=one.remarks))
+            prints = () if isinstance(outcome, _ONCE_MORE) else record.prints
+            records.append(replace(record, reason=outcome, drawn={}, prints=prints))
         else:
-            remarks = (*one.remarks, *judge.remarks(outcome))
-            records.append(Graded(*place, outcome, None, one.notes, one.drawn, one.prints, remarks))
+            records.append(replace(record, marked=outcome, remarks=(*record.remarks, *judge.remarks(outcome))))
     return records
 
 
 def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -> Read:
     if isinstance(item, Read):
         return _read_before(item, judge)
-    one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits, judge.roster)
+    one = read_one(item, judge, limits, judge.roster)
     prints = (item.digest, reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number
@@ -172,22 +164,24 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
         reason = problem
     except Exception as problem:
         reason = OwnFault(Where(one.file), type(problem).__name__)
-    once_more = isinstance(reason, _ONCE_MORE)
-    drawn = {} if one.drawn is None else one.drawn.in_si()
+    kept = () if isinstance(reason, _ONCE_MORE) else prints
+    drawn = one.drawings[1].in_si() if 1 in one.drawings else {}
     remarks = [remark for drawing in one.drawings.values() for remark in drawing.remarks]
     remarks += [note for note in notes if isinstance(note, _LOOK)]
-    return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn, (*remarks,))
+    record = Graded(one.student, one.file, one.place, None, reason, (*notes, *more), drawn, kept, (*remarks,))
+    return Read(work, record)
 
 
 def _read_before(item: Read, judge: SetMarker) -> Read:
-    reason, student = item.reason, item.work.student
+    record, student = item.record, item.work.student
+    reason = record.reason
     try:
         if reason is None and judge.marker(student) is None:
-            reason = errors.UnknownStudent(Where(item.file), student)
+            reason = errors.UnknownStudent(Where(record.file), student)
     except GraphkinError as problem:
         reason = problem
-    prints = (*item.prints[:2], asked_print(judge, student), judge.key_print(student)) if item.prints else ()
-    return replace(item, reason=reason, prints=prints)
+    prints = (*record.prints[:2], asked_print(judge, student), judge.key_print(student)) if record.prints else ()
+    return Read(item.work, replace(record, reason=reason, prints=prints))
 
 
 def asked_print(judge: SetMarker, student: str) -> str:
@@ -230,19 +224,14 @@ def _marked(judge: SetMarker, batch: Sequence[Read], seconds: float) -> Iterator
         assert marker is not None, "who is not of the class was refused before"
         alike = list(some)
         try:
-            with limited(seconds + _EACH * len(alike), Where(alike[0].file)):
+            with limited(seconds + _EACH * (len(alike) - 1), Where(alike[0].record.file)):
                 marks: list[Marked | GraphkinError] = [*marker.mark([one.work for one in alike])]
-        except Exception:
-            # one by one, each within its time: an error of ours or a hostile submission is one student's row
-            marks = [_marks_of_one(marker, one, seconds) for one in alike]
+        except Exception as problem:
+            if len(alike) > 1:
+                # one by one, each within its time: an error of ours or a hostile submission is one student's row
+                marks = [each for one in alike for each in _marked(judge, [one], seconds)]
+            elif isinstance(problem, GraphkinError):
+                marks = [problem]
+            else:
+                marks = [OwnFault(Where(alike[0].record.file), type(problem).__name__)]
         yield from marks
-
-
-def _marks_of_one(marker: Marker, one: Read, seconds: float) -> Marked | GraphkinError:
-    try:
-        with limited(seconds, Where(one.file)):
-            return marker.mark([one.work])[0]
-    except GraphkinError as problem:
-        return problem
-    except Exception as problem:
-        return OwnFault(Where(one.file), type(problem).__name__)

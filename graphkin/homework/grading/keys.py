@@ -5,25 +5,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
 
 from graphkin import api
-from graphkin.base.geometry import number, place
+from graphkin.base.geometry import number
 from graphkin.base.value import frozen
 from graphkin.construction import SCALES, Plot
 from graphkin.errors import BadKey, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Where
-from graphkin.files import from_dict, loads
+from graphkin.files import loads
 from graphkin.homework import opening
 from graphkin.marking.answers import asked_of, readable
 from graphkin.marking.key import Key, Marking
 from graphkin.marking.key_making import allowed_anew, make_key
-from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
-from graphkin.proof.readings import readings
+from graphkin.proof.readings import mechanism_at, readings
 from graphkin.proof.roads import proved
 from graphkin.results import driver_values
 from graphkin.running import replay_all
@@ -163,52 +161,13 @@ def further_methods(method: Method) -> Iterator[Method]:
         where = method.mechanism.where("driver", 0, "also")
         try:
             plot = replay_all(method, values)
-            there = api.plan(_moved(method, plot, values), method.structure.coincident)
+            there = api.plan(mechanism_at(method, values), method.structure.coincident)
             same = _same(method, plot, there)
         except GraphkinError as problem:
             raise NoKeyAtPosition(where, count, problem) from None
         if not same:
             raise NoKeyAtPosition(where, count)
         yield there
-
-
-def _moved(method: Method, plot: Plot, values: tuple[float, ...]) -> Mechanism:
-    """The mechanism file with its drivers, poses and sketch at another position."""
-    mechanism = method.mechanism
-    motions = readings(method, plot)
-    document = {str(path[0]): deepcopy(stated.written) for path, stated in mechanism.given.items() if len(path) == 1}
-    for table, driver, value in zip(_tables(document, "driver"), mechanism.drivers, values, strict=True):
-        table.pop("also", None)
-        if driver.value is not None:
-            _set(table, driver, value)
-    for table, pose in zip(_tables(document, "pose"), mechanism.poses, strict=True):
-        if pose.kind == "slide":
-            _set(table, pose, number(motions.s[pose.link]))
-            continue
-        assert pose.vector is not None, "a pose is of a direction or of a slide"
-        angle = _direction(mechanism, motions, pose.link, pose.vector)
-        seen_from = _direction(mechanism, motions, pose.from_link, pose.from_vector) if pose.from_vector else 0.0
-        _set(table, pose, angle - seen_from)
-    fixed = mechanism.named(FRAME)
-    places = {name: place(plot.position[name]) * 1000 for name in mechanism.points if name not in fixed}
-    document["sketch"] = {name: [point.real, point.imag] for name, point in places.items()}
-    return from_dict(document, name=mechanism.name)
-
-
-def _tables(document: Mapping[str, object], name: str) -> list[dict[str, object]]:
-    tables = document.get(name, [])
-    assert isinstance(tables, list), "a file with other tables is refused"
-    return tables
-
-
-def _set(table: dict[str, object], one: Driver | Pose, value: float) -> None:
-    table["at" if one.kind == "slide" else "angle"] = value * 1000 if one.kind == "slide" else math.degrees(value)
-
-
-def _direction(mechanism: Mechanism, motions: Motions, link: str, vector: tuple[str, str]) -> float:
-    arm = mechanism.links[link].arm(*vector)
-    turned = 0.0 if link == FRAME else number(motions.theta[link])
-    return turned + math.atan2(arm.imag, arm.real)
 
 
 def _same(method: Method, plot: Plot, there: Method) -> bool:

@@ -121,8 +121,8 @@ def firsts(
 def _failed(item: Item, problem: str) -> Graded | StoredRecord:
     if isinstance(item, StoredRecord):
         return item
-    student = item.work.student if isinstance(item, Read) else item.owner.student
-    return Graded(student, item.file, item.place, None, OwnFault(Where(item.file), problem))
+    of = item.record if isinstance(item, Read) else Graded(item.owner.student, item.file, item.place, None)
+    return Graded(of.student, of.file, of.place, None, OwnFault(Where(of.file), problem))
 
 
 def _batches(some: Iterable[Item], size: int) -> Iterator[list[Item]]:
@@ -235,7 +235,7 @@ def _kept(
         again = place in places and not (place[1].isdecimal() and had)
         if not again and (now is None or (had and now["status"] != "marked")):
             before = batches.earlier_reading(old, Where(str(journal.path)))
-            *_, asks, key = ("", "", *before.prints)
+            *_, asks, key = ("", "", *before.record.prints)
             other = had and asks and key != judge.key_print(before.work.student)
             same = other and asks == batches.asked_print(judge, before.work.student)
             kept.append((old, before if same else None))
@@ -251,18 +251,18 @@ def _kept(
 
 def _still_to_do(item: Handed | Read, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:
     """The submission, its record of before, or its numbers of before, whichever still holds."""
-    handed, reading = (item.digest, options.reading) if isinstance(item, Handed) else item.prints[:2] or ("", "")
+    handed, reading = (item.digest, options.reading) if isinstance(item, Handed) else item.record.prints[:2] or ("", "")
     there = journal.records.get(handed) if handed else None
     if there is None:
         return item
     try:
-        before = batches.earlier_reading(there, Where(str(journal.path)))
+        read = batches.earlier_reading(there, Where(str(journal.path)))
     except NoMarks:
         return item
+    before, student = read.record, read.record.student
     if before.prints[:2] != (handed, reading) or len(before.prints) != len(("handed", "reading", "asked", "key")):
         return item
-    student = before.work.student
     if before.prints[3] == judge.key_print(student):
         return StoredRecord(student, before.file, before.place, before.reason is None, handed)
     same = before.reason is None and before.prints[2] == batches.asked_print(judge, student)
-    return before if same and isinstance(item, Handed) else item
+    return read if same and isinstance(item, Handed) else item

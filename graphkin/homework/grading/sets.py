@@ -60,6 +60,7 @@ class SetMarker:
         return ()
 
 
+@lru_cache(maxsize=1)  # a class has one key, or each student's own, once
 def asked_by(marker: Marker) -> ReadableProblem:
     """The problem that a key asks, at all its positions."""
     first, *further = (
@@ -78,14 +79,6 @@ class OneKey(SetMarker):
 
     def marker(self, student: str) -> Marker:
         return self._marker
-
-    @cached_property
-    def asked(self) -> ReadableProblem:
-        """The problem that all are asked."""
-        return asked_by(self._marker)
-
-    def __call__(self, student: str) -> ReadableProblem:
-        return self.asked
 
     @cached_property
     def _print(self) -> str:

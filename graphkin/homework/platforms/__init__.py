@@ -2,7 +2,7 @@
 
     Key --question_of--> Question; Questions of a class: a ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
-    file of marks --read_results--> Results, --read_traces--> the evidence of each student's mistakes
+    file of marks --read_results--> Results, with the evidence of each student's mistakes
     Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas, pages: files in a folder
     Result --PolygonPictures--> Pictures, for its page and for platforms that show some
     Results --class_report--> ClassReport --write_class_figure--> SVG, PNG, PDF
@@ -17,12 +17,11 @@ To add a format: a file with one function, and its line in `set_formats` or `res
 from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
 from graphkin.homework.platforms.question import ProblemSet
-from graphkin.homework.platforms.result import Result, from_record, read_results, read_traces
+from graphkin.homework.platforms.result import Result, from_record, read_results
 from graphkin.homework.platforms.result_formats import prepared, write_gradebook, write_results
 from graphkin.homework.platforms.set_formats import write_set
 
 __all__ = [
-    "PolygonPictures", "ProblemSet", "Result", "Reveal", "from_record", "prepared", "read_results", "read_traces",
-    "write_gradebook",
+    "PolygonPictures", "ProblemSet", "Result", "Reveal", "from_record", "prepared", "read_results", "write_gradebook",
     "write_results", "write_set",
 ]  # fmt: skip

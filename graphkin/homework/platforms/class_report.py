@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from decimal import Decimal
 from functools import partial
@@ -19,11 +19,11 @@ from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import called, habit, suspected, without_place
 from graphkin.homework.platforms.markup import in_html
 from graphkin.homework.platforms.pages import document, figure_element, typeset
-from graphkin.homework.platforms.question import in_letters, texts_in
+from graphkin.homework.platforms.question import in_letters
 from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Explanation, Habit
-from graphkin.marking.records import Verdict
+from graphkin.marking.records import Judged, Verdict
 from graphkin.outputs import diagram
 from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, writable
 from graphkin.outputs.diagram.fonts import typeset as in_diagrams
@@ -65,7 +65,7 @@ class ClassReport:
 
     mistakes     the best explanation of each, the most frequent first, with how many
     habits       mistakes that show in several problems of a student, with how many students
-    unread       answers that were not read: student, quantity, text; and how many there are
+    unread       answers that were not read: student, quantity, text
     unexplained  how many are wrong somewhere and consistent with no known mistake
     ranges       how many scores in each tenth, the lowest first; the last holds 100 %
     remarks      what the teacher should look at: student, file, remark
@@ -81,80 +81,51 @@ class ClassReport:
     ranges: tuple[int, ...]
     habits: tuple[tuple[Habit, int], ...] = ()
     unread: tuple[tuple[str, str, str], ...] = ()
-    not_read: int = 0
     remarks: tuple[tuple[str, str, str], ...] = ()
     spread: Mapping[str, Decimal] = field(default_factory=dict)
 
 
 def class_report(results: Iterable[Result]) -> ClassReport:
-    """The report of a class, gone through once; what is held does not grow with it."""
-    count = _Count()
-    for result in results:
-        count.add(result)
-    return count.report()
-
-
-@frozen
-class _Count:
-    """The counts while a class goes by."""
-
-    status: Counter[str] = field(default_factory=Counter)
-    verdicts: dict[str, Counter[str]] = field(default_factory=dict)
-    first: Counter[str] = field(default_factory=Counter)
-    points: dict[str, tuple[Decimal, Decimal]] = field(default_factory=dict)
-    mistakes: dict[tuple[str, ...], tuple[Explanation, int]] = field(default_factory=dict)
-    scores: Counter[Decimal] = field(default_factory=Counter)
-    habits: Counter[Habit] = field(default_factory=Counter)
-    unread: list[tuple[str, str, str]] = field(default_factory=list)
-    remarks: list[tuple[str, str, str]] = field(default_factory=list)
-
-    def add(self, result: Result) -> None:
-        self.status[result.status] += 1
-        self.status["overridden"] += result.override is not None
-        self.remarks.extend((result.student, result.file, remark) for remark in result.remarks)
-        if result.score is not None:
-            self.scores[result.score] += 1
-        if result.status != "marked":
-            self.remarks.append((result.student, result.file, texts_in([result.reason], "en")[0]))
-            return
+    """The report of a class."""
+    every = [*results]
+    marked = [one for one in every if one.status == "marked"]
+    lines, first = dict[str, list[Judged]](), Counter[str]()
+    by_set: dict[tuple[str, ...], list[Explanation]] = {}  # a set is one, whichever of it is likelier to one student
+    for result in marked:
         for line in result.lines:
-            self.verdicts.setdefault(line.text, Counter())[line.verdict] += 1
-            earned, most = self.points.get(line.text, (Decimal(0), Decimal(0)))
-            self.points[line.text] = earned + points_of(line), most + most_of(line)
-            self.status["not read"] += bool(line.written)
-            if line.written and len(self.unread) < UNREAD:
-                self.unread.append((result.student, line.text, line.written))
+            lines.setdefault(line.text, []).append(line)
         failed = [line.text for verdict in _FAILED for line in result.lines if line.verdict == verdict]
-        self.first.update(failed[:1])
-        self.habits.update(replace(one, weight=0.0) for one in result.habits)
-        if result.suspicions:
-            best = result.suspicions[0]
-            same = tuple(sorted(best.ids))  # a set is one, whichever of it is likelier to one student
-            kept, count = self.mistakes.get(same, (best, 0))
-            self.mistakes[same] = kept, count + 1
-        elif any(line.verdict == "wrong" and line.unit_right for line in result.lines):
-            self.status["unexplained"] += 1
+        first.update(failed[:1])
+        for best in result.suspicions[:1]:
+            by_set.setdefault(tuple(sorted(best.ids)), []).append(best)
+    steps = (_step(name, some, first[name]) for name, some in lines.items())
+    failing = [one for one in marked if any(line.verdict == "wrong" and line.unit_right for line in one.lines)]
+    scores = sorted(one.score for one in every if one.score is not None)
+    ranges = Counter(min(int(score * RANGES), RANGES - 1) for score in scores)
+    return ClassReport(
+        len(marked), len(every) - len(marked), sum(one.override is not None for one in every),
+        tuple(step for step in steps if step.most or {*_FAILED, "not read"} & step.verdicts.keys()),
+        tuple(sorted(((some[0], len(some)) for some in by_set.values()), key=lambda pair: (-pair[1], pair[0].ids))),
+        sum(not one.suspicions for one in failing), tuple(ranges[k] for k in range(RANGES)),
+        tuple(Counter(replace(habit, weight=0.0) for one in marked for habit in one.habits).most_common()),
+        tuple((one.student, line.text, line.written) for one in marked for line in one.lines if line.written),
+        tuple((one.student, one.file, text) for one in every
+              for text in (*one.remarks, *([] if one.status == "marked" else [one.reason]))),
+        _spread(scores) if scores else {},
+    )  # fmt: skip
 
-    def report(self) -> ClassReport:
-        counts = self.verdicts.items()
-        every = (ReportStep(name, dict(each), self.first[name], *self.points[name]) for name, each in counts)
-        shown = (*_FAILED, "not read")
-        steps = tuple(step for step in every if step.most or any(step.verdicts.get(verdict) for verdict in shown))
-        mistakes = sorted(self.mistakes.values(), key=lambda pair: (-pair[1], pair[0].ids))
-        ranges = [0] * RANGES
-        for score, count in self.scores.items():
-            ranges[min(int(score * RANGES), RANGES - 1)] += count
-        status, spread = self.status, dict[str, Decimal]()
-        if self.scores:
-            order, number = sorted(self.scores.elements()), self.scores.total()
-            mean = sum((score * count for score, count in self.scores.items()), Decimal(0)) / number
-            median = (order[(number - 1) // 2] + order[number // 2]) / 2
-            spread = {"mean": mean, "median": median, "lowest": order[0], "highest": order[-1]}
-        return ClassReport(
-            status["marked"], status["not marked"], status["overridden"], steps, tuple(mistakes),
-            status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), tuple(self.unread),
-            status["not read"], tuple(self.remarks), spread,
-        )  # fmt: skip
+
+def _step(name: str, some: Sequence[Judged], first: int) -> ReportStep:
+    """One quantity by its lines in the whole class."""
+    earned, most = (sum(map(points, some), Decimal(0)) for points in (points_of, most_of))
+    return ReportStep(name, Counter(line.verdict for line in some), first, earned, most)
+
+
+def _spread(order: Sequence[Decimal]) -> dict[str, Decimal]:
+    """Of scores in their order."""
+    median = (order[(len(order) - 1) // 2] + order[len(order) // 2]) / 2
+    mean = sum(order, Decimal(0)) / len(order)
+    return {"mean": mean, "median": median, "lowest": order[0], "highest": order[-1]}
 
 
 def report_text(report: ClassReport, lang: Lang, names: Mapping[str, str] | None = None) -> Iterator[str]:
@@ -179,11 +150,11 @@ def report_text(report: ClassReport, lang: Lang, names: Mapping[str, str] | None
         counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
         verdicts, name = say("common.list", lang).join(counts), in_letters(step.name, [step.name])
         steps.append(say("class_report.step", lang, name=name, verdicts=verdicts, first=step.first))
-    who = partial(_called, names or {}, lang)
+    who = partial(called, names=names or {}, lang=lang)
     unread = [say("class_report.unread", lang, student=who(student), name=in_letters(name, [name]), written=text)
-              for student, name, text in report.unread]  # fmt: skip
-    if report.not_read > len(unread):
-        unread.append(say("marks.more", lang, count=report.not_read - len(unread)))
+              for student, name, text in report.unread[:UNREAD]]  # fmt: skip
+    if len(report.unread) > UNREAD:
+        unread.append(say("marks.more", lang, count=len(report.unread) - UNREAD))
     remarks = [say("class_report.remark", lang, student=who(student), file=file, remark=without_place(remark, lang))
                for student, file, remark in report.remarks]  # fmt: skip
     parts = {"remarks": remarks, "unread": unread, "steps": steps, "mistakes": mistakes, "habits": habits,
@@ -192,10 +163,6 @@ def report_text(report: ClassReport, lang: Lang, names: Mapping[str, str] | None
         if texts:
             yield from ("", say(f"class_report.part {title}", lang))
             yield from (f"  {text}" for text in texts)
-
-
-def _called(names: Mapping[str, str], lang: Lang, student: str) -> str:
-    return called(student, names.get(student, ""), lang)
 
 
 def mistake_counts(report: ClassReport, lang: Lang) -> list[tuple[str, int]]:
@@ -222,7 +189,7 @@ def report_page(
             body.append(f"<h2>{in_html(part)}</h2><ul>{items}</ul>")
         if part == plain:
             there = ((who, seen[file]) for who, file, _ in report.remarks if file in seen)
-            shown = (figure_element(ResultPicture(_called(names, lang, who), *picture)) for who, picture in there)
+            shown = (figure_element(ResultPicture(called(who, names, lang), *picture)) for who, picture in there)
             body.append(f'<div class="pictures">{"".join(shown)}</div>')
     figure = f'<figure role="img" aria-label="{escape(drawn)}">{figure}</figure>'
     return document(f"{title}{say('common.colon', lang)}{problem}", "\n".join([*body, figure]), lang)
@@ -241,7 +208,7 @@ def report_record(report: ClassReport) -> dict[str, Plain]:
             for step in report.steps
         ],
         "mistakes": [{"ids": list(one.ids), "count": count} for one, count in report.mistakes],
-        "not_read": [dict(zip(("student", "quantity", "written"), one)) for one in report.unread],
+        "not_read": [dict(zip(("student", "quantity", "written"), one)) for one in report.unread[:UNREAD]],
         "unexplained": report.unexplained, "ranges": list(report.ranges),
         "habits": [
             {"ids": list(one.ids), "in_problems": one.shown, "of_problems": one.of, "count": count}
@@ -290,16 +257,19 @@ def class_figure(report: ClassReport, lang: Lang) -> Figure:
     page = Figure(figsize=(_WIDTH * _MM, total * _MM), dpi=200)
     FigureCanvasAgg(page)
     level = total - _TOP
-    for draw, height in zip((_steps, _mistakes, _scores), heights, strict=True):
+    parts = {"steps": _steps, "mistakes": _mistakes, "distribution": _scores}
+    for (part, draw), height in zip(parts.items(), heights, strict=True):
         place = (_LEFT / _WIDTH, (level - height) / total, 1 - (_LEFT + _RIGHT) / _WIDTH, height / total)
-        draw(page.add_axes(place), report, lang)
+        axes, title = page.add_axes(place), say(f"class_report.part {part}", lang)
+        # on the left of the page, where there is room beside the legend
+        axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
+        draw(axes, report, lang)
         level -= height + _BETWEEN
     return page
 
 
 def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
     steps = report.steps[:_MOST]
-    _title(axes, say("class_report.part steps", lang))
     if not steps:
         _write_instead(axes, say("class_report.nobody marked", lang))
         return
@@ -318,7 +288,6 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
 
 def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
     mistakes = report.mistakes[:_MOST]
-    _title(axes, say("class_report.part mistakes", lang))
     if not mistakes:
         texts = [say("class_report.unexplained", lang, count=report.unexplained)] if report.unexplained else []
         _write_instead(axes, say("class_report.nothing diagnosed", lang), *texts)
@@ -331,7 +300,6 @@ def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
 
 def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
     width = 100 / RANGES
-    _title(axes, say("class_report.part distribution", lang))
     if not any(report.ranges):
         _write_instead(axes, say("class_report.nobody marked", lang))
         return
@@ -347,11 +315,6 @@ def _write_instead(axes: Axes, *texts: str) -> None:
     """Words in place of a diagram of nothing."""
     axes.set_axis_off()
     axes.text(0.0, 1.0, "\n".join(texts), fontsize=8, va="top", parse_math=False, transform=axes.transAxes)
-
-
-def _title(axes: Axes, title: str) -> None:
-    """On the left of the page, where there is room beside the legend."""
-    axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
 
 
 def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:

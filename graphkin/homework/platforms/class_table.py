@@ -16,14 +16,14 @@ from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, Lang, NotAnOverride, Unreadable, Where
 from graphkin.homework.platforms.feedback import as_on_sheets, habit, suspected, without_place
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.question import in_letters, texts_in
+from graphkin.homework.platforms.question import in_letters
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
-from graphkin.marking.records import Judged
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import how_sure, verdict
 
-_FRONT = ("student", "name", "file", "status", "earned", "most", "override", "total", "score percent")
+_FRONT = ("student", "name", "file", "status", "earned", "most", "override", "total", "score percent",
+          "comment")  # fmt: skip
 _BACK = ("remarks", "diagnosis")
 _SURE = 0.9  # a diagnosis that gives points and is less probable is to be looked at
 
@@ -53,11 +53,12 @@ def rows(
         front_cells: list[Cell] = [
             result.student, (called or {}).get(result.student, ""), result.file,
             say(f"verdicts.status {result.status}", lang), result.earned if marked else None, result.most,
-            result.override, result.total, _percent(result.score),
+            result.override, result.total, _percent(result.score), result.comment,
         ]  # fmt: skip
-        by_name: dict[str, tuple[Cell, Cell]] = {
-            line.text: (_cell(line, lang), None if line.written else points_of(line)) for line in result.lines
-        }
+        by_name: dict[str, tuple[Cell, Cell]] = {}
+        for line in result.lines:  # of an answer that was not read what was written
+            written = f' "{one_line(line.written)}"' if line.written else ""
+            by_name[line.text] = verdict(line, lang) + written, None if written else points_of(line)
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
         diagnosis = as_on_sheets(result, suspected(result.suspicions[0], lang)) if result.suspicions else ""
         look = (reason.rstrip(".。") for reason in look_at(result, lang))
@@ -72,7 +73,7 @@ def _percent(score: Decimal | None) -> Decimal | None:
 def look_at(result: Result, lang: Lang) -> Iterator[str]:
     """The reasons for which the teacher should look at a submission."""
     if result.status != "marked":
-        yield without_place(texts_in([result.reason], lang)[0], lang)
+        yield without_place(result.reason, lang)
     for line in result.lines:
         if line.written:
             name = as_on_sheets(result, line.text)
@@ -125,24 +126,19 @@ def gradebook(problems: Marked, called: Called, lang: Lang) -> Iterator[list[Cel
         yield [student, called.get(student, ""), *cells, total, whole, score, look]
 
 
-def _cell(line: Judged, lang: Lang) -> str:
-    """A verdict; of an answer that was not read with what was written."""
-    text = verdict(line, lang)
-    return f'{text} "{one_line(line.written)}"' if line.written else text
-
-
 def absent(
     overrides: Overrides, names: tuple[str, ...], called: Called, there: Container[str], lang: Lang
 ) -> Iterator[list[Cell]]:
     """Those of the class who are not among the results, and overrides of these and of others; a row each."""
-    blank: list[Cell] = [None] * (2 + 2 * len(names) + len(_BACK))
+    blank: list[Cell] = [None] * (2 * len(names) + len(_BACK))
+    status = say("verdicts.status absent", lang)
     rest = {each.student: each for each in overrides.rest()}
     for student, name in called.items():
         if student not in there and student not in rest:
-            yield [student, name, "", say("verdicts.status absent", lang), None, None, None, *blank]
+            yield [student, name, "", status, None, None, None, None, None, "", *blank]
     for each in overrides.rest():
-        status = "" if each.student in there else say("verdicts.status absent", lang)
-        yield [each.student, called.get(each.student, ""), each.file, status, None, None, each.points, *blank]
+        front = (each.student, called.get(each.student, ""), each.file, "" if each.student in there else status)
+        yield [*front, None, None, each.points, None, None, each.comment, *blank]
 
 
 _LARGEST = Decimal(10**6)
@@ -199,18 +195,13 @@ class Overrides:
 
     def of(self, student: str, file: str) -> Override | None:
         """The teacher's for a submission, which is then none of the rest."""
-        override = self.at(student, file)
-        self._met |= {override} if override is not None else set()
-        return override
-
-    def at(self, student: str, file: str) -> Override | None:
-        """The teacher's for a submission."""
         student, file = one_line(student), one_line(file)
         override = self._exact.get((student, file))
         if override is None and _bare(student) not in self._shared:
             override = self._by_student.get(_bare(student))
         if override is None and file not in self._shared:
             override = self._by_file.get(file)
+        self._met |= {override} if override is not None else set()
         return override
 
     def rest(self) -> tuple[Override, ...]:
@@ -221,17 +212,6 @@ class Overrides:
 def _bare(student: str) -> str:
     """An id as a spreadsheet may have spoilt it: `007` is 7 to it."""
     return student.lstrip("0") or student
-
-
-def commented(table: Iterable[list[Cell]], overrides: Overrides, lang: Lang) -> Iterator[list[Cell]]:
-    """The table with a column for the teacher's words, beside the score."""
-    rows = iter(table)
-    head = next(rows)
-    at, of, score = (head.index(say(f"platforms.column {key}", lang)) for key in ("student", "file", "score percent"))
-    yield [*head[: score + 1], say("platforms.column comment", lang), *head[score + 1 :]]
-    for row in rows:
-        override = overrides.at(str(row[at]), str(row[of]))
-        yield [*row[: score + 1], "" if override is None else override.comment, *row[score + 1 :]]
 
 
 def read_overrides(path: Path) -> Overrides:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field
 from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.question import in_letters, texts_in
+from graphkin.homework.platforms.question import in_letters
 from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import SLIP, Explanation, Habit
@@ -29,7 +30,7 @@ Reveal = Literal["hint", "mistake", "answer"]
 class Feedback:
     """The feedback on a result in a language; with pictures, where what it is written as shows any.
 
-    name     of the student, as far as a list of the class has it
+    names    of the students by id, as far as a list of the class has them
     problem  its figure, under its title
     """
 
@@ -37,19 +38,19 @@ class Feedback:
     lang: Lang
     reveal: Reveal
     pictures: Sequence[ResultPicture] = ()
-    name: str = ""
+    names: Mapping[str, str] = field(default_factory=dict)
     problem: ResultPicture | None = None
 
 
 def title(page: Feedback) -> str:
     """The title of a student's page."""
-    return say("feedback.title for", page.lang, student=called(page.result.student, page.name, page.lang))
+    return say("feedback.title for", page.lang, student=called(page.result.student, page.names, page.lang))
 
 
-def called(student: str, name: str, lang: Lang) -> str:
-    """A student by name and id."""
-    known = name and name != student
-    return one_line(say("feedback.student", lang, name=name, student=student) if known else student)
+def called(student: str, names: Mapping[str, str], lang: Lang) -> str:
+    """A student by name, as far as it is known by the id, and id."""
+    name = names.get(student, student) or student
+    return one_line(student if name == student else say("feedback.student", lang, name=name, student=student))
 
 
 def table(page: Feedback) -> Iterator[tuple[str, ...]]:
@@ -169,7 +170,7 @@ def reason(result: Result, lang: Lang) -> str:
     """Why it was not marked."""
     unread = [one_line(line.written) for line in result.lines if line.written]
     without = "feedback.waits" if unread else "feedback.no reason"
-    why = texts_in([result.reason], lang)[0] or say(without, lang, written=say("common.list", lang).join(unread))
+    why = result.reason or say(without, lang, written=say("common.list", lang).join(unread))
     return say("feedback.not marked why", lang, reason=without_place(why, lang))
 
 

@@ -10,27 +10,19 @@ from __future__ import annotations
 import base64
 import json
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
-from pathlib import PurePosixPath
 from typing import TypeVar
 
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import (
-    Reveal,
-    as_on_sheets,
-    diagnosis,
-    lines,
-    points_that_count,
-    quantity,
-    reason,
-)  # fmt: skip
+from graphkin.homework.platforms import feedback
+from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.markup import clean, in_html, inside
-from graphkin.homework.platforms.pages import KINDS, Page
 from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import line
+from graphkin.marking.records import Judged
 from graphkin.say.catalogue import say
 from graphkin.submissions.students import CANVAS, MOODLE
 
@@ -58,6 +50,9 @@ class Named:
     who: str
 
 
+NamedResult = tuple[Named, Result]
+
+
 def moodle(file: str) -> Named | None:
     """The member of a Moodle download, feedback as HTML beside it; None where it is not named so."""
     inner = _ARCHIVE.sub("", file, count=1)
@@ -78,30 +73,19 @@ def canvas(file: str) -> Named | None:
 # --- Moodle and Canvas: a table of grades, and a zip of feedback under the names of the download ----------------------
 
 
-def named(results: Iterable[Result], of: Callable[[str], Named | None]) -> Iterator[tuple[Named, Result]]:
-    """Results that have a name of the platform."""
-    return ((name, result) for result in results if (name := of(result.file)) is not None)
-
-
-def moodle_grades(results: Iterable[Result], lang: Lang, reveal: Reveal) -> Iterator[str]:
+def moodle_grades(named: Sequence[NamedResult], lang: Lang, reveal: Reveal) -> Iterator[str]:
     """The grading worksheet, row by row, without files that Moodle has not named; an empty grade stays as it is."""
     yield line(HEADERS)
-    for name, result in named(results, moodle):
-        comment = "<br>".join(in_html(text) for text in lines(result, lang, reveal))
+    for name, result in named:
+        comment = "<br>".join(in_html(text) for text in feedback.lines(result, lang, reveal))
         yield line((f"Participant {name.id}", name.who, "", result.total, result.most, "", comment))
 
 
-def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> Iterator[str]:
+def canvas_grades(named: Sequence[NamedResult], assignment: str, most: Decimal) -> Iterator[str]:
     """The gradebook, row by row, without files that Canvas has not named."""
     yield line((*_CANVAS_FRONT, assignment))
     yield line(("    Points Possible", "", "", "", "", most))
-    yield from (line((name.who, name.id, "", "", "", result.total)) for name, result in named(results, canvas))
-
-
-def canvas_page(name: str) -> Page | None:
-    """The writer of feedback of the kind of a file, as Canvas shows it under the name that was handed in; None where
-    there is none."""
-    return KINDS.get(PurePosixPath(name).suffix.lower())
+    yield from (line((name.who, name.id, "", "", "", result.total)) for name, result in named)
 
 
 # --- Gradescope and PrairieLearn: a file `results.json` a submission --------------------------------------------------
@@ -110,32 +94,40 @@ def canvas_page(name: str) -> Page | None:
 def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     """The file of a Gradescope autograder: every test has its `status`. What was not marked has no score, so that
     Gradescope shows a failed run and no zero."""
+    text = {"output_format": "text", "visibility": "visible"}
     tests: list[Plain] = []
-    for each in result.lines:
-        good = each.verdict not in ("wrong", "missing", "not read") and points_of(each) >= most_of(each)
-        name = as_on_sheets(result, each.text)
-        test = _gradescope_test(name, quantity(result, each, lang, reveal), "passed" if good else "failed")
-        worth = {"score": float(points_of(each)), "max_score": float(most_of(each))}
-        tests.append({**test, **worth} if each.points else test)
-    if text := " ".join(diagnosis(result, lang, reveal)):
-        tests.append(_gradescope_test(say("feedback.diagnosis", lang), text, "failed"))
+    for name, output, each in _tests(result, lang, reveal):
+        earned, most = _worth(each)
+        good = each is not None and each.verdict not in ("wrong", "missing", "not read") and earned >= most
+        test = {"name": name, "status": "passed" if good else "failed", "output": output, **text}
+        tests.append({**test, "score": earned, "max_score": most} if each is not None and each.points else test)
     if result.status == "not marked":
-        tests.append(_gradescope_test(say("verdicts.status not marked", lang), reason(result, lang), "failed"))
-    output = reason(result, lang) if result.total is None else "\n".join(points_that_count(result, lang))
+        name, why = say("verdicts.status not marked", lang), feedback.reason(result, lang)
+        tests.append({"name": clean(name), "status": "failed", "output": clean(why), **text})
+    points = "\n".join(feedback.points_that_count(result, lang))
     mark: dict[str, Plain] = {"platform": "gradescope", "format": FORMAT}
     mark |= {"student": result.student, "status": result.status}
     file: dict[str, Plain] = {
-        "output": clean(output), "output_format": "text", "visibility": "visible", "tests": tests,
+        "output": clean(feedback.reason(result, lang) if result.total is None else points), **text, "tests": tests,
         "extra_data": {"graphkin": mark},
-    }  # fmt: skip
+    }
     if result.total is not None:
         file["score"] = float(result.total)
-    return (json.dumps(file, ensure_ascii=True, allow_nan=False, indent=1) + "\n").encode()
+    return _bytes(file, indent=1)
 
 
-def _gradescope_test(name: str, output: str, status: str) -> dict[str, Plain]:
-    shown = {"output": clean(output), "output_format": "text", "visibility": "visible"}
-    return {"name": clean(name), "status": status, **shown}
+def _tests(result: Result, lang: Lang, reveal: Reveal) -> Iterator[tuple[str, str, Judged | None]]:
+    """The words about each quantity under its name; then the diagnosis, which is of none."""
+    for each in result.lines:
+        name = feedback.as_on_sheets(result, each.text)
+        yield clean(name), clean(feedback.quantity(result, each, lang, reveal)), each
+    if text := " ".join(feedback.diagnosis(result, lang, reveal)):
+        yield clean(say("feedback.diagnosis", lang)), clean(text), None
+
+
+def _worth(each: Judged | None) -> tuple[float, float]:
+    """The points earned, of those there are."""
+    return (0.0, 0.0) if each is None else (float(points_of(each)), float(most_of(each)))
 
 
 def prairielearn_json(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[ResultPicture] = ()) -> bytes:
@@ -154,19 +146,15 @@ def prairielearn_json(result: Result, lang: Lang, reveal: Reveal, pictures: Sequ
     return _bytes({**shortened, "tests": []})
 
 
-def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[ResultPicture]) -> dict[str, object]:
-    mark = {"graphkin": {"platform": "prairielearn", "format": FORMAT, "status": result.status}}
+def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[ResultPicture]) -> dict[str, Plain]:
+    mark: dict[str, Plain] = {"graphkin": {"platform": "prairielearn", "format": FORMAT, "status": result.status}}
     if result.score is None:
-        return {"gradable": False, "format_errors": [clean(reason(result, lang))], **mark}
-    texts = [*points_that_count(result, lang)]
-    tests = [
-        _prairielearn_test(
-            as_on_sheets(result, one.text), float(points_of(one)), float(most_of(one)),
-            quantity(result, one, lang, reveal),
-        ) for one in result.lines
-    ]  # fmt: skip
-    if text := " ".join(diagnosis(result, lang, reveal)):
-        tests.append(_prairielearn_test(say("feedback.diagnosis", lang), 0.0, 0.0, text))
+        return {"gradable": False, "format_errors": [clean(feedback.reason(result, lang))], **mark}
+    texts = [*feedback.points_that_count(result, lang)]
+    tests: list[Plain] = []
+    for name, message, each in _tests(result, lang, reveal):
+        earned, most = _worth(each)
+        tests.append({"name": name, "points": earned, "max_points": most, "message": message, "images": []})
     return {
         "gradable": True, "score": float(result.score), "message": clean(texts[-1]), "output": clean("\n".join(texts)),
         "images": [
@@ -177,12 +165,8 @@ def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence
     }  # fmt: skip
 
 
-def _prairielearn_test(name: str, earned: float, most: float, message: str) -> dict[str, object]:
-    return {"name": clean(name), "points": earned, "max_points": most, "message": clean(message), "images": []}
-
-
-def _bytes(file: dict[str, object]) -> bytes:
-    return (json.dumps(file, ensure_ascii=True, allow_nan=False) + "\n").encode()
+def _bytes(file: Mapping[str, Plain], indent: int | None = None) -> bytes:
+    return (json.dumps(file, ensure_ascii=True, allow_nan=False, indent=indent) + "\n").encode()
 
 
 def _shortened(value: T, most: int) -> T:

@@ -10,9 +10,11 @@ import html
 import re
 import xml.etree.ElementTree as ET
 import zipfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import BinaryIO
+
+from graphkin.outputs.files import beside
 
 _NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufdd0-\ufdef\ufffe\uffff]")
 _BREAKS = re.compile(r"[ \t]*(?:\r\n|[\r\n\x0b\x0c\x85\u2028\u2029])[ \t]*")
@@ -69,6 +71,18 @@ def pack(file: Path | BinaryIO, members: Iterable[tuple[str, bytes | Iterable[by
                 with archive.open(member(name), "w", force_zip64=not isinstance(data, bytes)) as room:
                     for part in [data] if isinstance(data, bytes) else data:
                         room.write(part)
+
+
+def write_file(
+    path: Path, data: str | bytes | Iterable[tuple[str, bytes | Iterable[bytes]]], force: bool, marks: Sequence[bytes]
+) -> Path:
+    """A file of a text or of bytes, or an archive of members. Raises FileInTheWay, NoFolder, CannotWrite."""
+    with beside(path, force, marks) as draft:
+        if isinstance(data, str | bytes):
+            draft.write_bytes(data.encode() if isinstance(data, str) else data)
+        else:
+            pack(draft, data)
+    return path
 
 
 def member(name: str) -> zipfile.ZipInfo:

@@ -13,11 +13,10 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NotAResult, Where
 from graphkin.homework import opening
-from graphkin.homework.platforms.question import Text
 from graphkin.homework.platforms.tables import points
 from graphkin.marking.diagnosis import Explanation, Habit, Trace
 from graphkin.marking.records import Departure, Judged, Verdict
-from graphkin.outputs.marks_json import END, HEAD, Record, drawn_of, record_of, records_in
+from graphkin.outputs.marks_json import END, HEAD, Record, drawn_of, record_of
 
 FORMAT = 1
 Status = Literal["marked", "not marked"]
@@ -54,12 +53,13 @@ class Result:
     habits    mistakes that show in several problems of the student
     departure  where the numbers leave the right way, if no mistake explains them
     remarks    for the teacher alone: no student's page or platform shows them
+    evidence   of each mistake in these numbers
     """
 
     student: str
     file: str
     status: Status
-    reason: Text = field(default_factory=dict)
+    reason: str = ""
     lines: tuple[Judged, ...] = ()
     suspicions: tuple[Explanation, ...] = ()
     most: Decimal = Decimal(0)
@@ -70,6 +70,12 @@ class Result:
     departure: Departure | None = None
     remarks: tuple[str, ...] = ()
     comment: str = ""
+    evidence: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def trace(self) -> Trace:
+        """The evidence of the mistakes, and those that are named."""
+        return Trace(tuple(dict.fromkeys(id for one in self.suspicions[:1] for id in one.ids)), self.evidence)
 
     @property
     def earned(self) -> Decimal:
@@ -97,16 +103,15 @@ def from_record(record: Record, where: Where) -> Result:
         if record["format"] != FORMAT or record["status"] not in get_args(Status):
             raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
         lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
-        reason = record.get("reason")  # it is written in one language
         left_at = record.get("departure")
         sides = [] if left_at is None else [tuple(map(_string, left_at[side])) for side in ("left", "right")]
-        texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
         return Result(
-            _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
-            tuple(map(_suspicion, record["mistakes"])), sum((most_of(line) for line in lines), Decimal(0)),
+            _string(record["student"]), _string(record["file"]), record["status"], _string(record.get("reason") or ""),
+            lines, tuple(map(_suspicion, record["mistakes"])), sum((most_of(line) for line in lines), Decimal(0)),
             tuple(map(_string, record.get("notes", ()))), drawn=drawn_of(record),
             departure=None if left_at is None else Departure(_string(left_at["quantity"]), *sides),
             remarks=tuple(_string(each["text"]) for each in record.get("remarks", ())),
+            evidence={str(id): _finite(weight) for id, weight in record.get("evidence", {}).items()},
         )  # fmt: skip
     except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
@@ -168,18 +173,3 @@ def read_results(path: Path) -> tuple[Result, ...]:
             raise NotAResult(Where(str(path), number), "JSON")
         results.append(from_record(record, Where(str(path), number)))
     return tuple(results)
-
-
-def read_traces(path: Path) -> dict[str, Trace]:
-    """The evidence of each student's mistakes in a file of marks. Raises NoFile, Unreadable, NotAResult."""
-    traces: dict[str, Trace] = {}
-    with opening(path):
-        for number, record in records_in(path):
-            try:
-                if record is not None and record["status"] == "marked":
-                    named = dict.fromkeys(str(id) for one in record["mistakes"][:1] for id in one["ids"])
-                    weights = {str(id): float(weight) for id, weight in record["evidence"].items()}
-                    traces[record["student"]] = Trace(tuple(named), weights)
-            except (ValueError, KeyError, TypeError, AttributeError):
-                raise NotAResult(Where(str(path), number), "evidence") from None
-    return traces

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from decimal import Decimal
 from functools import partial
-from itertools import chain, islice
+from itertools import chain
 from pathlib import Path
 
 from graphkin.base.value import frozen
@@ -19,14 +19,13 @@ from graphkin.homework.platforms import learning_platforms as platform_files
 from graphkin.homework.platforms.class_table import Overrides, read_overrides
 from graphkin.homework.platforms.copies import with_copies
 from graphkin.homework.platforms.feedback import Feedback, Reveal
-from graphkin.homework.platforms.learning_platforms import Named, canvas, moodle
-from graphkin.homework.platforms.markup import ZIP_MARKS, clean, pack
-from graphkin.homework.platforms.pages import PAGE, html
+from graphkin.homework.platforms.learning_platforms import canvas, moodle
+from graphkin.homework.platforms.markup import ZIP_MARKS, clean, write_file
+from graphkin.homework.platforms.pages import KINDS, PAGE, html
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
 from graphkin.homework.platforms.result import Result, ResultPicture
-from graphkin.homework.platforms.tables import BOM, Cell, line, printed, workbook_files, write_lines
+from graphkin.homework.platforms.tables import BOM, Cell, line, printed, workbook_files
 from graphkin.marking.diagnosis import Trace, habits
-from graphkin.outputs.files import beside
 from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.submissions import pictures_of, safe_name
 
@@ -86,23 +85,9 @@ class Order:
 
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""
-        lang, name = self.lang, self.names.get(result.student, "")
-        problem = self.pictures.problem(result, lang) if isinstance(self.pictures, PolygonPictures) else None
-        return Feedback(result, lang, self.reveal, self.pictures(result, lang, self.reveal), name, problem)
-
-    def lines(self, name: str, lines: Iterable[str], marks: Sequence[bytes]) -> Path:
-        """A file of text in the folder."""
-        path = self.folder / name
-        with beside(path, self.force, marks) as draft:
-            write_lines(draft, lines)
-        return path
-
-    def packed(self, name: str, members: Iterable[tuple[str, bytes | Iterable[bytes]]]) -> Path:
-        """An archive in the folder."""
-        path = self.folder / name
-        with beside(path, self.force, ZIP_MARKS) as draft:
-            pack(draft, members)
-        return path
+        lang, shows = self.lang, self.pictures
+        problem = shows.problem(result, lang) if isinstance(shows, PolygonPictures) else None
+        return Feedback(result, lang, self.reveal, shows(result, lang, self.reveal), self.names, problem)
 
 
 def write_results(
@@ -113,7 +98,7 @@ def write_results(
     """Results into a folder, which is made where it is not there.
 
     pictures  makes those of a student's page (`PolygonPictures`); none where left out
-    several   of all problems of which this is one, as `read_traces` gives them
+    several   of all problems of which this is one: the `Result.trace` of each student
     merged    folders of other graders, whose overrides count, too
     names     of all students of the class by id, where there is a list of them (`Roster.called`)
 
@@ -150,8 +135,7 @@ def _table(order: Order) -> Iterator[Sequence[Cell]]:
     names, there = class_table.quantities(order.results), {result.student for result in order.results}
     several = len(order.several) > 1
     rows = class_table.rows(order, names, order.lang, several, order.names)
-    table = chain(rows, class_table.absent(order.overrides, names, order.names, there, order.lang))
-    return class_table.commented(table, order.overrides, order.lang)
+    return chain(rows, class_table.absent(order.overrides, names, order.names, there, order.lang))
 
 
 def write_gradebook(
@@ -166,13 +150,11 @@ def write_gradebook(
         overrides, most = prepared(folder / name), max((result.most for result in results), default=Decimal(0))
         same = with_copies(results, lang)
         marked[name] = [*Order(folder, same, lang, "hint", "", lambda *asked: (), force, overrides, most)]
-    path, rows = folder / f"class.{kind}", class_table.gradebook(marked, names or {}, lang)
-    with beside(path, force, _BOOK if kind == "csv" else ZIP_MARKS) as draft:
-        if kind == "csv":
-            write_lines(draft, chain([BOM], map(line, rows)))
-        else:
-            pack(draft, workbook_files(_sheets(rows, marked, names or {}, lang)))
-    return path
+    rows = class_table.gradebook(marked, names or {}, lang)
+    if kind == "csv":
+        return write_file(folder / "class.csv", "".join([BOM, *map(line, rows)]), force, _BOOK)
+    sheets = _sheets(rows, marked, names or {}, lang)
+    return write_file(folder / "class.xlsx", workbook_files(sheets), force, ZIP_MARKS)
 
 
 def _sheets(
@@ -185,10 +167,10 @@ def _sheets(
 
 def _written_table(kind: str, order: Order) -> WrittenResults:
     if kind == "csv":
-        path = order.lines(CLASS_TABLE, chain([BOM], map(line, _table(order))), _TABLE)
+        path = write_file(order.folder / CLASS_TABLE, "".join([BOM, *map(line, _table(order))]), order.force, _TABLE)
     else:
         sheets = _sheets(_table(order), {"": [*order]}, order.names, order.lang)
-        path = order.packed("class.xlsx", workbook_files(sheets))
+        path = write_file(order.folder / "class.xlsx", workbook_files(sheets), order.force, ZIP_MARKS)
     names = (each.student or each.file for each in order.overrides.rest())
     clashes = (
         say(
@@ -201,37 +183,28 @@ def _written_table(kind: str, order: Order) -> WrittenResults:
     return WrittenResults((path,), (*clashes, *kept))
 
 
-def _moodle(order: Order) -> WrittenResults:
-    grades = order.lines(
-        "moodle-grades.csv", platform_files.moodle_grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
-    )  # fmt: skip
-    pages = ((name.name, html(order.page(result))) for name, result in platform_files.named(order, moodle))
-    feedback = order.packed("moodle-feedback.zip", pages)
-    return WrittenResults((grades, feedback), tuple(_unnamed(order, moodle, "Moodle")))
-
-
-def _canvas(order: Order) -> WrittenResults:
-    grades = order.lines(
-        "canvas-grades.csv", platform_files.canvas_grades(order, order.assignment, order.most), (b"Points Possible,",),
-    )  # fmt: skip
-    named = platform_files.named(order, canvas)
-    writers = ((name.name, platform_files.canvas_page(name.name), result) for name, result in named)
+def _by_names(platform: str, order: Order) -> WrittenResults:
+    """A table of grades, and a zip of feedback in the kind of each file under the names of the platform's download."""
+    of = {"Moodle": moodle, "Canvas": canvas}[platform]
+    named = [(name, result) for result in order if (name := of(result.file)) is not None]
+    if platform == "Moodle":
+        rows, mark = platform_files.moodle_grades(named, order.lang, order.reveal), b"Identifier,Full name,"
+    else:
+        rows, mark = platform_files.canvas_grades(named, order.assignment, order.most), b"Points Possible,"
+    grades, feedback = (order.folder / f"{platform.lower()}-{end}" for end in ("grades.csv", "feedback.zip"))
+    write_file(grades, "".join(rows), order.force, [mark])
+    ends = {name.name: Path(name.name).suffix for name, _ in named}
+    writers = ((name.name, KINDS.get(ends[name.name].lower()), result) for name, result in named)
     pages = ((name, write(order.page(result))) for name, write, result in writers if write is not None)
-    feedback = order.packed("canvas-feedback.zip", pages)
-    names = (name.name for name, _ in platform_files.named(order.results, canvas))
-    kinds = Counter(Path(name).suffix for name in names if platform_files.canvas_page(name) is None)
-    unwritten = (
-        say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
-        for suffix, count in kinds.items()
-    )
-    return WrittenResults((grades, feedback), (*_unnamed(order, canvas, "Canvas"), *unwritten))
-
-
-def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) -> Iterator[str]:
-    """That some files have no name of the platform; the first of them as an example."""
-    files = [result.file for result in order.results if named(result.file) is None]
-    if files:
-        yield say("platforms.no platform name", order.lang, count=len(files), file=files[0], platform=platform)
+    write_file(feedback, pages, order.force, ZIP_MARKS)
+    left_out = []
+    if files := [result.file for result in order.results if of(result.file) is None]:
+        example = {"count": len(files), "file": files[0], "platform": platform}
+        left_out.append(say("platforms.no platform name", order.lang, **example))
+    unwritten = Counter(ends[name.name] for name, _ in named if ends[name.name].lower() not in KINDS)
+    left_out += [say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
+                 for suffix, count in unwritten.items()]  # fmt: skip
+    return WrittenResults((grades, feedback), tuple(left_out))
 
 
 def _with_file_names(order: Order) -> Iterator[tuple[str, Result]]:
@@ -248,51 +221,47 @@ def _pages(order: Order) -> WrittenResults:
     """A page of feedback each."""
     folder = _made(order.folder / "pages")
     for name, result in _with_file_names(order):
-        with beside(folder / f"{name}.html", order.force, [PAGE]) as draft:
-            draft.write_bytes(html(order.page(result)))
+        write_file(folder / f"{name}.html", html(order.page(result)), order.force, [PAGE])
     return WrittenResults((folder,))
 
 
 def _each(platform: str, order: Order) -> WrittenResults:
     """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
-    alone = len([*islice(order.results, 2)]) == 1
-    any_there = False
+    alone = len(order.results) == 1
     for name, result in _with_file_names(order):
-        any_there = True
         folder = order.folder if alone else _made(order.folder / platform / name)
-        with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
-            if platform == "gradescope":
-                draft.write_bytes(platform_files.gradescope_json(result, order.lang, order.reveal))
-            else:
-                pictures = order.page(result).pictures
-                draft.write_bytes(platform_files.prairielearn_json(result, order.lang, order.reveal, pictures))
+        if platform == "gradescope":
+            data = platform_files.gradescope_json(result, order.lang, order.reveal)
+        else:
+            data = platform_files.prairielearn_json(result, order.lang, order.reveal, order.page(result).pictures)
+        write_file(folder / "results.json", data, order.force, [f'"platform": "{platform}"'.encode()])
     if alone:
         return WrittenResults((order.folder / "results.json",))
-    return WrittenResults((order.folder / platform,) if any_there else ())
+    return WrittenResults((order.folder / platform,) if order.results else ())
 
 
 def _report(order: Order) -> WrittenResults:
     """The class in words, as data and as a figure."""
     report = reports.class_report(order)
     lines = (say("class_report.title", order.lang), *map(clean, reports.report_text(report, order.lang, order.names)))
-    words = order.lines("class-report.txt", (f"{line}\n" for line in lines), _REPORT)
-    record = json.dumps(reports.report_record(report), ensure_ascii=True)
-    data = order.lines("class-report.json", [record + "\n"], _JSON)
+    text, record = "".join(f"{line}\n" for line in lines), json.dumps(reports.report_record(report), ensure_ascii=True)
+    words = write_file(order.folder / "class-report.txt", text, order.force, _REPORT)
+    data = write_file(order.folder / "class-report.json", record + "\n", order.force, _JSON)
     figure = order.folder / "class-report.svg"
     remark = reports.write_class_figure(figure, report, order.lang, order.force)
     drawn, shows = figure.read_text("utf-8"), order.pictures
     figures = (shows.problem(one, order.lang) for one in order.results) if isinstance(shows, PolygonPictures) else ()
     title = next((problem.label for problem in figures if problem is not None), "")
-    page = order.folder / "class-report.html"
-    with beside(page, order.force, [PAGE]) as draft:
-        drawn, seen = drawn[drawn.index("<svg") :], pictures_of({file for _, file, _ in report.remarks})
-        draft.write_bytes(reports.report_page(report, order.lang, order.names, drawn, title, seen))
+    drawn, seen = drawn[drawn.index("<svg") :], pictures_of({file for _, file, _ in report.remarks})
+    whole = reports.report_page(report, order.lang, order.names, drawn, title, seen)
+    page = write_file(order.folder / "class-report.html", whole, order.force, [PAGE])
     return WrittenResults((words, data, figure, page), () if remark is None else (remark.message(order.lang),))
 
 
 RESULTS: Mapping[str, Callable[[Order], WrittenResults]] = {
-    "csv": partial(_written_table, "csv"), "xlsx": partial(_written_table, "xlsx"), "moodle": _moodle,
-    "gradescope": partial(_each, "gradescope"), "prairielearn": partial(_each, "prairielearn"), "canvas": _canvas,
+    "csv": partial(_written_table, "csv"), "xlsx": partial(_written_table, "xlsx"),
+    "moodle": partial(_by_names, "Moodle"), "canvas": partial(_by_names, "Canvas"),
+    "gradescope": partial(_each, "gradescope"), "prairielearn": partial(_each, "prairielearn"),
     "pages": _pages, "report": _report,
 }  # fmt: skip
 """By name, as `graphkin grade --format` has them."""

@@ -25,26 +25,10 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NotForPlatform
-from graphkin.homework.platforms.markup import (
-    ZIP_MARKS,
-    broken,
-    element,
-    in_html,
-    one_line,
-    pack,
-    xml,
-)
+from graphkin.homework.platforms.markup import ZIP_MARKS, broken, element, in_html, one_line, write_file, xml
 from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives, refuse, sentence
-from graphkin.homework.platforms.tables import (
-    BOM,
-    exponentless,
-    line,
-    points,
-    printed,
-    write_lines,
-)
+from graphkin.homework.platforms.tables import BOM, exponentless, line, points, printed
 from graphkin.homework.platforms.xuexitong import excel_files, word_files
-from graphkin.outputs.files import beside
 from graphkin.outputs.typesetting import html_words
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.sheet.lettering import formula
@@ -212,52 +196,33 @@ def csv_head(lang: Lang) -> str:
     return BOM + line(say(f"platforms.column {name}", lang) for name in CSV_HEADERS)
 
 
-def csv_lines(problems: ProblemSet, lang: Lang) -> Iterator[str]:
-    """The table, row by row."""
-    yield csv_head(lang)
-    for question in problems.questions:
-        for part in question.parts:
-            for one in alternatives(question, part):
-                yield line((
-                    question.id, question.text[lang], part.shown, part.unit, points(part.points), one.percent,
-                    one.number, one.tolerance, " ".join(one.ids), sentence(one, lang),
-                ))  # fmt: skip
-
-
-Writer = Callable[[Path, ProblemSet, Lang], None]
+def table(problems: ProblemSet, lang: Lang) -> bytes:
+    """All answers to all numbers, a row each."""
+    rows = (
+        (question.id, question.text[lang], part.shown, part.unit, points(part.points), one.percent, one.number,
+         one.tolerance, " ".join(one.ids), sentence(one, lang))
+        for question in problems.questions for part in question.parts for one in alternatives(question, part)
+    )  # fmt: skip
+    return "".join((csv_head(lang), *map(line, rows))).encode()
 
 
 @frozen
 class SetFormat:
-    """The writer of a kind of set and the file's suffix; by `marks` graphkin knows a file of its own."""
+    """A file's suffix; what makes the whole of it, or the members of an archive; by `marks` graphkin knows its own."""
 
     suffix: str
-    write: Writer
+    made: Callable[[ProblemSet, Lang], bytes | Iterator[tuple[str, bytes | Iterable[bytes]]]]
     marks: tuple[bytes, ...]
 
 
-def _packed(members: Callable[[ProblemSet, Lang], Iterator[tuple[str, bytes | Iterable[bytes]]]]) -> Writer:
-    return lambda path, problems, lang: pack(path, members(problems, lang))
-
-
-def _whole(made: Callable[[ProblemSet, Lang], bytes]) -> Writer:
-    def write(path: Path, problems: ProblemSet, lang: Lang) -> None:
-        path.write_bytes(made(problems, lang))
-
-    return write
-
-
 SETS: Mapping[str, SetFormat] = {
-    "moodle": SetFormat(".xml", _whole(cloze), (b"$course$/graphkin/",)),
-    "moodle-numerical": SetFormat(".xml", _whole(numerical), (b"$course$/graphkin/",)),
-    "qti": SetFormat(".zip", _packed(qti), ZIP_MARKS),
-    "csv": SetFormat(
-        ".csv", lambda path, problems, lang: write_lines(path, csv_lines(problems, lang)),
-        tuple(csv_head(lang).encode() for lang in LANGUAGES),
-    ),
-    "xuexitong": SetFormat(".docx", _packed(word_files), ZIP_MARKS),
-    "xuexitong-xlsx": SetFormat(".xlsx", _packed(excel_files), ZIP_MARKS),
-}  # fmt: skip
+    "moodle": SetFormat(".xml", cloze, (b"$course$/graphkin/",)),
+    "moodle-numerical": SetFormat(".xml", numerical, (b"$course$/graphkin/",)),
+    "qti": SetFormat(".zip", qti, ZIP_MARKS),
+    "csv": SetFormat(".csv", table, tuple(csv_head(lang).encode() for lang in LANGUAGES)),
+    "xuexitong": SetFormat(".docx", word_files, ZIP_MARKS),
+    "xuexitong-xlsx": SetFormat(".xlsx", excel_files, ZIP_MARKS),
+}
 """By name, as `graphkin problems --format` has them."""
 
 
@@ -266,5 +231,4 @@ def write_set(path: Path, problems: ProblemSet, kind: str, lang: Lang = "en", fo
     for question in problems.questions:
         for part in question.parts:
             refuse(question, part)
-    with beside(path, force, SETS[kind].marks) as draft:
-        SETS[kind].write(draft, problems, lang)
+    write_file(path, SETS[kind].made(problems, lang), force, SETS[kind].marks)

@@ -79,12 +79,6 @@ def line(cells: Iterable[Cell]) -> str:
     return row.getvalue()
 
 
-def write_lines(path: Path, lines: Iterable[str]) -> None:
-    """Lines, with their ends, into a file."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        file.writelines(lines)
-
-
 def harmless(text: str) -> str:
     """A text that is no formula; apostrophes before one count as its own, so that it can be read back."""
     text = one_line(text)

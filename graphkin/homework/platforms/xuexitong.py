@@ -73,8 +73,7 @@ def _word_picture(question: Question, number: int) -> ET.Element:
 
 def word_paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, Question | None]]:
     """The lines of the file: a question, with whose figure stands in it, its answer, and so on."""
-    for number, (question, part, asked) in enumerate(_blanks(problems, lang), 1):
-        answer, allowed = _as_written(question, part)
+    for number, (question, _, asked, answer, allowed) in enumerate(_blanks(problems, lang), 1):
         yield f"{number}.【填空题】{asked}", question
         yield f"答案：{answer}", None
         yield f"答案解析：{allowed}", None
@@ -83,25 +82,20 @@ def word_paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, Que
 def excel_files(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes | Iterable[bytes]]]:
     """The files of the .xlsx."""
     folder = "/" + one_line(problems.name).replace("/", "-")
-    rows = (
-        (folder, "填空题", asked, "", "", answer, allowed, "中", part.shown, question.id, 1, answer)
-        for question, part, asked in _blanks(problems, lang) for answer, allowed in [_as_written(question, part)]
-    )  # fmt: skip
+    rows = ((folder, "填空题", asked, "", "", answer, allowed, "中", part.shown, question.id, 1, answer)
+            for question, part, asked, answer, allowed in _blanks(problems, lang))  # fmt: skip
     return workbook_files({"课程题库": (_HEADS, *rows)})
 
 
-def _blanks(problems: ProblemSet, lang: Lang) -> Iterator[tuple[Question, Part, str]]:
-    """Each number that is asked for, with its text and a blank."""
+def _blanks(problems: ProblemSet, lang: Lang) -> Iterator[tuple[Question, Part, str, str, str]]:
+    """Each number that is asked for: its text with a blank, the right number to a tenth of its tolerance, as one would
+    write it, and what is allowed."""
     for question in problems.questions:
         title = say("platforms.problem title", lang, set=problems.name, id=question.id)
         for part in question.parts:
-            yield question, part, one_line(f"{title}  {question.text[lang]} {part.heading} = ____")
-
-
-def _as_written(question: Question, part: Part) -> tuple[str, str]:
-    """The right number to a tenth of its tolerance, as one would write it; and what is allowed."""
-    right = alternatives(question, part)[0]
-    answer = right.number
-    if right.tolerance:
-        answer = answer.quantize(Decimal(1).scaleb(right.tolerance.adjusted() - 1), ROUND_HALF_UP)
-    return exponentless(answer), f"±{printed(right.tolerance)}"
+            right = alternatives(question, part)[0]
+            answer = right.number
+            if right.tolerance:
+                answer = answer.quantize(Decimal(1).scaleb(right.tolerance.adjusted() - 1), ROUND_HALF_UP)
+            asked = one_line(f"{title}  {question.text[lang]} {part.heading} = ____")
+            yield question, part, asked, exponentless(answer), f"±{printed(right.tolerance)}"

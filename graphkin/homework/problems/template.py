@@ -13,15 +13,14 @@ from pathlib import Path
 
 from graphkin import files as loading
 from graphkin.base.value import frozen
-from graphkin.errors import BrokenToml, NoRange, NotATemplate, Where
+from graphkin.errors import NoRange, NotATemplate, TooDeep, Where
 from graphkin.files.source import read_text, read_toml
-from graphkin.files.toml import parsed, replaced_values
-from graphkin.model.mechanism import Mechanism
+from graphkin.files.toml import replaced_values, value_spans
+from graphkin.model.mechanism import KeyPath, Mechanism
 
-_SPAN = re.compile(r"""\{(?:[^{}"'#]|"[^"\n]*"|'[^'\n]*')*\}""")
 _NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*", re.S)
 _SCALES = re.compile(r"^[ \t]*(?:\[[ \t]*)?scales\b", re.M)
-_MARK = 7_310_000_000_000
+_RANGE = {"from", "to", "step"}
 MOST = 100_000  # values that one range has at most
 
 
@@ -33,7 +32,7 @@ class TemplateRange:
     unit   what stands behind each value, "" for a bare number
     """
 
-    path: tuple[str | int, ...]
+    path: KeyPath
     first: Decimal
     step: Decimal
     count: int
@@ -77,59 +76,34 @@ class Template:
 
 
 def read_template(path: Path) -> Template:
-    """Raises NotATemplate, NoRange, and what reading a mechanism file raises."""
+    """Raises NotATemplate, NoRange, TooDeep, and what reading a mechanism file raises."""
     file = str(path)
     text = read_text(path).removeprefix("\ufeff")
-    _, lines = read_toml(text, file)
-    spans = list(_ranges_in(text))
+    document, lines = read_toml(text, file)
+    try:
+        tables = {path: table for path, table in _tables(document, ()) if {"from", "to"} <= table.keys() <= _RANGE}
+        spans = {path: span for path, span in value_spans(text).items() if path in tables}
+    except RecursionError:
+        raise TooDeep(Where(file)) from None
     if not spans:
         raise NotATemplate(Where(file))
-    paths = _places(text, spans, file)
-    tables = (parsed(f"x = {text[start:end]}")["x"] for start, end in spans)
-    keys = (Where(file, lines.get(path), ".".join(map(str, path))) for path in paths)
-    ranges = tuple(_range(table, path, where) for table, path, where in zip(tables, paths, keys, strict=True))
-    edges = [0, *(edge for span in spans for edge in span), len(text)]
+    keys = (Where(file, lines.get(path), ".".join(map(str, path))) for path in spans)
+    ranges = tuple(_range(tables[path], path, where) for path, where in zip(spans, keys, strict=True))
+    edges = [0, *(edge for span in spans.values() for edge in span), len(text)]
     pieces = tuple(text[start:end] for start, end in zip(edges[::2], edges[1::2], strict=True))
     return Template(path.stem, file, pieces, ranges)
 
 
-def _ranges_in(text: str) -> Iterator[tuple[int, int]]:
-    """The start and end of each range, outside of comments."""
-    for match in _SPAN.finditer(text):
-        line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
-        if "#" in re.sub(r""""[^"\n]*"|'[^'\n]*'""", "", line):
-            continue
-        try:
-            table = parsed(f"x = {match.group()}")["x"]
-        except ValueError:
-            continue
-        if {"from", "to"} <= table.keys() <= {"from", "to", "step"}:
-            yield match.span()
-
-
-def _places(text: str, spans: Sequence[tuple[int, int]], file: str) -> list[tuple[str | int, ...]]:
-    """The key of each range: a number of its own is put in its place, and looked for in what is read."""
-    marked, end = "", 0
-    for k, (start, stop) in enumerate(spans):
-        marked, end = f"{marked}{text[end:start]}{_MARK + k}", stop
-    try:
-        paths = dict(_marked_numbers(parsed(marked + text[end:]), ()))
-    except (ValueError, RecursionError) as problem:
-        raise BrokenToml(Where(file), str(problem)) from None
-    if set(paths) != set(range(len(spans))):
-        raise NoRange(Where(file))
-    return [paths[k] for k in range(len(spans))]
-
-
-def _marked_numbers(value: object, path: tuple[str | int, ...]) -> Iterator[tuple[int, tuple[str | int, ...]]]:
+def _tables(value: object, path: KeyPath) -> Iterator[tuple[KeyPath, Mapping[str, object]]]:
+    """All tables of a file by their keys."""
+    if isinstance(value, dict):
+        yield path, value
     if isinstance(value, dict | list):
         for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
-            yield from _marked_numbers(inner, (*path, key))
-    elif type(value) is int and value >= _MARK:
-        yield value - _MARK, path
+            yield from _tables(inner, (*path, key))
 
 
-def _range(table: Mapping[str, object], path: tuple[str | int, ...], where: Where) -> TemplateRange:
+def _range(table: Mapping[str, object], path: KeyPath, where: Where) -> TemplateRange:
     try:
         (first, unit), (last, other), (step, third) = (_sized(table.get(key, 1)) for key in ("from", "to", "step"))
     except (InvalidOperation, ValueError):

@@ -7,19 +7,13 @@ from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, BadCondition, GraphkinError, NoSuchDriver, NotANumber, NoUnitHere, Where
-from graphkin.files.values import read_quantity, tidy
-from graphkin.model.mechanism import Dimension, Mechanism
+from graphkin.files.values import DIMENSIONS, read_quantity, tidy
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import GRAVITY
 from graphkin.model.quantities.reading import SHAPE
 from graphkin.studies.sweeps.course import plain
 
 WHERE = Where("find")
-
-DIMENSIONS: dict[str, Dimension] = {
-    "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration",
-    "m": "length", "m/s": "velocity", "m/s^2": "acceleration",
-}  # fmt: skip
-"""The dimension of each unit of a quantity."""
 
 Sign = Literal["=", ">", "<"]
 Which = Literal["max", "min", "range", "stroke"]
