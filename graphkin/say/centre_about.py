@@ -90,9 +90,9 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
     stages, pivots = [], any(entry.centre[2] for entry in drawn.guides)
     for count, stage in enumerate(drawn.construction.stages, start=1):  # whose lines may be parallel
-        far = " far" if stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name)) else ""
-        far = " line" if stage.say == "Q" and not pivots else far
-        stages.append(f"{circled(count)} {say(f'about.bobillier {stage.say}{far}', lang, **data)}")
+        far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
+        where = " line" if stage.say == "Q" and not pivots else " far" if far else ""
+        stages.append(f"{circled(count)} {say(f'about.bobillier {stage.say}{where}', lang, **data)}")
     sources = []
     for entry in drawn.guides:
         kind = "measured" if entry.measured else "pivoted" if entry.pivoted else "guided"

@@ -250,8 +250,11 @@ def _rate(
     if driver.vector is not None and (*path, along) in reading.mechanism.given:
         turned = value * abs(reading.mechanism.links[driver.link].arm(*driver.vector))
         size = sized(reading, f"{tip}_{names.point(driver.vector[1])}", turned, along, (*path, along))
-        worked = sized(reading, reading.against(driver, letter), value, kind)
-        return replace(size, value=worked.value, unit=worked.unit, worked=f"{size.worked}, {worked.text}")
+        symbol = reading.against(driver, letter)
+        by = f" = {size.symbol}/l_{names.pair(*driver.vector)}" if tip == "v" else ""
+        worked = sized(reading, symbol + by, value, kind)
+        told = f"{size.worked}{reading.say('common.and')}{worked.text}"
+        return replace(size, value=worked.value, unit=worked.unit, worked=told)
     return sized(reading, reading.against(driver, letter), value, kind, (*path, key))
 
 

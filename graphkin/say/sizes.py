@@ -114,7 +114,8 @@ def sized(
     size = replace(size, written=f"{sign}{figure.lstrip('+-')} {printed}", worked=f" = {size.figure}")
     if printed in _TURNS:  # n1 = 60 r/min, and ω1 = 2πn1/60 of it
         turns = "n" + symbol.removeprefix("ω")
-        size = replace(size, symbol=turns, worked=f", {symbol} = 2π{turns}{_TURNS[printed]}{size.worked}")
+        comma = reading.say("common.and")
+        size = replace(size, symbol=turns, worked=f"{comma}{symbol} = 2π{turns}{_TURNS[printed]}{size.worked}")
     return size
 
 

