@@ -24,7 +24,7 @@ from graphkin.planning.needed import turnings
 from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 
-COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 400)
+COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "400")) // 400)
 """Random mechanisms of each family and kind; more of them with GRAPHKIN_RANDOM=20000 in the environment."""
 
 POSED = [kind for kind in KINDS if "posed" in kind]
