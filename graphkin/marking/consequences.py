@@ -143,6 +143,7 @@ def written_otherwise(
 
 
 def table_of(columns: Sequence[Value], count: int, kind: type) -> np.ndarray:
+    """Columns of values, or of one for all, beside each other (count, columns)."""
     if not columns:
         return np.zeros((count, 0), dtype=kind)
     return np.stack([np.broadcast_to(np.asarray(value, dtype=kind), (count,)) for value in columns], axis=1)

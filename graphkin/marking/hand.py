@@ -54,6 +54,7 @@ class PolygonHand(Hand["Redrawing"]):
         return self.further(plot, plane, step, right)
 
     def further(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        """The point of an image, from where it lies on this drawing."""
         plot.met[plane, step.point] = right
         return self.corner(plot, plane, step, right)
 

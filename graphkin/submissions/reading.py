@@ -39,12 +39,13 @@ def read_one(handed: Handed, asked: Key, limits: Limits = USUAL, roster: Roster 
     student = handed.owner.student
     try:
         with limited(limits.seconds, where):
-            if roster is not None and handed.row is None:
-                with suppress(GraphkinError):  # of what cannot be read folders and names tell whose it is
-                    student = _whose(handed, (), roster, where)
-            if handed.reason is not None:
-                raise handed.reason
-            contents = _contents(handed, limits)
+            try:
+                contents = _contents(handed, limits)
+            except Exception:  # of what cannot be read folders and names tell whose it is
+                with suppress(GraphkinError):
+                    if roster is not None and handed.row is None:
+                        student = _whose(handed, (), roster, where)
+                raise
             lines = _lines(contents)
             if not handed.owner.number:
                 student = tidy_id(next((line for line in lines if line), "")) or student
@@ -104,7 +105,7 @@ class FirstOnes:
                 continue
             with suppress(GraphkinError):
                 own, at = _by_names(handed.owner, [name for name, _ in handed.files], self._roster), 0
-                if not own and handed.owner.number and handed.reason is None:
+                if not own and handed.owner.number:
                     own, at = {_whose(handed, _lines(_contents(handed, USUAL)), self._roster, NOWHERE)}, 1
                 for student in own:
                     named.setdefault(student, (set(), set()))[at].add(handed.file)
@@ -142,7 +143,9 @@ class _Contents:
 
 
 def _contents(handed: Handed, limits: Limits) -> _Contents:
-    """The files sorted by kind. Raises the first note where there is nothing else."""
+    """The files sorted by kind. Raises why it was not taken, or the first note where there is nothing else."""
+    if handed.reason is not None:
+        raise handed.reason
     if handed.row is not None:
         return _Contents((handed.row,), (), ())
     texts: list[StudentDocument] = []

@@ -1,4 +1,4 @@
-"""GeoGebra files, reckoned through by a reader of their own at a dozen places of a turn."""
+"""GeoGebra files, reckoned through by a reader of their own at several places of a turn."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from graphkin.running import replay_all
 from graphkin.sheet import scales_of
 from graphkin.sheet.lettering import point_label
 
-PLACES = 12
+PLACES = 4
 
 
 def _values(drawn: list[float], kinds: list[str], k: int) -> list[float]:
@@ -84,7 +84,7 @@ def test_fitted_links_stay_on_their_side_up_to_a_dead_point():
 
 @pytest.mark.skipif(shutil.which("geogebra") is None or shutil.which("xvfb-run") is None, reason="no GeoGebra here")
 def test_the_real_program_turns_the_crank(tmp_path: Path):
-    """GeoGebra opens the file with its slider at a dozen places and nothing else known; it says what it makes of it."""
+    """GeoGebra opens the file with its slider at several places and nothing else known; it says what it makes of it."""
     drawing = graphkin.Drawing.of(graphkin.load("ex3-5"))
     method, scales = drawing.method, scales_of(drawing.method, drawing.plot)
     content = ggb(method, drawing.plot, scales, "en")

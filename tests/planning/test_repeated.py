@@ -25,7 +25,7 @@ from graphkin.running import replay_all
 from graphkin.say.structure import structure_lines
 from graphkin.studies.assur import structure
 
-COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 200)
+COUNT = max(2, int(os.environ.get("GRAPHKIN_RANDOM", "400")) // 200)
 """Random mechanisms of each kind; more of them with GRAPHKIN_RANDOM=20000 in the environment."""
 
 NEAR = {name: off for name, (_, off) in FAMILIES.items() if off}

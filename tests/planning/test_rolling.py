@@ -23,7 +23,7 @@ from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 from graphkin.say import explain
 
-COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)
+COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "400")) // 40)
 """Random files of each family; more of them with GRAPHKIN_RANDOM=8000 in the environment."""
 
 

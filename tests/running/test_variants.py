@@ -20,7 +20,7 @@ from graphkin.model.variants import stacked
 from graphkin.running.recorder import TABLES
 from graphkin.running.variants import DrawnVariants, is_simple, replay_many
 
-COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)
+COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "400")) // 40)
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}
 LIBRARY = ("ex3-1", "ex3-5", "ex3-7", "p3-22", "p3-23a", "fig3-10")
 

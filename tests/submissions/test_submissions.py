@@ -315,7 +315,7 @@ def hangs_or_dies(numbers: list[int]) -> list[int]:
 
 def test_what_hangs_or_dies_takes_nobody_with_it(monkeypatch: pytest.MonkeyPatch):
     """A worker that is only slow to start is given its time: none of the others is lost to it."""
-    monkeypatch.setattr(pool, "_GRACE", 4.0)
+    monkeypatch.setattr(pool, "_GRACE", 3.0)
     found = guarded(hangs_or_dies, ([k, k + 1] for k in range(0, 8, 2)), 1, 0.1, lambda number, why: why)
     assert list(found) == [0, 1, 2, "died", 4, "hung", 6, "hung"]
 
