@@ -17,7 +17,8 @@ from graphkin.base.value import frozen
 Sort = Literal["sense", "size", "angle"]
 Doubt = Literal["", "steep", "dead point", "too small"]
 """The reason for which paper tells a value badly: it scatters otherwise than in proportion to the pencil's errors; it
-cannot be told at all, near a dead point, or since it may be off by more than its size."""
+cannot be told at all, near a dead point, or since it may be off by most of its size."""
+MOST = 0.75  # where a value may be off by a larger part, paper cannot tell it
 TELLS = 0.15  # where paper cannot tell a value, one that is off by a smaller part is right all the same
 Name = tuple[str, str, str, str]
 """A mistake as it is made at one place: its id, which way of it, what it was made with, and with what instead."""

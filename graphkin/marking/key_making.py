@@ -12,7 +12,7 @@ import numpy as np
 from graphkin.construction import Measure, Plot
 from graphkin.marking.answers import asked_of, on_the_way, sort_of
 from graphkin.marking.consequences import combined, rewrites
-from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking, Name, part_off
+from graphkin.marking.key import MOST, Hypotheses, Key, KeyEntry, KeyStep, Marking, Name, part_off
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import other_methods
 from graphkin.marking.tolerances import DRAWINGS, drawings_of, spread
@@ -164,7 +164,7 @@ def allowed_anew(entries: Sequence[KeyEntry], marking: Marking, usual: Usual) ->
         half = half_digit(entry.right, entry.unit, natural)
         one = replace(entry, tolerance=_tolerance(entry.right, entry.scatter, half, marking))
         told = "" if entry.doubt == "too small" else entry.doubt
-        small = told != "dead point" and part_off(one, usual.size(entry.unit)) > 1
+        small = told != "dead point" and part_off(one, usual.size(entry.unit)) > MOST
         anew.append(replace(one, doubt="too small" if small else told))
     return tuple(anew)
 
@@ -180,7 +180,7 @@ def _doubted(entry: KeyEntry, usual: float, deviation: float, proportional: floa
     steep = not (small or 1 / _STEEP <= deviation / proportional <= _STEEP)
     if steep and failed > _FAILED:
         return replace(entry, doubt="dead point")
-    return replace(entry, doubt="too small" if part_off(entry, usual) > 1 else "steep" if steep else "")
+    return replace(entry, doubt="too small" if part_off(entry, usual) > MOST else "steep" if steep else "")
 
 
 _PRODUCT = 2**17
