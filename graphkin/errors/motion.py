@@ -139,8 +139,8 @@ class OtherSide(LocatedError):
 
 class NotPlaced(AboutLinks):
     en = (
-        "{where}: nothing says where links {links} stand at the drawn position. Give the driver an `angle` "
-        "(or `at`), or add a [[pose]] for one of them."
+        "{where}: nothing says how this stands at the drawn position: link {links}. Give the driver an `angle` "
+        "(or `at`), or add a [[pose]] for one of these links."
     )
     zh = "{where}：所画位置中构件 {links} 的位置没有给定。请给出原动件的 `angle`（或 `at`），或为其中之一增加 [[pose]]。"
 

@@ -62,9 +62,10 @@ _PER_MINUTE = (2 * math.pi, 60)
 UNITS: Mapping[Dimension, Mapping[str, tuple[float, float]]] = {
     "length": _LENGTH,
     "angle": {"deg": (math.pi, 180), "°": (math.pi, 180), "rad": (1, 1), "rev": (2 * math.pi, 1)},
-    "angular velocity": {**_TURN, "rpm": _PER_MINUTE, "r/min": _PER_MINUTE},
+    "angular velocity": {**_TURN, "rpm": _PER_MINUTE, "r/min": _PER_MINUTE, "rev/min": _PER_MINUTE},
     "angular acceleration": {
         **{f"{unit}²": size for unit, size in _TURN.items()}, "rpm/s": _PER_MINUTE, "r/min/s": _PER_MINUTE,
+        "rev/min/s": _PER_MINUTE,
     },
     "velocity": {"m/s": (1, 1), **{f"{unit}/s": size for unit, size in _LENGTH.items()}, "km/h": (1000, 3600)},
     "acceleration": {"m/s²": (1, 1), **{f"{unit}/s²": size for unit, size in _LENGTH.items()}},

@@ -117,7 +117,8 @@ def placement(mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside
         try:
             placed = _placed(mechanism, lower, needed, repeats)
         except (CannotAssemble, DeadPoint, NotPlaced) as error:
-            refusal = error if refusal is None or isinstance(refusal, NotPlaced) else refusal
+            if refusal is None or (isinstance(refusal, NotPlaced) and not isinstance(error, NotPlaced)):
+                refusal = error
             continue
         if all(each.holds(placed.plot) for each in needed):
             for each in given:  # a pose that was not needed must hold all the same

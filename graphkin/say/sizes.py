@@ -85,7 +85,7 @@ _UNITS: Mapping[Dimension, str] = {
 }  # fmt: skip
 """The units of the solution."""
 _DIGITS = 7  # a figure of more than these was computed, and is rounded
-_TURNS = {"r/min": "/60", "rev/s": ""}
+_TURNS = {"r/min": "/60", "rev/min": "/60", "rev/s": ""}
 _PRINTED = {"deg": "°", "rpm": "r/min", "rpm/s": "r/min/s"}
 
 

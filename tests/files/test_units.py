@@ -29,6 +29,7 @@ GOOD: list[tuple[float | str, Dimension, float]] = [
     (10, "angular velocity", 10.0),
     ("60 rpm", "angular velocity", 2 * math.pi),
     ("60 r/min", "angular velocity", 2 * math.pi),
+    ("60 rev/min", "angular velocity", 2 * math.pi),
     ("60 r / min", "angular velocity", 2 * math.pi),
     ("180 deg/s", "angular velocity", math.pi),
     ("1 rev/s", "angular velocity", 2 * math.pi),
@@ -53,7 +54,7 @@ def test_quantity_in_si(given: float | str, dimension: Dimension, expected: floa
 BAD: list[tuple[float | str, Dimension, type[GraphkinError], str, str]] = [
     ("24 yd", "length", UnknownUnit, "mm, cm, m, in, ft", "不认识单位 yd"),
     ("24 m/s", "length", OtherDimension, "unit of a velocity, but a length", "速度的单位，此处应为长度"),
-    ("10 rad", "angular velocity", OtherDimension, "rad/s, deg/s, °/s, rev/s, rpm, r/min", "角度的单位"),
+    ("10 rad", "angular velocity", OtherDimension, "rad/s, deg/s, °/s, rev/s, rpm, r/min, rev/min", "角度的单位"),
     ("10 mm/s²", "velocity", OtherDimension, "unit of an acceleration", "加速度的单位"),
     ("24", "length", NoUnit, '"24" has no unit', "没有单位"),
     ("mm", "length", NotANumber, '"mm" does not read as a number', "不能读作"),
