@@ -25,6 +25,7 @@ from graphkin.model.quantities import EDGE, driven
 from graphkin.planning.assembly import assemble, with_sides
 from graphkin.planning.equivalent import lower_pairs
 from graphkin.planning.method import Method, facts_of
+from graphkin.planning.needed import without_aids
 from graphkin.planning.position import position
 from graphkin.planning.refusals import extent, refuse_open
 from graphkin.planning.stages import stages
@@ -210,9 +211,10 @@ def by_pose(method: Method, plot: Plot) -> tuple[Method, Plot] | None:
 
 def shown(method: Method, plot: Plot) -> tuple[Method, Plot]:
     """The same method and plot, with the position as `by_pose` draws it."""
+    polygons = without_aids(method)
     if (posed := by_pose(method, plot)) is None:
-        return method, plot
-    return replace(method, position=posed[0].position), replace(plot, position=posed[1].position)
+        return polygons, plot
+    return replace(polygons, position=posed[0].position), replace(plot, position=posed[1].position)
 
 
 @kept(4)

@@ -12,7 +12,7 @@ from typing import assert_never
 
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Direction, Equation, Plane, Size, Step, kinds, terms
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning.method import Method
 
 Fact = tuple[str, str]
@@ -55,6 +55,43 @@ def needed(method: Method, facts: set[Fact], known: frozenset[Fact] = frozenset(
                 facts |= set(reader.needs(part))
         parts[construction.plane] = tuple(reversed(kept))
     return parts
+
+
+def aids(mechanism: Mechanism) -> frozenset[str]:
+    """The points that only show in which direction a line of their link runs, and for which nobody asks."""
+    joining = {pair.path.point for pair in mechanism.pairs if pair.path is not None}
+    joining |= {centre for pair in mechanism.pairs for _, centre, _ in pair.circles}
+    lines = [line for pair in mechanism.pairs for line in pair.lines]
+    shows = {point for line in lines for point in line.base or ()} - joining - {line.origin for line in lines}
+    owners, asked = mechanism.owners, mechanism.ask
+    return frozenset(p for p in shows if len(owners[p]) == 1 and not any(p in question for question in asked))
+
+
+def without_aids(method: Method) -> Method:
+    """The polygons without `aids`, but for those that another step needs."""
+    facts, left, points = set[Fact](), False, aids(method.mechanism)
+    for construction in (method.velocity, method.acceleration) if points else ():
+        reader, nodes = PartsReader(method, construction), construction.nodes.items()
+        own = {(reader.plane, name) for name, node in nodes if node.site is not None and node.site.point in points}
+        for part in construction.parts:
+            gives = {*reader.gives(part)}
+            if gives & own and not isinstance(part, kinds.Given):
+                left = True
+            else:
+                facts |= gives
+    if not left:
+        return method
+    parts = needed(method, facts)
+
+    def cut(polygon: Construction) -> Construction:
+        """The polygon of these parts, without the points of others."""
+        reader = PartsReader(method, polygon)
+        every, kept = ({name for part in some for _, name in reader.gives(part)}
+                       for some in (polygon.parts, parts[polygon.plane]))  # fmt: skip
+        nodes = {name: node for name, node in polygon.nodes.items() if name not in every - kept}
+        return replace(polygon, parts=parts[polygon.plane], nodes=nodes)
+
+    return replace(method, velocity=cut(method.velocity), acceleration=cut(method.acceleration))
 
 
 def arms(part: Part) -> Iterator[tuple[str, str]]:

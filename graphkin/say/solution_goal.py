@@ -13,7 +13,7 @@ from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
 from graphkin.planning.at_rest import moving_parts
-from graphkin.planning.needed import Fact, Part, arms, needed, turning
+from graphkin.planning.needed import Fact, Part, aids, arms, needed, turning
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.reading import Reading
@@ -129,10 +129,11 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     facts = {fact for one in answerable for fact in _facts(reading, one)}
     if everything or not facts:
         placed = (one for one in answerable if isinstance(one, Centre) or _plane(one) == "position")
-        # omega and alpha of every link that is not driven, v and a of every point that moves
+        # omega and alpha of every link that is not driven, v and a of every point that moves and is no aid
         rotations = [Rotation("omega" if plane == "velocity" else "alpha", mechanism.called(link), link)
                      for plane in planes for link in mechanism.moving if link not in mechanism.driven]  # fmt: skip
-        moving = [point for point in mechanism.points if FRAME not in mechanism.owners[point]]
+        unasked = aids(mechanism)
+        moving = [p for p in mechanism.points if FRAME not in mechanism.owners[p] and p not in unasked]
         motions = [read(mechanism, f"{plane[0]} {point}") for plane in planes for point in moving]
         wanted = (*placed, *rotations, *(motion for motion in motions if motion is not None))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
