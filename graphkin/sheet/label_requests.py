@@ -36,7 +36,7 @@ _FAR = np.array([13.0, 16.0, 20.0, 25.0, 31.0, 39.0, 49.0])
 """Distances of labels of a crowd if nothing nearer is free [mm]."""
 LEAST = tuple(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR))
 """No place on a leader costs less, none on a longer one."""
-_LED_ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)  # places along a line for the end of a leader
+_LED_ALONG = (0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86)  # places along a line for the end of a leader
 _OFF_MIDDLE = 1.5  # the cost of the whole length off the middle
 _UPRIGHT = math.sin(math.radians(61))  # of the angle at which a leader meets its line at least
 LONGEST = 12.0  # no leader is longer [mm]
@@ -105,7 +105,7 @@ class LabelRequest:
         return self.start if self.end is None else (self.start + self.end) / 2
 
     def near(self, half: complex, wide: bool = False) -> LabelCandidates:
-        """Its places at what it names, wide: and a little farther off; half: of the width and height of its box [mm]."""
+        """Its places at what it names, wide: and a little farther off; half: of the size of its box [mm]."""
         if self.end is None or abs(self.end - self.start) <= _POINT:
             return _around(self.start, half, self, _WIDE if wide else _RINGS)
         far = _OFF_WIDE if wide else _OFF

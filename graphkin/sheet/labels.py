@@ -22,13 +22,13 @@ from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Stroke
 
 _TOUCH = 0.05  # closer than this to a box's edge is not yet on it [mm]
-_MOST, _LEAST, _ALL = 80, 16, 8000
+_MOST, _LEAST, _ALL = 64, 16, 8000
 """So many places of a label are kept in mind, fewer of each of many labels, and of all together."""
 _FEW = 8  # for so many labels without a good place others make way
-_PATIENCE, _WORK = 24, 900
+_PATIENCE, _WORK = 6, 900
 """A label may claim a place so often; less often in a crowd, of which so many labels are asked at most."""
 _YIELDING = 0.002  # the cost of others that make way
-_CHEAPER = 0.5  # a label moves where that saves more
+_CHEAPER = 1.0  # a label moves where that saves more
 
 
 class LabelPlacing:
