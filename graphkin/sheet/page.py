@@ -156,13 +156,16 @@ class Panel:
     @cached_property
     def near(self) -> Settled:
         """Its labels near what they name."""
-        return settle(self.scene)
+        return self._settled(crowd=False)
 
     @cached_property
     def far(self) -> Settled:
         """Its labels in a crowd, where some find no good place otherwise."""
         crowd = self.scene.crammed or self.near.clashes or self.near.unclear
-        return settle(self.scene, crowd=True) if crowd else self.near
+        return self._settled(crowd=True) if crowd else self.near
+
+    def _settled(self, crowd: bool) -> Settled:
+        return settle(self.scene, crowd)
 
     @cached_property
     def burdens(self) -> Array:
