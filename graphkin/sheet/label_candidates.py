@@ -33,12 +33,12 @@ NEAR, LED, FAR = range(3)
 """Places at what a label names, on a leader about that, and on a longer one."""
 MANY = 150  # more labels than this are a crowd that no care relieves
 _KEPT = 120  # so many places of a label are kept at most, the cheapest
-_CLEAR, _EASY = 0.45, 1.3
-"""The distance of a label from lines at least, and the one it likes [mm]."""
+_CLEAR, _EASY, _WHOLE = 0.45, 1.3, 0.8
+"""The distance of a label from lines at least, the one it likes, and that from a line that else gives way [mm]."""
 STRANGE = 100.0  # the cost of standing nearer to another arrow than to its own, or on an unclear leader
 _ON, _LINE, _OUTSIDE, _CLOSE = 5, 400.0, 5000.0, 0.45
 """Of lying on so many lines at most, of each; out of the room; close to a line."""
-_COVERED, _LETTERED, _CROSSED = 3.0, 250.0, 1.5
+_COVERED, _LETTERED, _CROSSED = 5.0, 250.0, 1.5
 """Of lying on a line that gives way to letters; of a leader through letters, and over each line."""
 
 
@@ -107,7 +107,7 @@ class LabelScene:
         close, hits = self.known.around(low, high, (_EASY, _CLEAR))
         cost = cost + _CLOSE * np.minimum(close, 6) + _LINE * np.minimum(hits, _ON) + _OUTSIDE * ~inside
         if self.giving_way:
-            cost += _COVERED * np.minimum(self._covered.around(low, high, (_CLEAR,))[0], 2)
+            cost += _COVERED * np.minimum(self._covered.around(low, high, (_WHOLE,))[0], 2)
         free = inside & (hits == 0)
         rows = np.flatnonzero(free)
         if near:
