@@ -32,7 +32,7 @@ _ASIDE, _PARALLEL = 0.9, 0.05  # so far apart arrows on one line are told apart 
 NEAR, LED, FAR = range(3)
 """Places at what a label names, on a leader about that, and on a longer one."""
 MANY = 150  # more labels than this are a crowd that no care relieves
-_KEPT = 120  # so many places of a label are kept at most, the cheapest
+_KEPT = 240  # so many places of a label are kept at most, the cheapest
 _CLEAR, _EASY, _WHOLE = 0.45, 1.3, 0.8
 """The distance of a label from lines at least, the one it likes, and that from a line that else gives way [mm]."""
 STRANGE = 100.0  # the cost of standing nearer to another arrow than to its own, or on an unclear leader

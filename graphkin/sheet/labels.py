@@ -22,7 +22,7 @@ from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Stroke
 
 _TOUCH = 0.05  # closer than this to a box's edge is not yet on it [mm]
-_MOST, _LEAST, _ALL = 64, 16, 8000
+_MOST, _LEAST, _ALL = 80, 16, 8000
 """So many places of a label are kept in mind, fewer of each of many labels, and of all together."""
 _FEW = 8  # for so many labels without a good place others make way
 _PATIENCE, _WORK = 6, 900
