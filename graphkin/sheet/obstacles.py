@@ -73,24 +73,19 @@ def _rows(counts: Array) -> Array:
 
 
 def obstacles(drawn: Iterable[Mark]) -> Obstacles:
-    """The marks as obstacles."""
-    lines = [place for mark in drawn for pair in _segments(mark) for place in pair]
-    ends = xy(np.array(lines, dtype=complex))
-    return Obstacles(ends[:, ::2], ends[:, 1::2])
+    """The marks as obstacles: their outlines, and what fills them."""
+    lines: list[Sequence[Place]] = []
+    for mark in drawn:
+        for outline, filled in _outlines(mark):
+            lines.append(outline)
+            if filled:
+                lines += _levels(outline)
+    places = xy(np.array([place for line in lines for place in line], dtype=complex))
+    start = np.delete(np.arange(places.shape[1]), np.cumsum([len(line) for line in lines], dtype=np.intp) - 1)
+    return Obstacles(places.take(start, axis=1), places.take(start + 1, axis=1))
 
 
-Segment = tuple[Place, Place]
-
-
-def _segments(mark: Mark) -> Iterator[Segment]:
-    """The lines of a mark: its outline, and what fills it."""
-    for outline, filled in _outlines(mark):
-        yield from pairwise(outline)
-        if filled:
-            yield from _levels(outline)
-
-
-def _levels(outline: Sequence[Place]) -> Iterator[Segment]:
+def _levels(outline: Sequence[Place]) -> Iterator[tuple[Place, Place]]:
     """Level lines through an area, from rim to rim, so close that no letter has room between them."""
     low, high = min(place.imag for place in outline), max(place.imag for place in outline)
     count = int((high - low) / _LETTER)
