@@ -131,7 +131,8 @@ class LabelTable:
         low, high = one.reach
         near = overlap(self._low, self._high, low - _BESIDE, high + _BESIDE)
         near[label * width : label * width + width] = False
-        numbers = np.flatnonzero(near)
+        if not len(numbers := np.flatnonzero(near)):
+            return
         more, clash = together(self._every.taken(numbers), one)
         self._every.cost[numbers] += sign * more
         self._every.free[numbers[clash]] = False

@@ -58,7 +58,8 @@ class LabelPlacing:
             others, offered = self.standing(), self.scene.places(labels, tier)
             for label, places in zip(labels, offered, strict=True):
                 self._table.write(label, places.among(others).cheapest(self._many))
-            labels = self._greedy(labels, enough)
+            if not (labels := self._greedy(labels, enough)):
+                break
 
     def standing(self, labels: Array | None = None) -> LabelPlaces:
         """The places of all that have one, or of some of them."""
