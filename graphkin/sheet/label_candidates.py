@@ -116,7 +116,7 @@ class LabelScene:
             start, end = leader.take(rows, axis=2).swapaxes(1, 2)
             strange = self.arrows.unclear(self.wanted, owner[rows], start, end)
             cost[rows] += _CROSSED * np.bincount(self.known.crossed(start, end), minlength=len(rows))
-            cost[np.unique(rows[self.letters.crossed(start, end)])] += _LETTERED
+            cost[rows] += _LETTERED * (np.bincount(self.letters.crossed(start, end), minlength=len(rows)) > 0)
         cost[rows] += STRANGE * strange
         free[rows] &= ~strange
         all_ = LabelPlaces(places, np.full(len(cost), not near), cost, free)
