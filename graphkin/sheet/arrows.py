@@ -31,7 +31,10 @@ _ONE, _MELT = math.radians(2), math.radians(22)
 _BACK = (0.0, 2.0, 3.0, 4.0)  # so far a head may stand back [mm]
 _SIDES: tuple[Half, Half] = ("left", "right")
 _SHARE = 0.08  # so much of a head may lie in another
-_GRID = np.stack(np.meshgrid(*2 * [np.linspace(0.04, 0.96, 12)])).reshape(2, -1)
+_SQUARE = np.stack(np.meshgrid(*2 * [np.linspace(0.04, 0.96, 12)])).reshape(2, -1)
+_GRID = np.where(_SQUARE.sum(axis=0) > 1, 1 - _SQUARE, _SQUARE)  # places in a triangle, in parts of two of its sides
+Head = tuple[complex, complex, complex]
+"""The corners of an arrow head, the tip first [mm]."""
 
 
 def named_apart(figure: Figure) -> Figure:
@@ -70,17 +73,20 @@ def heads_apart(figure: Figure) -> Figure:
     """The figure with its arrow heads at the rims of the dots they point to, and off one another."""
     vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.length > _SHORT]
     dots = [mark for mark in figure.marks if isinstance(mark, PointMark) and mark.fill == "ink"]
-    ends = np.array([vector.end for vector in vectors], dtype=complex)
     changed: dict[int, VectorMark] = {}
-    heads: list[Array] = []
+    heads: list[Head] = []
     for vector in sorted(vectors, key=lambda vector: vector.length):  # a long one has room to stand back
-        near = [vectors[k] for k in np.flatnonzero(np.abs(ends - vector.end) < _SAME)]
+        near = [other for other in vectors if abs(other.end - vector.end) < _SAME]
         rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
-        own = replace(vector, half=_half(vector, near), back=rim)
-        tries = [replace(own, back=rim + back) for back in _BACK if back < 0.4 * vector.length]
-        tries += [replace(own, half=side) for side in _SIDES]
-        apart = next((each for each in tries if not _melting(outline(each), heads)), None)
-        changed[id(vector)] = best = apart or min(tries, key=lambda each: _melting(outline(each), heads))
+        half, tries = _half(vector, near), list[tuple[float, VectorMark]]()
+        ways = [(half, rim + back) for back in _BACK if back < 0.4 * vector.length]
+        for side, back in (*ways, *((side, rim) for side in _SIDES)):
+            each = replace(vector, half=side, back=back)
+            tries.append((_melting(outline(each), heads), each))
+            if not tries[-1][0]:
+                break
+        _, best = min(tries, key=lambda pair: pair[0])
+        changed[id(vector)] = best
         heads.append(outline(best))
     return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
 
@@ -93,13 +99,13 @@ def _half(vector: VectorMark, near: Sequence[VectorMark]) -> Half:
     return "" if left == right else "right" if left else "left"
 
 
-def outline(vector: VectorMark) -> Array:
-    """The corners of its head, the tip first (3,) [mm]; small on a short arrow."""
+def outline(vector: VectorMark) -> Head:
+    """The corners of its head, the tip first [mm]; small on a short arrow."""
     along = (vector.end - vector.start) / vector.length
     part, back = head_size(vector)
     left, right = {"": (0.5, 0.5), "left": (0.7, 0.0), "right": (0.0, 0.7)}[vector.half]
-    foot = -TIP * part
-    return vector.end - along * back + along * np.array([0, foot - 1j * left * part, foot + 1j * right * part])
+    tip, foot = vector.end - along * back, -TIP * part
+    return tip, tip + along * (foot - 1j * left * part), tip + along * (foot + 1j * right * part)
 
 
 def head_size(vector: VectorMark) -> tuple[float, float]:
@@ -107,21 +113,21 @@ def head_size(vector: VectorMark) -> tuple[float, float]:
     return 1.0 if vector.length > 1.6 * TIP + vector.back else 0.5, min(vector.back, 0.4 * vector.length)
 
 
-def _melting(corners: Array, heads: Sequence[Array]) -> float:
+def _melting(corners: Head, heads: Sequence[Head]) -> float:
     """The part of a head, or of a smaller one, that lies in another, so far as it is more than a little."""
-    near = (each for each in heads if abs(each.mean() - corners.mean()) < 2 * TIP)
+    near = (each for each in heads if abs(sum(each) - sum(corners)) < 6 * TIP)
     return max([0.0, *(_share(corners, each) - _SHARE for each in near)])
 
 
-def _share(one: Array, other: Array) -> float:
+def _share(one: Head, other: Head) -> float:
     """The part of the smaller triangle that lies in the other."""
     small, large = sorted((one, other), key=lambda corners: abs(_across(*corners)))
-    u, v = np.where(_GRID.sum(axis=0) > 1, 1 - _GRID, _GRID)
+    u, v = _GRID
     inside = small[0] + u * (small[1] - small[0]) + v * (small[2] - small[0])
     sides = [_across(a, b, inside) for a, b in pairwise((*large, large[0]))]
     return float((np.all([s >= 0 for s in sides], axis=0) | np.all([s <= 0 for s in sides], axis=0)).mean())
 
 
-def _across(a: Array, b: Array, c: Array) -> Array:
+def _across(a: complex, b: complex, c: complex | Array) -> Array:
     """Twice the area of a triangle, with the sense of its turn."""
-    return np.asarray(((b - a).conjugate() * (c - a)).imag)
+    return np.imag((b - a).conjugate() * (c - a))

@@ -36,13 +36,11 @@ def through(start: Array, end: Array, low: Array, high: Array) -> Array:
     return np.asarray(between | ~(wide[0] * wide[1] > 0))
 
 
-def meet(start: Array, end: Array, other: Array, other_end: Array, touch: bool = False) -> Array:
-    """True where lines cross others: each has its ends on both sides of the other, and none of them upon it; touch: or
-    upon it, where their surroundings overlap."""
+def meet(start: Array, end: Array, other: Array, other_end: Array) -> Array:
+    """True where lines cross others: each has its ends on both sides of the other, and none of them upon it."""
     along, other_along, off = end - start, other_end - other, other - start
     first, second, between = _cross(along, off), _cross(other_along, off), _cross(along, other_along)
-    first, second = first * (first + between), second * (second + between)
-    return np.asarray((first <= 0) & (second <= 0) if touch else (first < 0) & (second < 0))
+    return np.asarray((first * (first + between) < 0) & (second * (second + between) < 0))
 
 
 def _cross(along: Array, off: Array) -> Array:
@@ -85,19 +83,9 @@ class Edges(NamedTuple):
         surroundings = self.low.take(rows, axis=1), self.high.take(rows, axis=1)
         return np.asarray(np.maximum(off, beyond(*surroundings, low, high)))
 
-    def outside(self, rows: Array, out: Array, low: Array, high: Array) -> Array:
-        """The growth of boxes low..high with which they reach across some of them from that side; below 0: they do."""
-        half, across = (high - low) / 2, abs(self.across).take(rows, axis=1)
-        return np.asarray(self._side(rows, low + half) * out - across[0] * half[0] - across[1] * half[1])
-
-    def passed(self, rows: Array, at: Array) -> Array:
-        """True where a line to the right from a place crosses them: an odd number of those of an area about it."""
-        level = (self.low[1].take(rows) <= at[1]) & (at[1] < self.high[1].take(rows))
-        return np.asarray(level & (self._side(rows, at) > 0))
-
-    def met(self, rows: Array, start: Array, end: Array, touch: bool = False) -> Array:
-        """True where lines cross some of them; touch: or touch them."""
-        return meet(start, end, self.start.take(rows, axis=1), self.end.take(rows, axis=1), touch)
+    def met(self, rows: Array, start: Array, end: Array) -> Array:
+        """True where lines cross some of them."""
+        return meet(start, end, self.start.take(rows, axis=1), self.end.take(rows, axis=1))
 
     def _side(self, rows: Array, at: Array) -> Array:
         """The distance of places across some of them."""

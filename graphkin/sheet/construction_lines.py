@@ -163,13 +163,15 @@ class PolygonConstruction:
             case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
                 start, end = points[term.tail], points[term.head]
                 if abs(end - start) > _NOTHING:
-                    yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page)
+                    name = term.name(self.polygon.construction.plane)
+                    yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page, of=name)
                 yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
             case Meet(point=point) | Image(point=point) if point in points:
                 yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
                 for vector in self.polygon.vectors():
                     if vector.step == act.page and vector.length > _NOTHING:
-                        yield LabelRequest(label, vector.start, vector.end, gap=0.6, size=LEAST, step=act.page)
+                        yield LabelRequest(label, vector.start, vector.end, gap=0.6, size=LEAST, step=act.page,
+                                           of=vector.name)  # fmt: skip
 
 
 def _lay(line: _DirectionLine, free: FreeRoom, added: Annotations) -> Place | None:

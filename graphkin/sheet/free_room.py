@@ -56,7 +56,7 @@ class FreeRoom:
     """A figure with its labels, and what has been added since."""
 
     def __init__(self, scene: LabelScene, labels: Sequence[Mark] = ()) -> None:
-        self.room, self.marks = scene.room, [*scene.drawn, *labels]
+        self.room, self.marks, self._arrows = scene.room, [*scene.drawn, *labels], scene.arrows
         self._first, self._standing = len(self.marks), [scene.known, *([obstacles(labels)] if labels else [])]
         self._late: dict[int, Obstacles] = {}
         self._letters = _boxes([mark for mark in self.marks if isinstance(mark, Text)])
@@ -121,6 +121,8 @@ class FreeRoom:
         low, high = _corners(every.middle, half)
         free = self.free(low, high)
         free[free] = ~_beside(low[free], high[free], self._letters)
+        owner = np.repeat(np.arange(len(wanted)), np.diff(ends))[free]
+        free[free] = ~self._arrows.strange(wanted, owner, low[free], high[free])
         return [
             FreeSpots(each.middle[free[a:b]], each.cost[free[a:b]], half, len(self.marks), len(self._letters))
             for each, half, a, b in zip(near, halves, ends, ends[1:])

@@ -1,172 +1,145 @@
-"""The cost of a label's place, among what is drawn and beside other labels; and the table of places to choose from."""
+"""The cost of a label's place beside other labels; and the table of places to choose from."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import pairwise
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import meet, overlap, through
-from graphkin.sheet.label_candidates import Boxes, Rated
 
+_APART = 1.0  # what two labels keep from each other [mm]
 _PASSING = 0.4  # the distance of a leader from other labels [mm]
 _ONE, _BESIDE = 0.5, 2.5
 """Leaders that end nearer together than the second look like one; than the first, they end at one place [mm]."""
 _WORD = np.array([[2.2], [-1.2]])
 """Labels side by side and farther apart read as two; farther up or down they are no line [mm]."""
+LYING = 1000.0  # the cost of a label that lies on another
+_CROSSED, _LEADERS = 250.0, 5.0  # of a leader on a label, on a leader
+_ENDS, _ONE_WORD = 4.0, 5.0
+"""The costs of a leader that ends beside another's end, and of a label on a line with another, that read as one."""
 
 
-class Prices(NamedTuple):
-    """The costs of lying on a line, on a label, out of the room, nearer to another arrow than to its own without a
-    leader; of a leader on a label, on a leader.
+class LabelPlaces(NamedTuple):
+    """Places of labels, row by row.
 
-    apart    what two labels keep from each other [mm]
-    through  for each line that a leader crosses
-    beside   for a leader that ends beside another's end
-    word     for a label that stands on a line with another, and so close that both read as one
+    places  corners low and high of each, where its leader begins and ends (4, 2, n) [mm]; without one, the box's middle
+    led     whether it has a leader
+    cost    as things stand; free: it touches nothing
     """
 
-    line: float = 60.0
-    label: float = 80.0
-    outside: float = 1000.0
-    strange: float = 50.0
-    crossed: float = 25.0
-    leaders: float = 0.0
-    apart: float = 0.7
-    through: float = 0.0
-    beside: float = 4.0
-    word: float = 5.0
-
-    def alone(self, rated: Rated) -> Array:
-        """The costs of candidates among what is drawn, as long as no label has a place."""
-        cost = rated.cost + self.strange * rated.strange + 0.45 * np.minimum(rated.near, 6)
-        cost += self.line * np.minimum(rated.hits, 5) + self.outside * ~rated.inside
-        return cost + self.crossed * rated.lettered + self.through * rated.lines
-
-    @staticmethod
-    def reach(boxes: Boxes) -> tuple[Array, Array]:
-        """Corners beyond which other boxes cost nothing (2, n)."""
-        low, high = boxes.reach
-        return low - _BESIDE, high + _BESIDE
-
-    def beside_others(self, parts: Sequence[Boxes], others: Boxes) -> list[tuple[Array, Array]]:
-        """The costs that the others add to each box of some parts; and which lie on one of them (n,)."""
-        (least, most), boxes = self.reach(others), Boxes.joined(parts)
-        ends, (low, high) = np.cumsum([len(part.led) for part in parts]), boxes.reach
-        pairs = [_near(low[:, a:b], high[:, a:b], least, most) for a, b in pairwise([0, *ends])]
-        rows = np.concatenate([rows + first for first, (rows, _) in zip([0, *ends], pairs, strict=False)])
-        columns = np.concatenate([columns for _, columns in pairs])
-        more, clash = self.together(boxes.taken(rows), others.taken(columns))
-        count = len(boxes.led)
-        more, clash = np.bincount(rows, more, count), np.bincount(rows, clash, count) > 0
-        return [(more[a:b], clash[a:b]) for a, b in pairwise([0, *ends])]
-
-    def together(self, one: Boxes, other: Boxes) -> tuple[Array, Array]:
-        """The costs of pairs of labels to each other; which of them lie on each other, or under each other's leader.
-        The other may be a single one."""
-        clash = overlap(one.low, one.high, other.low - self.apart, other.high + self.apart)
-        more = self.label * clash + self.word * overlap(one.low, one.high, other.low - _WORD, other.high + _WORD)
-        if not (one.led.any() or other.led.any()):
-            return more, clash
-        crossed = under(one, other) | under(other, one)
-        both = np.flatnonzero(one.led & other.led)
-        leader, other_leader = one.taken(both).leader, other.some(both).leader
-        apart = np.abs(leader[1] - other_leader[1]).max(axis=0)
-        more += self.crossed * crossed
-        more[both] += self.beside * ((apart > _ONE) & (apart < _BESIDE))
-        if self.leaders:
-            more[both] += self.leaders * meet(*leader, *other_leader)
-        return more, clash | crossed
-
-
-NEARBY = Prices()
-CROWDED = Prices(1500.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3, 1.5)
-
-
-def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Array:
-    """True for labels under the leader of the one they are paired with; one of them may be a single one."""
-    lying = np.zeros(max(len(led.led), len(other.led)), dtype=bool)
-    if not led.led.any():
-        return lying
-    start, end = led.leader
-    around = overlap(np.minimum(start, end), np.maximum(start, end), other.low - keep, other.high + keep)
-    rows = np.flatnonzero(led.led & around)
-    if len(rows):
-        led, other = led.some(rows), other.some(rows)
-        start, end = led.leader
-        lying[rows] = through(start, end, other.low - keep, other.high + keep)
-    return lying
-
-
-def _near(low: Array, high: Array, least: Array, most: Array) -> tuple[Array, Array]:
-    """Pairs of the boxes low..high (2, n) that lie together and others that overlap: their rows, and the others'."""
-    others = np.flatnonzero(overlap(least, most, low.min(axis=1, keepdims=True), high.max(axis=1, keepdims=True)))
-    least, most = least.take(others, axis=1), most.take(others, axis=1)
-    rows, columns = np.nonzero(overlap(low[..., None], high[..., None], least[:, None], most[:, None]))
-    return rows, others[columns]
-
-
-class LabelChoice(NamedTuple):
-    """Places that a label chooses from: boxes, their costs as others stand now, and whether each touches nothing."""
-
-    boxes: Boxes
+    places: Array
+    led: Array
     cost: Array
     free: Array
 
-    def taken(self, rows: Array) -> LabelChoice:
-        return LabelChoice(self.boxes.taken(rows), self.cost[rows], self.free[rows])
+    def taken(self, rows: Array) -> LabelPlaces:
+        """Some of them; numpy takes numbered columns several times as fast as it indexes them."""
+        return LabelPlaces(self.places.take(rows, axis=2), *(each.take(rows) for each in self[1:]))
 
-    def cheapest(self, count: int) -> LabelChoice:
+    @classmethod
+    def joined(cls, parts: Iterable[LabelPlaces]) -> LabelPlaces:
+        return cls(*(np.concatenate(each, axis=-1) for each in zip(*parts, strict=True)))
+
+    def cheapest(self, count: int) -> LabelPlaces:
         """At most so many of them."""
         many = len(self.cost) > count
         return self.taken(np.sort(np.argpartition(self.cost, count)[:count])) if many else self
+
+    @property
+    def low(self) -> Array:
+        return np.asarray(self.places[0])
+
+    @property
+    def high(self) -> Array:
+        return np.asarray(self.places[1])
+
+    @property
+    def leader(self) -> Array:
+        """Its two ends (2, 2, n)."""
+        return np.asarray(self.places[2:])
+
+    @property
+    def reach(self) -> tuple[Array, Array]:
+        """Corners of what boxes and leaders lie in (2, n)."""
+        return np.minimum(self.low, self.places[3]), np.maximum(self.high, self.places[3])
+
+    def among(self, others: LabelPlaces) -> LabelPlaces:
+        """The same with the costs that the others add."""
+        (low, high), (least, most) = self.reach, others.reach
+        near = overlap(low[..., None], high[..., None], least[:, None] - _BESIDE, most[:, None] + _BESIDE)
+        rows, columns = np.nonzero(near)
+        more, clash = together(self.taken(rows), others.taken(columns))
+        free = self.free & (np.bincount(rows, clash, len(self.cost)) == 0)
+        return self._replace(cost=self.cost + np.bincount(rows, more, len(self.cost)), free=free)
+
+
+def together(one: LabelPlaces, other: LabelPlaces) -> tuple[Array, Array]:
+    """The costs of pairs of labels to each other; which of them lie on each other, or under each other's leader.
+    The other may be a single one."""
+    clash = overlap(one.low, one.high, other.low - _APART, other.high + _APART)
+    more = LYING * clash + _ONE_WORD * overlap(one.low, one.high, other.low - _WORD, other.high + _WORD)
+    if not (one.led.any() or other.led.any()):
+        return more, clash
+    crossed = under(one, other) | under(other, one)
+    both = one.led & other.led
+    (start, end), (other_start, other_end) = one.leader, other.leader
+    apart = np.abs(end - other_end).max(axis=0)
+    more += _CROSSED * crossed + _ENDS * (both & (apart > _ONE) & (apart < _BESIDE))
+    return more + _LEADERS * (both & meet(start, end, other_start, other_end)), clash | crossed
+
+
+def under(led: LabelPlaces, other: LabelPlaces, keep: float = _PASSING) -> Array:
+    """True for labels under the leader of the one they are paired with; one of them may be a single one."""
+    (start, end), low, high = led.leader, other.low - keep, other.high + keep
+    around = led.led & overlap(np.minimum(start, end), np.maximum(start, end), low, high)
+    return np.asarray(around & through(start, end, low, high)) if around.any() else around
 
 
 class LabelTable:
     """Rows of places, one for each label, with room for so many; the rest of a row costs infinitely much.
 
-    cost, free     of each place (count, width)
-    _places, _led  all of them, one row after the other (4, 2, n) [mm]
-    _low, _high    corners of what each reaches (2, n)
+    cost, free  of each place (count, width)
+    _every      all of them, one row after the other; _low, _high: corners of what each reaches (2, n)
     """
 
-    def __init__(self, choices: Sequence[LabelChoice], width: int) -> None:
-        shape = len(choices), max(width, *(len(choice.cost) for choice in choices))
-        count = shape[0] * shape[1]
-        self.cost, self.free = np.empty(shape), np.empty(shape, dtype=bool)
-        self._places, self._led = np.zeros((4, 2, count)), np.zeros(count, dtype=bool)
-        self._low, self._high = np.zeros((2, count)), np.zeros((2, count))
-        for label, choice in enumerate(choices):
-            self.write(label, choice)
+    def __init__(self, count: int, width: int) -> None:
+        size = count * width
+        self._every = LabelPlaces(np.zeros((4, 2, size)), *(np.zeros(size, dtype=kind) for kind in (bool, float, bool)))
+        self._low, self._high = np.full((2, size), np.inf), np.zeros((2, size))
+        self.cost, self.free = (each.reshape(count, width) for each in self._every[2:])
 
-    def write(self, label: int, choice: LabelChoice) -> None:
-        """The places that a label has to choose from now."""
+    def write(self, label: int, choice: LabelPlaces) -> None:
+        """The places that a label has to choose from now, no more than have room."""
         count, width = len(choice.cost), self.cost.shape[1]
         first, end, after = label * width, label * width + count, label * width + width
-        self.cost[label, :count], self.free[label, :count] = choice.cost, choice.free
+        for each, new in zip(self._every, choice, strict=True):
+            each[..., first:end] = new
         self.cost[label, count:], self.free[label, count:] = np.inf, False
-        self._places[:, :, first:end], self._led[first:end] = choice.boxes
-        self._low[:, first:end], self._high[:, first:end] = choice.boxes.reach
+        self._low[:, first:end], self._high[:, first:end] = choice.reach
         self._low[:, end:after] = np.inf
 
-    def place(self, label: int, spot: int) -> tuple[Array, Array]:
-        """One place of a label (4, 2), and whether it has a leader."""
-        number = label * self.cost.shape[1] + spot
-        return self._places[:, :, number], self._led[number]
+    def taken(self, labels: Array, spots: Array) -> LabelPlaces:
+        """One place of each of some labels."""
+        return self._every.taken(labels * self.cost.shape[1] + spots)
 
-    def about(self, low: Array, high: Array, label: int) -> tuple[Array, Boxes]:
-        """Numbers of places, of labels but this one, that reach into a box low..high (2, 1); and these."""
-        width = self.cost.shape[1]
-        near = overlap(self._low, self._high, low, high)
+    def burden(self, label: int, spot: Array, sign: int) -> None:
+        """Add the cost of a label at one of its places to the places of all others, or take it away."""
+        one, width = self.taken(np.array([label]), spot), self.cost.shape[1]
+        low, high = one.reach
+        near = overlap(self._low, self._high, low - _BESIDE, high + _BESIDE)
         near[label * width : label * width + width] = False
-        numbers = np.flatnonzero(near)
-        return numbers, Boxes(self._places.take(numbers, axis=2), self._led[numbers])
+        if not len(numbers := np.flatnonzero(near)):
+            return
+        more, clash = together(self._every.taken(numbers), one)
+        self._every.cost[numbers] += sign * more
+        self._every.free[numbers[clash]] = False
 
     def copy(self) -> LabelTable:
         """The same, that can be changed by itself."""
-        other = object.__new__(LabelTable)
-        vars(other).update({name: value.copy() for name, value in vars(self).items()})
+        other = LabelTable(*self.cost.shape)
+        for mine, its in zip((*self._every, self._low, self._high), (*other._every, other._low, other._high)):
+            its[...] = mine
         return other

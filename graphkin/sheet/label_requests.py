@@ -30,18 +30,18 @@ _LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
 _NOWHERE = complex("nan")
 _LEADER, _FARTHER = 6.0, 1.6
 """The cost of a leader, and of each millimetre from the sign."""
-_WIDE, _OFF_WIDE = np.array([3.5, 5.0]), np.array([2.6, 3.6])[:, None]
-"""Distances at which a label, if nothing is nearer to it, needs no leader yet [mm]."""
-_FAR = np.array([13.0, 15.0, 17.5, 20.0, 22.5, 25.0, 28.0, 31.0, 35.0, 39.0, 44.0, 49.0, 54.0])
+_WIDE, _OFF_WIDE = np.array([*_RINGS, 3.5, 5.0]), np.array([[0.0], [0.75], [1.65], [2.6], [3.6]])
+"""Distances of a label from its sign, and from its line beyond what it needs, at which it needs no leader [mm]."""
+_FAR = np.array([13.0, 16.0, 20.0, 25.0, 31.0, 39.0, 49.0])
 """Distances of labels of a crowd if nothing nearer is free [mm]."""
-LEAST = (0.0, 1.2 * float(_OFF_WIDE[0, 0]), *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR)))
-"""No place of the tiers costs less: near, wide, led, far."""
-_LED_ALONG = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)  # places along a line for the end of a leader
+LEAST = tuple(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR))
+"""No place on a leader costs less, none on a longer one."""
+_LED_ALONG = (0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86)  # places along a line for the end of a leader
 _OFF_MIDDLE = 1.5  # the cost of the whole length off the middle
 _UPRIGHT = math.sin(math.radians(61))  # of the angle at which a leader meets its line at least
 LONGEST = 12.0  # no leader is longer [mm]
 _ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82])
-_OFF = np.array([0.0, 0.75, 1.65])[:, None]  # distances of a label from its line beyond what it needs [mm]
+_OFF = _OFF_WIDE[: len(_RINGS)]  # those right beside it
 _SPACE = 2.0  # beside and over a label [mm]
 CRAMMED = 0.2  # a figure whose labels take a larger part of its room has no place for all of them
 _SMALL, _KNOT, _THREE = 8.0, 10.0, 3
@@ -105,7 +105,7 @@ class LabelRequest:
         return self.start if self.end is None else (self.start + self.end) / 2
 
     def near(self, half: complex, wide: bool = False) -> LabelCandidates:
-        """Its places at what it names, or a little farther off; half: of the width and height of its box [mm]."""
+        """Its places at what it names, wide: and a little farther off; half: of the size of its box [mm]."""
         if self.end is None or abs(self.end - self.start) <= _POINT:
             return _around(self.start, half, self, _WIDE if wide else _RINGS)
         far = _OFF_WIDE if wide else _OFF

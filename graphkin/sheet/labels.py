@@ -15,8 +15,8 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import overlap
-from graphkin.sheet.label_candidates import FAR, LED, MANY, NEAR, Boxes, LabelScene
-from graphkin.sheet.label_costs import CROWDED, NEARBY, LabelChoice, LabelTable, Prices, under
+from graphkin.sheet.label_candidates import FAR, LED, MANY, NEAR, STRANGE, LabelScene
+from graphkin.sheet.label_costs import LabelPlaces, LabelTable, together, under
 from graphkin.sheet.label_requests import LEAST, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Stroke
@@ -25,108 +25,70 @@ _TOUCH = 0.05  # closer than this to a box's edge is not yet on it [mm]
 _MOST, _LEAST, _ALL = 80, 16, 8000
 """So many places of a label are kept in mind, fewer of each of many labels, and of all together."""
 _FEW = 8  # for so many labels without a good place others make way
-_PATIENCE, _WORK = 24, 900
+_PATIENCE, _WORK = 6, 900
 """A label may claim a place so often; less often in a crowd, of which so many labels are asked at most."""
-_CHAIN = 3  # so many labels may claim places one after the other
-_YIELDING = 0.02  # the cost of others that make way
-_CHEAPER = 0.5  # a label moves where that saves more
+_YIELDING = 0.002  # the cost of others that make way
+_CHEAPER = 1.0  # a label moves where that saves more
 
 
 class LabelPlacing:
     """Labels taking their places.
 
-    boxes   of each label; stands: those that have a place
+    stands  those that have a place
     _table  the places they choose from; _spot: the one that each takes
-    _tier   of the places that each looks at; _patience: how often one may still claim a place
-    _liked  the places that each would choose from up to a tier were it alone
     """
 
-    def __init__(self, scene: LabelScene, last: int, prices: Prices) -> None:
+    def __init__(self, scene: LabelScene, last: int) -> None:
         """last: the farthest tier in which labels look for places."""
         count = len(scene.wanted)
-        self.scene, self.prices, self._last = scene, prices, last
-        self.boxes = Boxes(np.zeros((4, 2, count)), np.zeros(count, dtype=bool))
-        self.stands = np.zeros(count, dtype=bool)
-        self._spot, self._tier = np.zeros(count, dtype=np.intp), np.full(count, NEAR)
+        self.scene, self._last = scene, last
+        self.stands, self._spot = np.zeros(count, dtype=bool), np.zeros(count, dtype=np.intp)
         self._patience = min(_PATIENCE, _WORK // count)
         self._many = max(_LEAST, min(_MOST, _ALL // count))
-        self._liked: dict[tuple[int, int], LabelChoice] = {}
-        self._table = LabelTable(self._offered(range(count), NEAR), self._many)
-        self._look_on(self._greedy(range(count)))
+        self._table = LabelTable(count, self._many)
+        self._look(range(count))
         if last != NEAR:  # all move to better places, or look farther; for the last few others make way
             self._move()
-            bad = self._bad() if self._bad().sum() <= 3 * _FEW else False
-            self._look_again(np.flatnonzero((self._now() > self._enough()) | bad))
+            self._look_again(np.flatnonzero(self._now() > LEAST[0]))
             self._relieve()
 
-    def _offered(self, labels: Sequence[int], tier: int) -> list[LabelChoice]:
-        """The candidates of labels up to a tier that cost least as the others stand."""
-        choices = self._alone(labels, tier)
-        if not self.stands.any():
-            return choices if tier == NEAR else [choice.cheapest(self._many) for choice in choices]
-        others = self.boxes.taken(np.flatnonzero(self.stands))
-        beside = self.prices.beside_others([choice.boxes for choice in choices], others)
-        return [
-            choice._replace(cost=choice.cost + more, free=choice.free & ~clash).cheapest(self._many)
-            for choice, (more, clash) in zip(choices, beside, strict=True)
-        ]
+    def _look(self, labels: Sequence[int]) -> None:
+        """Labels look for places at what they name, then farther and farther off, where these cost less than that."""
+        for tier, enough in enumerate([*LEAST[: self._last], np.inf]):
+            others, offered = self.standing(), self.scene.places(labels, tier)
+            for label, places in zip(labels, offered, strict=True):
+                self._table.write(label, places.among(others).cheapest(self._many))
+            if not (labels := self._greedy(labels, enough)):
+                break
 
-    def _alone(self, labels: Sequence[int], tier: int) -> list[LabelChoice]:
-        """The candidates of labels up to a tier that cost least were they alone; each is asked for once."""
-        new = [label for label in labels if (label, tier) not in self._liked]
-        for label, rated in zip(new, self.scene.rated(new, tier, lines=self.prices.through > 0), strict=True):
-            choice = LabelChoice(rated.boxes, self.prices.alone(rated), rated.free)
-            self._liked[label, tier] = choice.cheapest(3 * self._many)
-        return [self._liked[label, tier] for label in labels]
-
-    # --- farther and farther ----------------------------------------------------------------------
-
-    def _enough(self) -> Array:
-        """The cost of each label above which it looks for farther places."""
-        return np.where(self._tier < self._last, np.array([*LEAST, np.inf])[self._tier + 1], np.inf)
-
-    def _look_on(self, waiting: Sequence[int]) -> None:
-        """For those that have found no good place."""
-        while waiting:
-            self._tier[waiting] = np.minimum(self._tier[waiting] + 1, self._last)
-            for tier in set(self._tier[waiting]):
-                some = [label for label in waiting if self._tier[label] == tier]
-                for label, choice in zip(some, self._offered(some, tier), strict=True):
-                    self._table.write(label, choice)
-            waiting = self._greedy(waiting)
+    def standing(self, labels: Array | None = None) -> LabelPlaces:
+        """The places of all that have one, or of some of them."""
+        labels = np.flatnonzero(self.stands) if labels is None else labels
+        return self._table.taken(labels, self._spot[labels])
 
     # --- one after the other ----------------------------------------------------------------------
 
-    def _burden(self, label: int, sign: int) -> None:
-        """Add the cost of a label that stands here to the places of all others."""
-        one = self.boxes.taken([label])
-        numbers, others = self._table.about(*self.prices.reach(one), label)
-        more, clash = self.prices.together(others, one)
-        self._table.cost.ravel()[numbers] += sign * more
-        self._table.free.ravel()[numbers[clash]] = False
-
     def _put(self, label: int, spot: int | None = None) -> None:
         """A label takes one of its places, the cheapest."""
-        self._spot[label] = spot = int(np.argmin(self._table.cost[label])) if spot is None else spot
-        self.boxes.places[:, :, label], self.boxes.led[label] = self._table.place(label, spot)
+        self._spot[label] = int(np.argmin(self._table.cost[label])) if spot is None else spot
         self.stands[label] = True
-        self._burden(label, 1)
+        self._table.burden(label, self._spot[label], 1)
 
     def _lift(self, label: int) -> None:
         """A label leaves its place."""
-        self._burden(label, -1)
+        self._table.burden(label, self._spot[label], -1)
         self.stands[label] = False
 
-    def _greedy(self, labels: Sequence[int]) -> list[int]:
+    def _greedy(self, labels: Sequence[int], enough: float) -> list[int]:
         """The label with the least freedom takes its best place first; one that finds none for so little waits."""
-        waiting, put_off, enough = np.array(labels), [], self._enough()
+        waiting, put_off = np.array(labels, dtype=np.intp), []
         while len(waiting):
             left = np.count_nonzero(self._table.free[waiting], axis=1)
             best = self._table.cost[waiting].min(axis=1)
             next_ = int(np.lexsort((-best, left))[0])
             label = int(waiting[next_])
             waiting = waiting[waiting != label]
-            if best[next_] > enough[label]:
+            if best[next_] > enough:
                 put_off.append(label)
             else:
                 self._put(label)
@@ -140,50 +102,38 @@ class LabelPlacing:
             for label in map(int, bad if len(bad) <= _FEW else ()):
                 if self._bad()[label] and self._patience:
                     self._patience -= 1
-                    self._claim_by_turns(label)
-
-    def _claim_by_turns(self, label: int) -> None:
-        """A label claims its place, and who loses its own by that does the same, if that leaves all better."""
-        before, bad, table = self._badness(), self._bad(), self._table.copy()
-        kept = [each.copy() for each in (*self.boxes, self.stands, self._spot, self._tier)]
-        for _ in range(_CHAIN):
-            self._claim(label)
-            if self._badness() < before:
-                return
-            lost = np.where(self._bad() & ~bad, self._now(), 0.0)
-            label = int(np.argmax(lost))
-            if not lost[label]:
-                break
-        places, led, self.stands, self._spot, self._tier = kept
-        self.boxes, self._table = Boxes(places, led), table
+                    self._claim(label)
 
     def _bad(self) -> Array:
         """Labels that have no good place."""
-        return self._now() > self.prices.strange
+        return self._now() >= STRANGE
 
     def _badness(self) -> tuple[int, float]:
         """The number of labels without a good place, and the cost of all."""
         return int(np.sum(self._bad())), float(self._now().sum())
 
     def _claim(self, label: int) -> None:
-        """A label takes the place that is its best if others make way; these look for new ones."""
+        """A label takes the place that is its best if others make way, and these look for new ones; if all are better
+        off then."""
+        before, kept = self._badness(), (self._table.copy(), self.stands.copy(), self._spot.copy())
         self._lift(label)
-        self._tier[label] = self._last
-        [choice] = self._alone([label], self._last)
-        [(more, _)] = self.prices.beside_others([choice.boxes], self.boxes.taken(np.flatnonzero(self.stands)))
-        liking = choice.cost + _YIELDING * more
+        [places] = self.scene.places([label], self._last)
+        among = places.among(self.standing())
+        liking = places.cost + _YIELDING * (among.cost - places.cost)
         liked = np.sort(np.argsort(liking)[: self._many])
-        self._table.write(label, choice._replace(cost=choice.cost + more).taken(liked))
+        self._table.write(label, among.taken(liked))
         self._put(label, int(np.argmin(liking[liked])))
         others = np.flatnonzero(self.stands & (np.arange(len(self.stands)) != label))
-        more, _ = self.prices.together(self.boxes.taken(others), self.boxes.taken([label]))
-        self._look_again(others[more > self.prices.strange])
+        more, _ = together(self.standing(others), self.standing(np.array([label])))
+        self._look_again(others[more >= STRANGE])
+        if self._badness() >= before:
+            self._table, self.stands, self._spot = kept
 
     def _look_again(self, labels: Array) -> None:
-        """Some labels leave their places and look on from there; then all move to better ones."""
+        """Some labels leave their places and look for others; then all move to better ones."""
         for label in labels.tolist():
             self._lift(label)
-        self._look_on(labels.tolist())
+        self._look(labels.tolist())
         self._move()
 
     def _now(self) -> Array:
@@ -209,26 +159,31 @@ class LabelPlacing:
 
     def unclear(self) -> list[int]:
         """Labels on leaders that do not tell what they name."""
-        led = np.flatnonzero(self.stands & self.boxes.led)
-        start, end = self.boxes.taken(led).leader.swapaxes(1, 2)
+        places = self.standing()
+        led = np.flatnonzero(self.stands)[places.led]
+        start, end = places.leader[:, :, places.led].swapaxes(1, 2)
         return [int(label) for label in led[self.scene.arrows.unclear(self.scene.wanted, led, start, end)]]
+
+    def led(self) -> list[int]:
+        """Labels on leaders."""
+        return [int(label) for label in np.flatnonzero(self.stands)[self.standing().led]]
 
     # --- what has no place ------------------------------------------------------------------------
 
     def clashing(self) -> list[int]:
         """Labels that lie on another or on something drawn, out of their room, or under a leader."""
-        rows = np.flatnonzero(self.stands)
-        boxes = self.boxes.taken(rows)
-        bad = ~self.scene.inside(boxes)
-        bad[self.scene.touched(boxes.low.T + _TOUCH, boxes.high.T - _TOUCH)] = True
-        low, high = boxes.reach
-        near = overlap(low[:, :, None], high[:, :, None], low[:, None], high[:, None])
+        places = self.standing()
+        low, high = places.low, places.high
+        bad = ~self.scene.inside(low, high)
+        bad[self.scene.known.touched(low.T + _TOUCH, high.T - _TOUCH)] = True
+        least, most = places.reach
+        near = overlap(least[:, :, None], most[:, :, None], least[:, None], most[:, None])
         np.fill_diagonal(near, False)
         pair = one, other = np.nonzero(near)
-        upper, lower = boxes.taken(one), boxes.taken(other)
+        upper, lower = places.taken(one), places.taken(other)
         over = overlap(upper.low, upper.high, lower.low + _TOUCH, lower.high - _TOUCH) | under(upper, lower, 0.0)
         bad[np.concatenate(pair)[np.concatenate([over, over])]] = True
-        return [int(label) for label in rows[bad]]
+        return [int(label) for label in np.flatnonzero(self.stands)[bad]]
 
 
 _UNCLEAR, _MORE, _EASY = 4.0, 1.5, 4
@@ -274,30 +229,29 @@ def settle(scene: LabelScene, crowd: bool = False) -> Settled:
     if not scene.wanted:
         return Settled([], ())
     last = NEAR if scene.beyond_help else FAR if crowd and len(scene.wanted) <= MANY else LED
-    places = LabelPlacing(scene, last, CROWDED if crowd else NEARBY)
+    places = LabelPlacing(scene, last)
     clashing, unclear = places.clashing(), places.unclear()
     for _ in range(_ROUNDS if crowd else 0):
         if not (out := _left_out(scene.wanted, places.stands, [*clashing, *unclear])):
             break
         places.leave_out(out)
         clashing, unclear = places.clashing(), places.unclear()
-    led = np.flatnonzero(places.stands & places.boxes.led)
-    return Settled([*_lettered(scene.wanted, places)], clashing, crowd, led.tolist(), unclear)
+    return Settled([*_lettered(scene.wanted, places)], clashing, crowd, places.led(), unclear)
 
 
 def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[Mark]:
     """Letters where they stand, with their leaders."""
-    for label in map(int, np.flatnonzero(places.stands)):
-        want, (low, high, _, anchor) = wanted[label], places.boxes.places[..., label]
+    standing = places.standing()
+    for label, (low, high, begin, anchor), led in zip(
+        np.flatnonzero(places.stands).tolist(), np.moveaxis(standing.places, 2, 0), standing.led, strict=True
+    ):
+        want, middle = wanted[label], complex(*(low + high) / 2)
         wide, up, down = box(want.label, want.size)
-        middle, at = complex(*(low + high) / 2), complex(*anchor)
         yield from want.texts(middle + complex(-wide / 2, (up - down) / 2))
-        if places.boxes.led[label]:
-            half, off = complex(wide, up + down) / 2, at - middle  # from the near side of its box to what it names
-            edge = complex(max(-half.real, min(half.real, off.real)), max(-half.imag, min(half.imag, off.imag)))
-            rest = off - edge
-            begin = middle + edge + rest / abs(rest) * 0.3 if abs(rest) > 1 else middle + edge
-            yield Stroke((begin, at), "leader", step=want.step)
+        if led:
+            edge, at = complex(*begin), complex(*anchor)
+            apart = abs(at - edge)
+            yield Stroke((edge + (at - edge) * 0.3 / apart if apart > 1 else edge, at), "leader", step=want.step)
 
 
 def _left_out(wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int]) -> list[int]:

@@ -139,7 +139,8 @@ class Panel:
     @cached_property
     def scene(self) -> LabelScene:
         """Labels that want a place, and all that they keep off."""
-        return LabelScene(self.figure.wanted, self.drawn + self._beside_equations, self.room)
+        giving_way = self.more.lines() if self.more is not None else ()
+        return LabelScene(self.figure.wanted, self.drawn + self._beside_equations, self.room, giving_way)
 
     @property
     def _beside_equations(self) -> list[Mark]:
@@ -154,21 +155,17 @@ class Panel:
 
     @cached_property
     def near(self) -> Settled:
-        """Its labels near what they name; at once off the lines of what is drawn last where all find places so."""
-        easy = None if self.scene.crammed else self.off
-        return _settled(self.scene) if easy is None or easy.clashes or easy.led else easy
+        """Its labels near what they name."""
+        return self._settled(crowd=False)
 
     @cached_property
     def far(self) -> Settled:
         """Its labels in a crowd, where some find no good place otherwise."""
         crowd = self.scene.crammed or self.near.clashes or self.near.unclear
-        return _settled(self.scene, crowd=True) if crowd else self.near
+        return self._settled(crowd=True) if crowd else self.near
 
-    @cached_property
-    def off(self) -> Settled | None:
-        """Near, and off the lines of what is drawn last, where there are such."""
-        lines = self.more.lines() if self.more is not None else ()
-        return _settled(self.scene.under(lines)) if lines else None
+    def _settled(self, crowd: bool) -> Settled:
+        return settle(self.scene, crowd)
 
     @cached_property
     def burdens(self) -> Array:
@@ -182,13 +179,7 @@ class Panel:
         """Its labels, and what is drawn last where they have left room."""
         if self.more is None:
             return settled, Annotations()
-        if not settled.crowd and self.off is not None:
-            settled = self.off if _worth(self.off) <= _worth(settled) else settled
         return settled, self.more(FreeRoom(self.scene, [*settled.marks, *self.after]))
-
-
-def _settled(scene: LabelScene, crowd: bool = False) -> Settled:
-    return settle(scene, crowd)
 
 
 @frozen
@@ -307,12 +298,6 @@ class Lettered:
         accented = [replace(mark, accent=mark.accent or plane) for plane, mark in each]
         yield Layer("leaders", tuple(mark for mark in accented if isinstance(mark, Stroke)))
         yield Layer("labels", tuple(mark for mark in accented if isinstance(mark, Text)))
-
-
-def _worth(settled: Settled) -> tuple[int, int, int]:
-    """Labels without a good place, labels left out, leaders: the less the better."""
-    letters = sum(isinstance(mark, Text) for mark in settled.marks)
-    return settled.clashes + len(settled.unclear), -letters, len(settled.led)
 
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:

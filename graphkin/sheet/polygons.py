@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from dataclasses import field
 from functools import cached_property
 from itertools import chain
 
@@ -20,7 +20,6 @@ from graphkin.planning.method import rate_found
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, plain, point_label, vector_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark
-from graphkin.sheet.paper import PenName
 from graphkin.sheet.skeleton import hull, in_line, off_stretch
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
@@ -182,13 +181,14 @@ class PolygonFigure:
         """Its arrows on paper; those with the same ends are one, which bears all their names."""
         for one, *others in self._shared.values():
             start, end, step = self.points[one.tail], self.points[one.head], self.step(one.tail, one.head)
-            vector = VectorMark(self.construction.plane, one.name, one.tail, one.head, start, end, step)
-            also, sites = tuple(other.name for other in others), tuple(map(named_site, one.sites))
             sizes = [arrow.size for arrow in (one, *others) if arrow.of_equation] if self.solving else []
             thin = bool(sizes) and None not in sizes and not isinstance(sizes[0], Drawn)
-            named = {name.replace("^", "_") for name in (one.name, *also)}
-            pen: PenName = "asked" if named & self._asked else "laid" if thin else "vector"
-            yield replace(vector, sites=sites, also=also, part=one.part, solved=None in sizes, pen=pen)
+            named = {arrow.name.replace("^", "_") for arrow in (one, *others)}
+            yield VectorMark(
+                self.construction.plane, one.name, one.tail, one.head, start, end, step,
+                sites=tuple(map(named_site, one.sites)), also=tuple(other.name for other in others), part=one.part,
+                solved=None in sizes, pen="asked" if named & self._asked else "laid" if thin else "vector",
+            )  # fmt: skip
 
     @cached_property
     def _asked(self) -> set[str]:
