@@ -64,7 +64,6 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
 def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:
     """Table, heading, and the circle diagram beyond a thin line; then the figure."""
     grid, circle, scale = layout.grid, layout.circle, layout.window.scale
-    assert grid.strip is not None, "a sheet of centres has a title block"
     base = [*layout.table.drawn(complex(grid.strip.room.left + 3, grid.strip.room.top + 1.5))]
     base += heading(_HEADING[lang], "position", scale, layout.figure)
     beside = circle.left > layout.figure.left
@@ -154,7 +153,6 @@ def _layouts(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Ite
     beside = centre_table(measures.found, lang, wide - size.real - 6, most)
     if not paper.landscape and not beside.lost and beside.height < table.height + size.imag:
         grid = SheetGrid.over(paper, least=max(size.imag, beside.height))
-        assert grid.strip is not None
         foot, table, figure = grid.strip.room, beside, grid.field
         circle = Room(foot.right - size.real, foot.top, foot.right, foot.top + size.imag)
     else:

@@ -15,17 +15,16 @@ from graphkin.model.mechanism import FRAME, Link, Mechanism
 from graphkin.running.path import along
 from graphkin.say.catalogue import in_both
 from graphkin.say.centre_about import curves_met, pole_words
+from graphkin.sheet.drafting_figure import right_angle, spot
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import divided
-from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, quantity_label
-from graphkin.sheet.marks import Disc, Place, Stroke
+from graphkin.sheet.lettering import Label, link_label, plain, point_label, quantity_label
+from graphkin.sheet.marks import Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
-from graphkin.sheet.page import Page, Sheet
+from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName, finest, papers_for
 from graphkin.sheet.path_figure import clipped
-from graphkin.sheet.single_figure import Caption, Picture, SingleFigure, place_for
-from graphkin.sheet.symbols import SWEEP, arrow_head, spin
-from graphkin.sheet.titleblock import Strip, Table, strip_height
+from graphkin.sheet.single_figure import Picture, SingleFigure, gridded, place_for
+from graphkin.sheet.symbols import SWEEP, arrow, spin
 from graphkin.sheet.window import Entry, Extent, Figure, Window, corners, enlarged
 from graphkin.studies.centres.centrodes import Centrodes
 from graphkin.studies.centres.two_velocities import TwoVelocities
@@ -134,9 +133,9 @@ class _CentrodePage:
                     figure.wanted.append(LabelRequest(label, longest[min(k, len(longest) - 1)], gap=1.2))
         figure += machine if lettered else Figure(machine.marks)
         if centre is not None and on.room.holds(on.window(centre)):
-            figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper" if lettered else "ink"))
-            if lettered:
-                figure.wanted.append(LabelRequest(quantity_label("P", curves.name[1:]), on.window(centre), gap=1.2))
+            label = quantity_label("P", curves.name[1:])
+            pole = Figure.of(spot(on.window(centre), label, 1.0, "paper" if lettered else "ink"))
+            figure += pole if lettered else Figure(pole.marks)
         called = curves.found.method.mechanism.called
         names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
         words = PATH if len(curves.axes) == 1 else HEADING
@@ -181,8 +180,7 @@ def _lengths(places: Sequence[Place]) -> np.ndarray:
 
 _ARROW = 45.0  # the greater velocity is drawn no longer than this [mm]
 _BEYOND = 12.0  # the length of lines past their points [mm]; a line that meets none, so much more
-_SQUARE, _RADIUS = 2.2, 9.0
-_FOOT = 24.0  # room for what is said under the figure [mm]
+_RADIUS = 9.0  # of the arc of omega [mm]
 
 
 def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | None = None) -> Sheet:
@@ -195,19 +193,11 @@ def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | Non
         return Figure.of(_entries(velocities, window, speed))
 
     places = [*velocities.points, *([velocities.place] if cmath.isfinite(velocities.place) else [])]
-    caption = Caption(tuple(pole_words(velocities, lang)), _FOOT)
-    far = plain("\u221e" if cmath.isinf(velocities.place) else "")
-    rows = [(quantity_label("ω", ""), (*number(abs(velocities.omega)), Run(" rad/s")))]
-    if cmath.isfinite(velocities.place):
-        at = (("x", velocities.place.real), ("y", velocities.place.imag))
-        rows = [*((quantity_label(letter, "P"), (*number(value * 1e3), Run(" mm"))) for letter, value in at), *rows]
-    tables = [Table((quantity_label("P", ""), far), tuple(rows))]
-    field, foot = divided(chosen, strip_height(chosen, tables))
-    picture = Picture(Extent.of(places, draw), draw, caption)
-    strip = Strip(foot, tables, further={"velocity": speed} if fastest else {})
+    _, grid, panels = gridded([[Picture(Extent.of(places, draw), draw)]], chosen, told=[*pole_words(velocities, lang)])
+    strip = replace(grid.strip, further={"velocity": speed} if fastest else {})
     title = in_both("about.pole title")
     machine = Mechanism("velocities", "1", {FRAME: Link(FRAME, {})}, title=title, file="velocities")
-    return Page(chosen, [picture.panel(field, picture.scale(field))], machine, (), lang, strip).sheet()
+    return replace(grid, strip=strip).page(panels, machine, lang).sheet()
 
 
 def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterator[Entry]:
@@ -221,23 +211,19 @@ def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterato
         for end, tip in zip(ends, tips, strict=True):
             if abs(tip - end) < 1:
                 continue
-            along = (tip - end) / abs(tip - end)  # the perpendicular of a velocity, with its right angle
-            side = along * 1j if pole is None or ((along * 1j).conjugate() * (pole - end)).real > 0 else along * -1j
+            side = (tip - end) / abs(tip - end) * 1j  # the perpendicular of a velocity, with its right angle
+            side *= -1 if pole is not None and ((pole - end) / side).real < 0 else 1
             reach = _BEYOND * 4 if pole is None else abs(pole - end) + _BEYOND
             yield Stroke((end, end + side * reach), "construction")
-            yield Stroke(tuple(end + off * _SQUARE for off in (along, along + side, side)), "construction")
+            yield from right_angle(end, tip - end, side)
     yield Stroke((ends[0], ends[1]), "visible")
     for name, end, tip in zip(velocities.names, ends, tips, strict=True):
-        yield Disc(end, 0.6, "outline", "ink")
-        yield LabelRequest(point_label(name), end, gap=0.9, away=end - tip)
+        yield from spot(end, point_label(name))
         if abs(tip - end) > 1:
-            along = (tip - end) / abs(tip - end)
-            yield Stroke((end, tip - 2 * along), "vector", accent="velocity")
-            yield replace(arrow_head(tip, along, None), accent="velocity")
+            yield from arrow(end, tip, "velocity")
             yield LabelRequest(quantity_label("v", name), end, tip)
     if pole is not None:
-        yield Disc(pole, 0.9, "outline", "paper")
-        yield LabelRequest(quantity_label("P", ""), pole, gap=1.2, away=pole - ends[0])
+        yield from spot(pole, quantity_label("P", ""), 0.9, "paper")
         if velocities.omega:
             start, sense = cmath.rect(1, math.radians(30)), math.copysign(1, velocities.omega)
             yield from spin(pole, start, sense, _RADIUS)

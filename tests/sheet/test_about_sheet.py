@@ -106,10 +106,10 @@ def test_bobillier_on_paper(name: str, link: str, point: str | complex):
     sheet = bobillier_sheet(entry, drawn, lang="zh")
     place = complex(entry.plot.position[point]) if isinstance(point, str) else point
     centre = sheet.origins["position"] + entry.carried(place).centre.conjugate() / sheet.scales["position"]
-    (mark,) = (mark for mark in sheet.marks if isinstance(mark, Disc) and mark.step == len([*drawn.construction.steps]))
+    (mark,) = (mark for mark in sheet.marks if isinstance(mark, Disc) and mark.step == len(drawn.construction.stages))
     assert abs(mark.centre - centre) < 1e-6
-    steps = list(step_sheets(bobillier_sheet(entry, drawn), range(1, len([*drawn.construction.steps]) + 1)))
+    steps = list(step_sheets(bobillier_sheet(entry, drawn), range(1, len(drawn.construction.stages) + 1)))
     counts = [len(one.marks) for one in steps]
     assert counts == sorted(counts)
     assert counts[-1] == len(bobillier_sheet(entry, drawn).marks)
-    assert all(mark.new == (mark.step == 8) for mark in steps[7].marks)
+    assert all(mark.new == (mark.step == 4) for mark in steps[3].marks)
