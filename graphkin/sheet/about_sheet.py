@@ -14,13 +14,12 @@ from graphkin.construction import Plane
 from graphkin.construction.drafting import CarriedAngle, LineStep, PointStep, Step
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
-from graphkin.say import numbers
 from graphkin.say.centre_about import bobillier_words, link_words
 from graphkin.sheet import symbols
-from graphkin.sheet.centre_figure import coordinates
-from graphkin.sheet.drafting_figure import DraftingFigure, spot
+from graphkin.sheet.centre_figure import INFINITY, coordinates
+from graphkin.sheet.drafting_figure import DraftingFigure, named, spot
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
+from graphkin.sheet.lettering import Label, Run, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import ArcMark, Fill, Mark, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
@@ -126,11 +125,7 @@ class _LinkDrawing:
     def _curve(self, places: list[Place], pen: PenName, words: Mapping[Lang, str]) -> Iterator[Entry]:
         strokes = list(clipped(places, self.on.room, pen))
         yield from strokes
-        if strokes:
-            longest = max(strokes, key=lambda stroke: len(stroke.places))
-            third = max(len(longest.places) // 3, 1)
-            start, end = longest.places[third - 1], longest.places[third]
-            yield LabelRequest(plain(words[self.lang]), start, end if abs(end - start) > 8 else None, gap=0.6)
+        yield from named(strokes, plain(words[self.lang]), 1 / 3)
 
     def axes(self) -> Iterator[Entry]:
         """Pole tangent t and normal n."""
@@ -148,23 +143,19 @@ class _LinkDrawing:
         link, window, room = self.link, self.on.window, self.on.room
         if not link.moves:
             return
-        here = not cmath.isinf(link.pole) and room.holds(window(link.pole))
-        last: tuple[Place, complex] | None = None
-        for carried in link.points.values():
-            at = window(carried.place)
-            along = window.turned(link.towards if cmath.isinf(link.pole) else link.pole - carried.place)
-            if here:
+        far, last = cmath.isinf(link.pole), list[tuple[Place, complex]]()
+        for at, carried in ((window(carried.place), carried) for carried in link.points.values()):
+            along = window.turned(link.towards if far else link.pole - carried.place)
+            if not far and room.holds(window(link.pole)):
                 yield from clipped([at, window(link.pole)], room, "construction")
             elif abs(along) > 0:
                 along /= abs(along)
                 for ray in clipped([at, at + along * _TOWARDS], room, "construction"):
-                    last = ray.places[-1], along
-                    yield ray
-                    yield symbols.arrow_head(*last, None)
-        if last is not None:
-            x, y = (numbers.number(1e3 * part, 1e-6) for part in (link.pole.real, link.pole.imag))
-            label = (*self.name, *plain(" → ∞" if cmath.isinf(link.pole) else f" ({x}, {y})"))
-            yield LabelRequest(label, last[0], gap=1.0, away=last[1])
+                    last = [(ray.places[-1], along)]
+                    yield from (ray, symbols.arrow_head(ray.places[-1], along, None))
+        for at, along in last:
+            where = INFINITY if far else (Run(" "), *coordinates(link.found, link.pole), Run(" mm"))
+            yield LabelRequest((*self.name, *where), at, gap=1.0, away=along)
 
     def field(self) -> Iterator[Entry]:
         """A light field of velocities over the link's plane, about its points and its pole."""
@@ -199,15 +190,11 @@ class _LinkDrawing:
             yield LabelRequest(quantity_label("v", name), start, start + arrow, gap=0.7)
 
     def poles(self) -> Iterator[Entry]:
-        """P and J; at one place they share a label."""
-        pole, other = self.link.pole, self.link.acceleration_pole
-        label, letter = self.name, plain("J", italic=True)
-        if other is not None and cmath.isfinite(pole) and abs(self.on.window(pole) - self.on.window(other)) < 0.2:
-            label, other = joined([label, letter]), None
-        if cmath.isfinite(pole):
-            yield from self._spot(pole, label, 1.0, "paper")
-        if other is not None:
-            yield from self._spot(other, letter, 1.0, "paper")
+        """P and J."""
+        if cmath.isfinite(self.link.pole):
+            yield from self._spot(self.link.pole, self.name, 1.0, "paper")
+        if self.link.acceleration_pole is not None:
+            yield from self._spot(self.link.acceleration_pole, plain("J", italic=True), 1.0, "paper")
 
     def centres(self) -> Iterator[Entry]:
         """Centres of curvature, and the radius from each point; a mark where one is a pivot already drawn."""

@@ -17,9 +17,9 @@ from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import Far, Stage
 from graphkin.model.pairs import Cam, Pair, Rod
-from graphkin.sheet.drafting_figure import DraftingFigure
+from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, joined, number, plain, quantity_label
+from graphkin.sheet.lettering import Label, Run, number, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
@@ -80,7 +80,6 @@ _APART = 5.0  # arrows in one direction start at least so far from one another [
 _Start = tuple[Place, complex]  # the start of an arrow, and its direction
 _CIRCLE, _DOT = 1.0, 0.5
 """Radius of the circle and of the dot that mark a centre [mm]."""
-_BETWEEN = ", "
 
 
 @frozen
@@ -248,22 +247,8 @@ def centre_figure(paper: OnPaper) -> Figure:
         if all(abs(hinge - at) >= _CIRCLE for hinge in hinges):
             marks.append(Disc(at, _CIRCLE, "thin", "paper", step=step))
         marks.append(PointMark("centres", spot.name, spot.name, at, _DOT, step=step))
-    drawn = [*lines.marks, *machine.marks, *marks]
+    drawn, shown = [*lines.marks, *machine.marks, *marks], filter(paper.shown, paper.spots)
+    names = (LabelRequest(centre_label(s.name), paper.at(s), gap=HINGE, step=s.number) for s in shown)
     arrows = centre_arrows(paper, drawn)
-    wanted = [*machine.wanted, *_names(paper), *arrows.wanted, *lines.wanted]
+    wanted = [*machine.wanted, *together(names), *arrows.wanted, *lines.wanted]
     return Figure([*drawn, *arrows.marks], wanted)
-
-
-def _names(paper: OnPaper) -> Iterator[LabelRequest]:
-    """A label for each place, with all centres there; each name comes with its own step."""
-    groups: list[list[Spot]] = []
-    for spot in filter(paper.shown, paper.spots):
-        group = next((group for group in groups if abs(paper.at(group[0]) - paper.at(spot)) < SAME), None)
-        if group is None:
-            groups.append(group := [])
-        group.append(spot)
-    for group in groups:
-        labels, first = [centre_label(spot.name) for spot in group], group[0]
-        starts: list[Label] = [(), *([(Run(_BETWEEN),)] * (len(group) - 1))]
-        parts = tuple((start + label, spot.number) for start, label, spot in zip(starts, labels, group, strict=True))
-        yield LabelRequest(joined(labels, _BETWEEN), paper.at(first), gap=HINGE, step=first.number, parts=parts)

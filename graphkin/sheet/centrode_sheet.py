@@ -15,7 +15,7 @@ from graphkin.model.mechanism import FRAME, Link, Mechanism
 from graphkin.running.path import along
 from graphkin.say.catalogue import in_both
 from graphkin.say.centre_about import curves_met, pole_words
-from graphkin.sheet.drafting_figure import right_angle, spot
+from graphkin.sheet.drafting_figure import named, right_angle, spot
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, link_label, plain, point_label, quantity_label
 from graphkin.sheet.marks import Place, Stroke
@@ -32,8 +32,7 @@ from graphkin.studies.centres.two_velocities import TwoVelocities
 FRAMES = 48
 _ROUND = 0.75  # curves are shown so far around the mechanism, as part of its size
 _CENTRE = 2.0  # so many times larger the figure may become to show the centre itself
-_AGAIN = 0.03  # a curve that runs over itself within this is drawn once [mm]
-_PENS: tuple[PenName, ...] = ("visible", "dashed")
+_PENS: tuple[PenName, ...] = ("visible", "thin")
 
 HEADING: dict[Lang, str] = {"en": "Centrodes of links {first} and {second}", "zh": "构件 {first}、{second} 的瞬心线"}
 PATH: dict[Lang, str] = {"en": "Path of the instant centre {name}", "zh": "瞬心 {name} 的轨迹"}
@@ -121,16 +120,12 @@ class _CentrodePage:
             strokes = list[Stroke]()
             for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
                 places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
-                strokes += clipped([*places, places[0]] if piece.closed else _once(places), on.room, pen)
+                strokes += clipped([*places, *places[:1]] if piece.closed else places, on.room, pen)
             lines.append(strokes)
         figure, machine = Figure([stroke for strokes in lines for stroke in strokes]), on.mechanism(plot)
         if lettered:
             for label, strokes, share in zip(self._labels(), lines, (0.25, 0.75), strict=False):
-                if strokes:
-                    longest = max(strokes, key=lambda stroke: _lengths(stroke.places)[-1]).places
-                    lengths = _lengths(longest)
-                    k = int(np.searchsorted(lengths, share * lengths[-1]))
-                    figure.wanted.append(LabelRequest(label, longest[min(k, len(longest) - 1)], gap=1.2))
+                figure.wanted += named(strokes, label, share)
         figure += machine if lettered else Figure(machine.marks)
         if centre is not None and on.room.holds(on.window(centre)):
             label = quantity_label("P", curves.name[1:])
@@ -150,29 +145,6 @@ class _CentrodePage:
         links = [link_label(self.curves.found.method.mechanism.called(link)) for link in self.curves.axes]
         starts = [plain(CURVES[kind][self.lang]) for kind in kinds]
         return [(*start, *link, *plain(END[self.lang])) for start, link in zip(starts, links, strict=True)]
-
-
-def _once(places: list[Place]) -> list[Place]:
-    """A curve that comes back to its first place and goes on over itself, up to there: dashes must not cover gaps."""
-    import shapely
-
-    away = np.abs(np.array(places) - places[0])
-    step = 2 * float(np.max(np.abs(np.diff(np.array(places)))))
-    left = np.flatnonzero(away > 2 * step)
-    back = np.flatnonzero(away[left[0] :] <= step) + left[0] if left.size else left
-    if not back.size:
-        return places
-    end = int(back[0] + np.argmin(away[back[0] : back[0] + 8])) + 1
-    if end + 1 >= len(places):
-        return places
-    rest = shapely.points([(z.real, z.imag) for z in places[end:]])
-    line = shapely.LineString([(z.real, z.imag) for z in places[: end + 1]])
-    return places[: end + 1] if np.all(shapely.distance(line, rest) < _AGAIN) else places
-
-
-def _lengths(places: Sequence[Place]) -> np.ndarray:
-    """Length of a curve up to each of its places."""
-    return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(np.array(places))))])
 
 
 # --- the pole of a body from two of its velocities --------------------------------------------------------------------

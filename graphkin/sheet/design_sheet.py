@@ -8,7 +8,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property
 from itertools import chain
 from typing import assert_never
@@ -26,7 +25,7 @@ from graphkin.say.numbers import circled
 from graphkin.sheet import symbols
 from graphkin.sheet.drafting_figure import NEAR, DraftingFigure, angle, right_angle, spot
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
+from graphkin.sheet.lettering import Label, Run, number, plain, point_label
 from graphkin.sheet.linkage_sheet import found_sizes
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
@@ -51,14 +50,10 @@ def design_sheet(design: Design, *, paper: str | None = None, lang: Lang = "en")
     plot, last = proved(method).plot, len(chosen.construction.stages) + 1
     told = [f"{circled(k)} {text}" for k, text in enumerate(sentences(chosen.construction, chosen.board(), lang), 1)]
     on = _page(chosen, method, plot, paper, told)
-    construction, machine = DesignFigure(chosen, on, design.families), on.mechanism(plot).numbered(last)
-    for k, want in enumerate(machine.wanted):  # with the construction's letters for that place; pivots from the start
-        name = next((name for name in "ABCD" if want.label == point_label(name)), "")
-        if name in construction.places:
-            machine.wanted[k] = replace(want, step=chosen.construction.born(name))
-        elif name and (also := construction.also(name)):
-            machine.wanted[k] = replace(want, label=joined([want.label, *map(point_label, also)]))
-    return on.sheet(plot, _HEADING[lang], construction.figure() + machine, lang)
+    figure, machine = DesignFigure(chosen, on, design.families).figure(), on.mechanism(plot).numbered(last)
+    named = {want.label for want in figure.wanted}  # pivots are lettered from the start
+    machine.wanted = [want for want in machine.wanted if want.label not in named]
+    return on.sheet(plot, _HEADING[lang], figure + machine, lang)
 
 
 def _page(one: Solution, method: Method, plot: Plot, paper: str | None, told: Sequence[str]) -> SingleFigure:
@@ -182,32 +177,16 @@ class DesignFigure:
             yield from (Disc(self.on.window(places[name]), 0.8, "thin", "paper", step=last) for name in "BC")
 
     def _points(self) -> Iterator[Entry]:
-        """Points of the construction with their letters; those of the linkage itself are lettered with it."""
-        shown = {name: self.on.window(z) for name, z in self._lettered.items()}
-        hinges = [self.on.window(z) for places in self.solution.limits for z in places.values()]
-        used = [self.on.window(z) for z in self.solution.places.values()]
-        for name, at in shown.items():
-            if any(abs(at - other) < NEAR for other in used) or not self.on.room.holds(at):
-                continue
-            used.append(at)
-            same = [point_label(other) for other, z in shown.items() if abs(z - at) < NEAR]
-            dot, *label = spot(at, joined(same), _DOT, step=self.construction.born(name))
-            yield from label if any(abs(at - other) < NEAR for other in hinges) else (dot, *label)
-
-    def also(self, name: str) -> list[str]:
-        """Points of the construction where a point of the linkage lies: B is at B3."""
-        at, near = self.solution.places.get(name), NEAR * self.on.window.scale
-        return [] if at is None else [other for other, z in self._lettered.items() if abs(z - at) < near]
-
-    @cached_property
-    def _lettered(self) -> Mapping[str, complex]:
-        """The construction's points, and B and C of the positions, where they are no pivots, if it has none."""
-        limits = self.solution.limits
+        """The construction's points with their letters; and B and C of the positions, where it has none for them."""
+        limits, points = self.solution.limits, {name: z for name, z in self.places.items() if name != "X"}
         moving = [n for n in "BC" if n in limits[0] and any(places[n] != limits[0][n] for places in limits)]
-        points = {name: z for name, z in self.places.items() if name != "X"}
         for k, places in enumerate(limits, start=1):
             points |= {f"{name}{k}": places[name] for name in moving if f"{name}1" not in self.places}
-        return {name: z for name, z in points.items() if name not in self.solution.places}
+        hinges = [self.on.window(places[name]) for places in limits for name in "BC"]
+        for name, at in ((name, self.on.window(z)) for name, z in points.items()):
+            if self.on.room.holds(at):
+                dot, *letters = spot(at, point_label(name), _DOT, step=self.construction.born(name))
+                yield from letters if any(abs(at - other) < NEAR for other in hinges) else (dot, *letters)
 
     def _angles(self) -> Iterator[Entry]:
         """theta at A, and the swing at D (at C for a guide bar), with their values, and the right angles for them."""

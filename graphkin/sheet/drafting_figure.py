@@ -1,9 +1,15 @@
-"""Constructions with ruler and compass on paper: lines as far as their points, stages with their numbers; angles."""
+"""Constructions with ruler and compass on paper: lines as far as their points, stages with their numbers; angles.
+
+Points at one place share a label.
+"""
 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from graphkin.base import geometry
 from graphkin.base.value import frozen
@@ -19,11 +25,11 @@ from graphkin.construction.drafting import (
 )
 from graphkin.say.numbers import circled
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LABEL, Label, plain
+from graphkin.sheet.lettering import LABEL, Label, joined, plain
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
 from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.path_figure import clipped
-from graphkin.sheet.symbols import angle_arc
+from graphkin.sheet.symbols import HINGE, angle_arc
 from graphkin.sheet.window import Entry, Window
 
 NEAR = 0.25  # points nearer than this on paper are one [mm]
@@ -83,6 +89,29 @@ class DraftingFigure:
         return [base + along * (min(reach) - more), base + along * (max(reach) + more)]
 
 
+def together(wanted: Iterable[LabelRequest]) -> Iterator[LabelRequest]:
+    """Labels of points at one place as one label, each part of which comes with its own step."""
+    groups: list[list[LabelRequest]] = []
+    for want in wanted:
+        same = (group for group in groups if want.end is None and not want.parts and _at_one_place(group[0], want))
+        if (group := next(same, None)) is None:
+            groups.append([want])
+        else:
+            group.append(want)
+    for first, *others in groups:
+        if not others:
+            yield first
+            continue
+        parts = ((first.label, first.step), *((joined([(), other.label]), other.step) for other in others))
+        label, gap = tuple(run for part, _ in parts for run in part), max(each.gap for each in (first, *others))
+        yield replace(first, label=label, gap=gap, parts=parts)
+
+
+def _at_one_place(one: LabelRequest, other: LabelRequest) -> bool:
+    points = one.end is None and not one.parts and max(one.gap, other.gap) <= HINGE  # no blocks, for their numbers
+    return points and one.size == other.size and abs(one.start - other.start) < NEAR
+
+
 def spot(at: Place, label: Label, radius: float = 0.6, fill: Fill = "ink", step: int | None = None) -> Iterator[Entry]:
     """A point with its letters."""
     yield Disc(at, radius, "vector", fill, step=step)
@@ -106,3 +135,13 @@ def right_angle(at: Place, one: complex, other: complex, side: float = _SQUARE, 
         return []
     one, other = side * one / abs(one), side * other / abs(other)
     return [Stroke((at + one, at + one + other, at + other), "construction", step=step)]
+
+
+def named(strokes: Sequence[Stroke], label: Label, share: float) -> Iterator[LabelRequest]:
+    """The name of a curve, beside the longest of its pieces, where that share of it is passed."""
+    pieces = [np.array(stroke.places) for stroke in strokes]
+    passed = [np.abs(np.diff(places)).cumsum() for places in pieces]
+    if pieces:
+        longest = max(range(len(pieces)), key=lambda k: passed[k][-1])
+        start, end = pieces[longest][np.searchsorted(passed[longest], share * passed[longest][-1]) :][:2]
+        yield LabelRequest(label, complex(start), complex(end), gap=0.8)

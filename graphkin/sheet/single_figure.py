@@ -16,6 +16,7 @@ from graphkin.planning import Method
 from graphkin.say.dimensions import sizes
 from graphkin.say.reading import Reading
 from graphkin.sheet.dimension_lines import angles
+from graphkin.sheet.drafting_figure import together
 from graphkin.sheet.layout import HEAD, Layout, alone, divided
 from graphkin.sheet.lettering import LABEL, formula, width
 from graphkin.sheet.marks import Mark, Text
@@ -58,6 +59,7 @@ class SingleFigure:
     ) -> Sheet:  # fmt: skip
         """The sheet; words: the heading, further: scales to be told beside the figure's own, after: over all else."""
         head = heading(words, "position", self.window.printed, self.layout.rooms["position"])
+        figure = Figure(figure.marks, [*together(figure.wanted)])
         panel = Panel(figure, self.window, self.room, before=head, after=tuple(after))
         foot = Strip(self.layout.strip, self.found, further=further or {}, told=self.told)
         return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, foot).sheet()

@@ -25,7 +25,8 @@ def seen(name: str, link: str) -> About:
 
 
 def lettered(sheet: Sheet) -> list[str]:
-    return ["".join(run.text for run in mark.label) for mark in sheet.marks if isinstance(mark, Text)]
+    """Letters; those of points at one place stand side by side."""
+    return ["".join(run.text for run in mark.label).removeprefix(", ") for mark in sheet.marks if isinstance(mark, Text)]
 
 
 EVERY = [(name, link) for name in library.names() for link in library.load(name).moving]
