@@ -16,7 +16,8 @@ from graphkin.base import geometry
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import Far, Stage
-from graphkin.model.pairs import Cam, Pair, Rod
+from graphkin.model.pairs import Cam, Rod
+from graphkin.sheet.boxes import xy
 from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain, quantity_label
@@ -70,7 +71,7 @@ def coordinates(found: Centres, place: complex) -> Label:
 
 
 _BEYOND = 4.0  # how far a line goes on past the centres on it [mm]
-_NORMAL = 12.0  # how far a common normal goes on past the contact [mm]
+_NORMAL = 12.0  # how far a common normal goes on past the rim of the smaller profile about its centre [mm]
 _SHORT = 0.8  # a shorter rest of a line already drawn is not drawn [mm]
 INFINITY: Label = plain(" → ∞ ")  # the room after the sign is because it is wider than what letters count as
 _ARROW, _EDGE_ARROW = 13.0, 8.0
@@ -109,35 +110,18 @@ class OnPaper:
         return spot.place is not None and self.room.holds(self.at(spot))
 
     def lines(self, spot: Spot) -> Iterator[Stroke]:
-        """The lines that give a centre, past the centres on them; common normals past the contact, as centre lines."""
+        """The lines that give a centre, past the centres on them; common normals past profiles, as centre lines."""
         for line in spot.stage.lines if spot.stage.say == "two lines" else ():
             normal, also = self.found.centring.normals.get(line.name), list[Place]()
             if normal is not None:
-                along = self.window.turned(place(self.found.plot.direction(normal.line.direction)))
-                past = _NORMAL * along / abs(along)
-                touching = [self._point(normal.line.through), *self._contact(normal.pair)]
-                also = [at + side * past for at in touching for side in (1, -1)]
+                along, pair = self.window.turned(place(self.found.plot.direction(normal.line.direction))), normal.pair
+                least = min((radius for *_, radius in pair.circles), default=0.0) if isinstance(pair, Cam) else 0.0
+                past = (_NORMAL + least / self.window.scale) * along / abs(along)
+                names = pair.slipping.points if isinstance(pair.slipping, Rod) else (normal.line.through,)
+                centres = [self.window(place(self.found.plot.position[name])) for name in names]
+                also = [at + side * past for at in centres for side in (1, -1)]
             ends = self.drafting.ends(line, also)
             yield from clipped(ends, self.room, "dashed" if normal is None else "centre", spot.number)
-
-    def _point(self, name: str) -> Place:
-        return self.window(place(self.found.plot.position[name]))
-
-    def _contact(self, pair: Pair) -> Iterator[Place]:
-        """The contact of a pair's links, unless the normal is drawn from there; of a rod, the end it keeps off."""
-        if not isinstance(pair, Cam):
-            yield from map(self._point, pair.slipping.points[1:] if isinstance(pair.slipping, Rod) else ())
-            return
-        position = self.found.plot.position
-        (one, radius), *others = [(place(position[centre]), radius) for _, centre, radius in pair.circles]
-        if others:
-            other, less = others[0]
-            side = -1 if pair.internal and radius < less else 1
-            yield self.window(one + side * radius * (other - one) / abs(other - one))
-        for straight in pair.lines:
-            along = straight.direction * cmath.rect(1, geometry.number(self.found.plot.theta.get(straight.link, 0.0)))
-            off = place(position[straight.origin]) - one
-            yield self.window(one + off - along * (off * along.conjugate()).real)
 
 
 def centre_lines(paper: OnPaper) -> Figure:
@@ -218,8 +202,8 @@ def _free(
 ) -> _Start:
     """The place that touches the fewest things; the first of equals."""
     tried = [(start, along, start + length * along) for start, along in stands]
-    low = np.array([(start.real, start.imag) for start, _, _ in tried])
-    high = np.array([(end.real, end.imag) for _, _, end in tried])
+    skew = [(start + 0.4j * along, end - 0.4j * along) for start, along, end in tried]  # a bar along it is crossed, too
+    low, high = (xy(np.array(ends)).T for ends in zip(*skew, strict=True))
     hits = np.bincount(obstacles([*drawn, *taken]).crossed(low, high), minlength=len(tried))
 
     def price(k: int) -> float:

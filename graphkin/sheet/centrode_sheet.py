@@ -17,7 +17,7 @@ from graphkin.say.catalogue import in_both
 from graphkin.say.centre_about import curves_met, pole_words
 from graphkin.sheet.drafting_figure import named, right_angle, spot
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, link_label, plain, point_label, quantity_label
+from graphkin.sheet.lettering import Label, formula, point_label, quantity_label
 from graphkin.sheet.marks import Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
@@ -30,19 +30,18 @@ from graphkin.studies.centres.centrodes import Centrodes
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
 FRAMES = 48
-_ROUND = 0.75  # curves are shown so far around the mechanism, as part of its size
+_ROUND = 1.25  # curves are shown so far from the middle of the mechanism, as part of its size
 _CENTRE = 2.0  # so many times larger the figure may become to show the centre itself
 _PENS: tuple[PenName, ...] = ("visible", "thin")
 
 HEADING: dict[Lang, str] = {"en": "Centrodes of links {first} and {second}", "zh": "构件 {first}、{second} 的瞬心线"}
 PATH: dict[Lang, str] = {"en": "Path of the instant centre {name}", "zh": "瞬心 {name} 的轨迹"}
 CURVES: Mapping[str, dict[Lang, str]] = {
-    "fixed": {"en": "fixed centrode (link ", "zh": "定瞬心线（构件 "},
-    "moving": {"en": "moving centrode (link ", "zh": "动瞬心线（构件 "},
-    "on": {"en": "centrode (link ", "zh": "瞬心线（构件 "},
+    "fixed": {"en": "fixed centrode (link {link})", "zh": "定瞬心线（构件 {link}）"},
+    "moving": {"en": "moving centrode (link {link})", "zh": "动瞬心线（构件 {link}）"},
+    "on": {"en": "centrode (link {link})", "zh": "瞬心线（构件 {link}）"},
 }
-OF: dict[Lang, tuple[str, str]] = {"en": ("path of ", ""), "zh": ("", " 的轨迹")}
-END: dict[Lang, str] = {"en": ")", "zh": "）"}
+OF: dict[Lang, str] = {"en": "path of P_{name}", "zh": "P_{name} 的轨迹"}
 
 
 def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = None, lang: Lang = "en") -> Sheet:
@@ -77,11 +76,8 @@ def _page(curves: Centrodes, times: Sequence[float], paper: str | None, told: Se
     plots = [along(method, curves.path, t) for t in times]
     values = [place for plot in plots for place in shown_places(method, plot)]
     low, high = corners(values)
-    more = _ROUND * max((high - low).real, (high - low).imag) * (1 + 1j)
-    low, high = low - more, high + more
     places = np.concatenate([curve for t in times for link in curves.axes for curve in _carried(curves, link, t)])
-    across = (low.real <= places.real) & (places.real <= high.real)
-    near = places[across & (low.imag <= places.imag) & (places.imag <= high.imag)]
+    near = places[np.abs(places - (low + high) / 2) <= _ROUND * max((high - low).real, (high - low).imag)]
     centre = _centre_at(curves, times[0])
     shown = enlarged([*values, *(corners([*near]) if near.size else ())], [] if centre is None else [centre], _CENTRE)
     return place_for(method, plots, shown, paper, told=told)
@@ -115,22 +111,17 @@ class _CentrodePage:
         """The curves as far as they lie in the room, and the centre; lettered: with the names of curves and links."""
         curves, on = self.curves, self.on
         plot, centre = along(curves.found.method, curves.path, t), _centre_at(curves, t)
-        lines = list[list[Stroke]]()
-        for link, pen in zip(curves.axes, _PENS, strict=False):
+        figure = Figure()
+        for link, pen, label, share in zip(curves.axes, _PENS, self._labels(), (0.25, 0.75), strict=False):
             strokes = list[Stroke]()
             for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
                 places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
                 strokes += clipped([*places, *places[:1]] if piece.closed else places, on.room, pen)
-            lines.append(strokes)
-        figure, machine = Figure([stroke for strokes in lines for stroke in strokes]), on.mechanism(plot)
-        if lettered:
-            for label, strokes, share in zip(self._labels(), lines, (0.25, 0.75), strict=False):
-                figure.wanted += named(strokes, label, share)
-        figure += machine if lettered else Figure(machine.marks)
+            figure += Figure([*strokes], [*named(strokes, label, share)])
+        figure += on.mechanism(plot)
         if centre is not None and on.room.holds(on.window(centre)):
-            label = quantity_label("P", curves.name[1:])
-            pole = Figure.of(spot(on.window(centre), label, 1.0, "paper" if lettered else "ink"))
-            figure += pole if lettered else Figure(pole.marks)
+            figure += Figure.of(spot(on.window(centre), quantity_label("P", curves.name[1:]), 1.0, "paper"))
+        figure = figure if lettered else Figure(figure.marks)
         called = curves.found.method.mechanism.called
         names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
         words = PATH if len(curves.axes) == 1 else HEADING
@@ -139,12 +130,10 @@ class _CentrodePage:
     def _labels(self) -> list[Label]:
         """The names of the curves, or of the path."""
         if len(self.curves.axes) == 1:
-            before, after = OF[self.lang]
-            return [(*plain(before), *quantity_label("P", self.curves.name[1:]), *plain(after))]
-        kinds = ("fixed", "moving") if self.curves.second == FRAME else ("on", "on")
-        links = [link_label(self.curves.found.method.mechanism.called(link)) for link in self.curves.axes]
-        starts = [plain(CURVES[kind][self.lang]) for kind in kinds]
-        return [(*start, *link, *plain(END[self.lang])) for start, link in zip(starts, links, strict=True)]
+            return [formula(OF[self.lang].format(name=self.curves.name[1:]))]
+        kinds, called = ("fixed", "moving"), self.curves.found.method.mechanism.called
+        words = [CURVES[kind if self.curves.second == FRAME else "on"][self.lang] for kind in kinds]
+        return [formula(text.format(link=called(link))) for text, link in zip(words, self.curves.axes, strict=True)]
 
 
 # --- the pole of a body from two of its velocities --------------------------------------------------------------------

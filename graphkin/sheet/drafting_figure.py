@@ -33,7 +33,7 @@ from graphkin.sheet.symbols import HINGE, angle_arc
 from graphkin.sheet.window import Entry, Window
 
 NEAR = 0.25  # points nearer than this on paper are one [mm]
-_FAR = 8  # a line with no two points on it goes on so many times farther
+_FAR = 4  # a line that meets others at infinity, or has no two points on it, goes on so many times farther
 _SQUARE, _SQUARE_DEG = 2.3, 1e-6
 """Side of the square in a right angle [mm]; its cosine is no larger."""
 
@@ -77,7 +77,8 @@ class DraftingFigure:
         if not abs(foot) * INFINITE < 1:
             return []
         start, along = self.window(foot), self.window.turned(direction)
-        places = [*self.at(*drawn_through(step), *self.construction.met_on(step.name)), *also]
+        met = self.construction.met_on(step.name)
+        places = [*self.at(*drawn_through(step), *met), *also]
         if isinstance(step, Bisector):
             one, other = self.at(step.first, step.second)
             chosen = self.at(*(made.name for made in self.construction.steps if isinstance(made, ChosenPoint)))
@@ -85,7 +86,8 @@ class DraftingFigure:
             places += [(one + other) / 2 + side * abs(other - one) * along for side in (0.3, -0.3)]
         base = places[0] if places else start
         reach = [((place - base) / along).real for place in places] or [0.0]
-        more = self.beyond * (_FAR if max(reach) - min(reach) < NEAR else 1)
+        far = max(reach) - min(reach) < NEAR or len(self.at(*met)) < len(met)
+        more = self.beyond * (_FAR if far else 1)
         return [base + along * (min(reach) - more), base + along * (max(reach) + more)]
 
 

@@ -91,16 +91,13 @@ class Version:
         short = self._short(scale) if self.plane != "position" else []
         high = HEAD + extent.size.imag / scale + extent.reach.imag + foot
         window = extent.window(Room(0, HEAD, _WIDE, high - foot), scale)
-        for more in (0.0, _LENS) if short else (0.0,):  # a lens stands in the figure, or else under it
-            cell = Room(0.0, 0.0, _WIDE, high + more)
-            under = tuple(picture.caption(cell, foot))
-            plain = Panel(self.figure(window), window, cell.inset(1, HEAD + 1, foot), after=under)
-            panel = lens(plain, self.figure, self.plane, [window(at) for at in short]) if short else plain
-            if panel is not plain:
-                break
-        if cell.bottom > high:  # as far down as the lens goes
-            cell = replace(cell, bottom=min(cell.bottom, bounds(panel.figure.marks)[3] + _BELOW + foot))
-            panel = replace(panel, room=cell.inset(1, HEAD + 1, foot), after=tuple(picture.caption(cell, foot)))
+        cell = Room(0.0, 0.0, _WIDE, high + _LENS * bool(short))
+        panel = Panel(self.figure(window), window, cell.inset(1, HEAD + 1, foot))
+        if short:  # a lens stands in the figure, or else under it: as far down as it goes
+            panel = lens(panel, self.figure, self.plane, [window(at) for at in short])
+            lowest = max(high, bounds(panel.figure.marks)[3] + _BELOW + foot)
+            cell = replace(cell, bottom=min(cell.bottom, lowest))
+        panel = replace(panel, room=cell.inset(1, HEAD + 1, foot), after=tuple(picture.caption(cell, foot)))
         head = heading(HEADINGS[lang][self.plane], self.plane, scale, cell)
         panel = replace(panel, before=head if answer else head[:1], plane=None)
         paper, title = Paper("figure", cell.right, cell.bottom, 0.0), HEADINGS[lang][self.plane]
