@@ -162,9 +162,7 @@ class _LinkDrawing:
         link, window, room = self.link, self.on.window, self.on.room
         if not link.moves:
             return
-        places = [window(carried.place) for carried in link.points.values()]
-        if not cmath.isinf(link.pole) and room.holds(window(link.pole)):
-            places.append(window(link.pole))
+        places = [*filter(room.holds, map(window, (*(carried.place for carried in link.points.values()), link.pole)))]
         if not places:
             return
         low, high = corners(places)
@@ -191,22 +189,16 @@ class _LinkDrawing:
 
     def poles(self) -> Iterator[Entry]:
         """P and J."""
-        if cmath.isfinite(self.link.pole):
-            yield from self._spot(self.link.pole, self.name, 1.0, "paper")
+        yield from self._spot(self.link.pole, self.name, 1.0, "paper")
         if self.link.acceleration_pole is not None:
             yield from self._spot(self.link.acceleration_pole, plain("J", italic=True), 1.0, "paper")
 
     def centres(self) -> Iterator[Entry]:
-        """Centres of curvature, and the radius from each point; a mark where one is a pivot already drawn."""
-        link, window, room = self.link, self.on.window, self.on.room
-        taken: list[complex] = []
-        for name, carried in link.points.items():
-            if not cmath.isfinite(carried.centre) or abs(carried.centre - carried.place) < 1e-9 * link.size:
-                continue
-            at = window(carried.centre)
-            yield from clipped([window(carried.place), at], room, "dashed")
-            if room.holds(at) and all(abs(at - other) > 0.3 for other in taken):
-                taken.append(at)
+        """Centres of curvature, and the radius from each point."""
+        window = self.on.window
+        for name, carried in self.link.points.items():
+            if cmath.isfinite(carried.centre) and carried.radius > 1e-9 * self.link.size:
+                yield from clipped([window(carried.place), window(carried.centre)], self.on.room, "dashed")
                 yield from self._spot(carried.centre, quantity_label("K", name))
 
     def _spot(self, place: complex, label: Label, radius: float = 0.6, fill: Fill = "ink") -> Iterator[Entry]:

@@ -76,27 +76,14 @@ def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:
 
 @frozen
 class CentreLayout:
-    """A paper divided, the window through which the figure is seen.
-
-    shown   how many centres lie in its room
-    large   size of the mechanism, and least: what it is to be [mm]
-    """
+    """A paper divided, the window through which the figure is seen, and what that is worth."""
 
     grid: SheetGrid
     figure: Room
     circle: Room
     table: CentreTable
     window: Window
-    shown: int
-    large: float
-    least: float
-
-    @property
-    def worth(self) -> float:
-        """Centres on the sheet count, and that the mechanism is not small; larger paper only where it helps."""
-        small, paper = max(0.0, self.least - self.large), self.grid.paper
-        costs = 3 * small + _LARGER_PAPER * (paper.width * paper.height > 80_000) + 40 * self.table.lost
-        return _SHOWN * self.shown + min(self.large, 100) / 8 - costs
+    worth: float
 
 
 def _layouts(found: Centres, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
@@ -113,8 +100,10 @@ def _layouts(found: Centres, paper: Paper, lang: Lang, fit: bool) -> Iterator[Ce
             figure, circle = grid.field, replace(foot, left=column.left, bottom=foot.bottom - FOOT)
         room = figure.inset(0, HEAD, 0)
         for window, shown, longest in _windows(found, room, fit):
-            least = _LARGE_ENOUGH * len(found.centring.stages) ** 0.5
-            yield CentreLayout(grid, figure, circle, table, window, shown, longest / window.scale, least)
+            large, larger = longest / window.scale, paper.width * paper.height > 80_000
+            small = max(0.0, _LARGE_ENOUGH * len(found.centring.stages) ** 0.5 - large)
+            worth = _SHOWN * shown + min(large, 100) / 8 - 3 * small - _LARGER_PAPER * larger - 40 * table.lost
+            yield CentreLayout(grid, figure, circle, table, window, worth)
 
 
 def _windows(found: Centres, room: Room, fit: bool) -> Iterator[tuple[Window, int, float]]:

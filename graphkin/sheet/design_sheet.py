@@ -63,9 +63,7 @@ def _page(one: Solution, method: Method, plot: Plot, paper: str | None, told: Se
     values = enlarged(values, map(geometry.place, board.places.values()), _MOST)
     if "locus" in board.circles:
         centre, radius = geometry.place(board.circles["locus"][0]), geometry.number(board.circles["locus"][1])
-        sides = [centre + radius * side for side in (1, 1j, -1, -1j)]
-        wider = enlarged(values, sides, _MOST)
-        values = wider if all(place in wider for place in sides) else values
+        values = enlarged(values, [centre + radius * side for side in (1, 1j, -1, -1j)], _MOST)
     return place_for(method, [plot], values, paper, [found_sizes(report(linkage_of(one)))], told)
 
 

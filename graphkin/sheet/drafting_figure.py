@@ -33,6 +33,7 @@ from graphkin.sheet.symbols import HINGE, angle_arc
 from graphkin.sheet.window import Entry, Window
 
 NEAR = 0.25  # points nearer than this on paper are one [mm]
+_STRAIGHT = 8.0  # a shorter piece of a curve is named as a point of it [mm]
 _FAR = 4  # a line that meets others at infinity, or has no two points on it, goes on so many times farther
 _SQUARE, _SQUARE_DEG = 2.3, 1e-6
 """Side of the square in a right angle [mm]; its cosine is no larger."""
@@ -92,7 +93,7 @@ class DraftingFigure:
 
 
 def together(wanted: Iterable[LabelRequest]) -> Iterator[LabelRequest]:
-    """Labels of points at one place as one label, each part of which comes with its own step."""
+    """Labels of points at one place as one label, whose parts come with steps of their own."""
     groups: list[list[LabelRequest]] = []
     for want in wanted:
         same = (group for group in groups if want.end is None and not want.parts and _at_one_place(group[0], want))
@@ -106,7 +107,7 @@ def together(wanted: Iterable[LabelRequest]) -> Iterator[LabelRequest]:
             continue
         parts = ((first.label, first.step), *((joined([(), other.label]), other.step) for other in others))
         label, gap = tuple(run for part, _ in parts for run in part), max(each.gap for each in (first, *others))
-        yield replace(first, label=label, gap=gap, parts=parts)
+        yield replace(first, label=label, gap=gap, parts=parts if len({step for _, step in parts}) > 1 else ())
 
 
 def _at_one_place(one: LabelRequest, other: LabelRequest) -> bool:
@@ -145,5 +146,5 @@ def named(strokes: Sequence[Stroke], label: Label, share: float) -> Iterator[Lab
     passed = [np.abs(np.diff(places)).cumsum() for places in pieces]
     if pieces:
         longest = max(range(len(pieces)), key=lambda k: passed[k][-1])
-        start, end = pieces[longest][np.searchsorted(passed[longest], share * passed[longest][-1]) :][:2]
-        yield LabelRequest(label, complex(start), complex(end), gap=0.8)
+        start, end = map(complex, pieces[longest][np.searchsorted(passed[longest], share * passed[longest][-1]) :][:2])
+        yield LabelRequest(label, start, end if abs(end - start) > _STRAIGHT else None, gap=0.8)

@@ -65,8 +65,6 @@ def positions_sheet(
 
     Raises UnknownPaper.
     """
-    if not 0 < len(plots) <= MOST or len(captions) != len(plots):
-        raise ValueError(f"1 to {MOST} positions, each with a caption; given: {len(plots)}, {len(captions)}")
     pictures = _pictures(method, plots, captions, slow or [None] * len(plots))
     papers = papers_for(paper)
     for area in sorted({one.width * one.height for one in papers}):  # the smallest on which they are large enough

@@ -25,8 +25,7 @@ def seen(name: str, link: str) -> About:
 
 
 def lettered(sheet: Sheet) -> list[str]:
-    """Letters; those of points at one place stand side by side."""
-    return ["".join(run.text for run in mark.label).removeprefix(", ") for mark in sheet.marks if isinstance(mark, Text)]
+    return ["".join(run.text for run in mark.label) for mark in sheet.marks if isinstance(mark, Text)]
 
 
 EVERY = [(name, link) for name in library.names() for link in library.load(name).moving]
@@ -48,7 +47,7 @@ def test_nothing_leaves_the_frame(name: str, link: str):
 def test_labels(lang: str, words: tuple[str, str]):
     texts = lettered(about_sheet(seen("ex3-7", "4"), lang=lang))  # type: ignore[arg-type]
     for word in (*words, "P46", "J", "W", "t", "n", "vD", "vE", "KD"):
-        assert word in texts
+        assert any(word in text.split(", ") for text in texts)
     assert "KE" not in texts  # the ram's path is straight
 
 
