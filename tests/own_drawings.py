@@ -111,7 +111,7 @@ def one_link(of: Of) -> Iterator[str]:
     drawn = bobillier(seen, of.rng.choice(of.mechanism.points))
     whole = bobillier_sheet(seen, drawn, lang=of.lang)
     yield svg(whole)
-    yield svg(of.rng.choice(list(step_sheets(whole, range(1, len([*drawn.construction.steps]) + 1)))))
+    yield svg(of.rng.choice(list(step_sheets(whole, range(1, len(drawn.construction.stages) + 1)))))
 
 
 def curves(of: Of) -> Iterator[str]:

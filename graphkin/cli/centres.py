@@ -215,7 +215,7 @@ class _CentreCommand:
 
         curvature = self._bobillier(found, pole)
         whole = bobillier_sheet(pole, curvature, paper=self.paper, lang=self.lang)
-        count = len([*curvature.construction.steps])
+        count = len(curvature.construction.stages)
         return whole, step_sheets(whole, range(1, count + 1)), f"bobillier-{self.point}"
 
     def _rolling_sheets(self, found: Centres) -> tuple[Sheet | str, Iterable[Sheet], str]:

@@ -11,7 +11,8 @@ file a sheet goes into is `graphkin.outputs`' business.
 How to add a sheet:
  1. the figure: a function from a `Window` to a `Figure`, and the places it is to show [SI units];
  2. its room: alone under a heading (`single_figure.place_for`, `.sheet`), or in cells over captions
-    (`single_figure.Picture` with its `Extent.of(places, draw)`; `paper.Room.cells`, `.panel(cell, scale)`);
+    (`single_figure.Picture` with its `Extent.of(places, draw)`; `gridded`); what ruler and compass draw on it is a
+    `drafting_figure.DraftingFigure`, which has points with letters, angles and the names of curves, too;
  3. the page, unless it is alone: `Page(paper, panels, mechanism, drivers, lang, Strip(room, tables)).sheet()`, where
     `paper.papers_for` knows the paper and `layout.divided` parts it into field and strip (`titleblock.strip_height`);
  4. one sheet a step: number the marks (`step`), then `page.step_sheets(whole, numbers)`;

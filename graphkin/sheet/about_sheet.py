@@ -11,21 +11,21 @@ import numpy as np
 from graphkin.base.geometry import place as as_place
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.construction.drafting import INFINITE, CarriedAngle, LineStep, PointStep, drawn_through
+from graphkin.construction.drafting import CarriedAngle, LineStep, PointStep, Step
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
-from graphkin.say import numbers
 from graphkin.say.centre_about import bobillier_words, link_words
 from graphkin.sheet import symbols
-from graphkin.sheet.centre_figure import coordinates
+from graphkin.sheet.centre_figure import INFINITY, coordinates
+from graphkin.sheet.drafting_figure import DraftingFigure, named, spot
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
-from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, Place, Stroke
+from graphkin.sheet.lettering import Label, Run, number, plain, point_label, quantity_label
+from graphkin.sheet.marks import ArcMark, Fill, Mark, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName, finest
 from graphkin.sheet.path_figure import circle, clipped
-from graphkin.sheet.single_figure import SingleFigure, place_for, stage_number
+from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.titleblock import Table
 from graphkin.sheet.window import Entry, Figure, corners, enlarged
 from graphkin.studies.centres.about import About, Circle, InflectionLine
@@ -39,9 +39,8 @@ _LIGHT = 0.5  # the field's arrows are so much shorter than the scale says, not 
 _AXIS = 38.0  # half of the pole tangent, and of the normal [mm]
 _TOWARDS = 30.0  # how far a ray goes to a pole that is not on the paper [mm]
 
-_CURVATURE, _BEYOND, _ARC = 2.6, 7.0, 12.0
-"""So many times larger Bobillier's figure may become; how far its lines go on past their points, and how long the arcs
-of its equal angles are [mm]."""
+_CURVATURE, _ARC = 2.6, 12.0
+"""So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm]."""
 
 HEADING: dict[Lang, str] = {"en": "Link {link} about its instant centre", "zh": "构件 {link} 绕瞬心的运动"}
 BOBILLIER: dict[Lang, str] = {
@@ -121,16 +120,12 @@ class _LinkDrawing:
         for drawn, pen, words in zip((link.inflection, link.returning), pens, (INFLECTION, RETURN), strict=True):
             places = circle(window(drawn.centre), drawn.radius / window.scale, room)
             yield from self._curve(places, pen, words)
-        yield from self._spot(link.pole + link.diameter, plain("W", italic=True), 0.6)
+        yield from self._spot(link.pole + link.diameter, plain("W", italic=True))
 
     def _curve(self, places: list[Place], pen: PenName, words: Mapping[Lang, str]) -> Iterator[Entry]:
         strokes = list(clipped(places, self.on.room, pen))
         yield from strokes
-        if strokes:
-            longest = max(strokes, key=lambda stroke: len(stroke.places))
-            third = max(len(longest.places) // 3, 1)
-            start, end = longest.places[third - 1], longest.places[third]
-            yield LabelRequest(plain(words[self.lang]), start, end if abs(end - start) > 8 else None, gap=0.6)
+        yield from named(strokes, plain(words[self.lang]), 1 / 3)
 
     def axes(self) -> Iterator[Entry]:
         """Pole tangent t and normal n."""
@@ -148,32 +143,26 @@ class _LinkDrawing:
         link, window, room = self.link, self.on.window, self.on.room
         if not link.moves:
             return
-        here = not cmath.isinf(link.pole) and room.holds(window(link.pole))
-        last: tuple[Place, complex] | None = None
-        for carried in link.points.values():
-            at = window(carried.place)
-            along = window.turned(link.towards if cmath.isinf(link.pole) else link.pole - carried.place)
-            if here:
+        far, last = cmath.isinf(link.pole), list[tuple[Place, complex]]()
+        for at, carried in ((window(carried.place), carried) for carried in link.points.values()):
+            along = window.turned(link.towards if far else link.pole - carried.place)
+            if not far and room.holds(window(link.pole)):
                 yield from clipped([at, window(link.pole)], room, "construction")
             elif abs(along) > 0:
                 along /= abs(along)
                 for ray in clipped([at, at + along * _TOWARDS], room, "construction"):
-                    last = ray.places[-1], along
-                    yield ray
-                    yield symbols.arrow_head(*last, None)
-        if last is not None:
-            x, y = (numbers.number(1e3 * part, 1e-6) for part in (link.pole.real, link.pole.imag))
-            label = (*self.name, *plain(" → ∞" if cmath.isinf(link.pole) else f" ({x}, {y})"))
-            yield LabelRequest(label, last[0], gap=1.0, away=last[1])
+                    last = [(ray.places[-1], along)]
+                    yield from (ray, symbols.arrow_head(ray.places[-1], along, None))
+        for at, along in last:
+            where = INFINITY if far else (Run(" "), *coordinates(link.found, link.pole), Run(" mm"))
+            yield LabelRequest((*self.name, *where), at, gap=1.0, away=along)
 
     def field(self) -> Iterator[Entry]:
         """A light field of velocities over the link's plane, about its points and its pole."""
         link, window, room = self.link, self.on.window, self.on.room
         if not link.moves:
             return
-        places = [window(carried.place) for carried in link.points.values()]
-        if not cmath.isinf(link.pole) and room.holds(window(link.pole)):
-            places.append(window(link.pole))
+        places = [*filter(room.holds, map(window, (*(carried.place for carried in link.points.values()), link.pole)))]
         if not places:
             return
         low, high = corners(places)
@@ -199,110 +188,80 @@ class _LinkDrawing:
             yield LabelRequest(quantity_label("v", name), start, start + arrow, gap=0.7)
 
     def poles(self) -> Iterator[Entry]:
-        """P and J; at one place they share a label."""
-        pole, other = self.link.pole, self.link.acceleration_pole
-        label, letter = self.name, plain("J", italic=True)
-        if other is not None and cmath.isfinite(pole) and abs(self.on.window(pole) - self.on.window(other)) < 0.2:
-            label, other = joined([label, letter]), None
-        if cmath.isfinite(pole):
-            yield from self._spot(pole, label, 1.0, "paper")
-        if other is not None:
-            yield from self._spot(other, letter, 1.0, "paper")
+        """P and J."""
+        yield from self._spot(self.link.pole, self.name, 1.0, "paper")
+        if self.link.acceleration_pole is not None:
+            yield from self._spot(self.link.acceleration_pole, plain("J", italic=True), 1.0, "paper")
 
     def centres(self) -> Iterator[Entry]:
-        """Centres of curvature, and the radius from each point; a mark where one is a pivot already drawn."""
-        link, window, room = self.link, self.on.window, self.on.room
-        taken: list[complex] = []
-        for name, carried in link.points.items():
-            if not cmath.isfinite(carried.centre) or abs(carried.centre - carried.place) < 1e-9 * link.size:
-                continue
-            at = window(carried.centre)
-            yield from clipped([window(carried.place), at], room, "dashed")
-            if room.holds(at) and all(abs(at - other) > 0.3 for other in taken):
-                taken.append(at)
-                yield from self._spot(carried.centre, quantity_label("K", name), 0.6)
+        """Centres of curvature, and the radius from each point."""
+        window = self.on.window
+        for name, carried in self.link.points.items():
+            if cmath.isfinite(carried.centre) and carried.radius > 1e-9 * self.link.size:
+                yield from clipped([window(carried.place), window(carried.centre)], self.on.room, "dashed")
+                yield from self._spot(carried.centre, quantity_label("K", name))
 
-    def _spot(self, place: complex, label: Label, radius: float, fill: Fill = "ink") -> Iterator[Entry]:
-        at = self.on.window(place)
-        if self.on.room.holds(at):
-            yield Disc(at, radius, "vector", fill)
-            yield LabelRequest(label, at, gap=radius + 0.2)
+    def _spot(self, place: complex, label: Label, radius: float = 0.6, fill: Fill = "ink") -> Iterator[Entry]:
+        if self.on.room.holds(at := self.on.window(place)):
+            yield from spot(at, label, radius, fill)
 
 
 # --- Bobillier --------------------------------------------------------------------------------
 
 
 def bobillier_sheet(link: About, solution: Bobillier, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
-    """Bobillier's whole construction over the mechanism. Raises UnknownPaper."""
+    """Bobillier's whole construction over the mechanism, a step for each sentence. Raises UnknownPaper."""
     method, plot = link.found.method, link.plot
     names = (solution.point, solution.pole, solution.answer, *solution.crossings)
-    places = [at for name in names if cmath.isfinite(at := as_place(solution.board.at(name)))]
+    places = [as_place(solution.board.at(name)) for name in names]
     shown = enlarged(shown_places(method, plot), places, _CURVATURE)
     on = place_for(method, [plot], shown, paper, told=bobillier_words(solution, lang))
-    drawing = _BobillierDrawing(solution, on, solution.point not in method.mechanism.points)
-    figure = Figure.of(drawing.lines()) + on.mechanism(plot) + Figure.of(drawing.points())
+    drawing = _BobillierDrawing(solution, DraftingFigure(solution.construction, solution.board, on.window, on.room))
+    points = drawing.points(solution.point not in method.mechanism.points)
+    figure = Figure.of(drawing.on.stages(drawing.step)) + on.mechanism(plot) + Figure.of(points)
     return on.sheet(plot, BOBILLIER[lang].format(point=solution.point, link=link.called), figure, lang)
 
 
 @frozen
 class _BobillierDrawing:
-    """The construction on a page. new: its point is a place of the plane, no point of the mechanism."""
+    """The construction on a page."""
 
     solution: Bobillier
-    on: SingleFigure
-    new: bool
+    on: DraftingFigure
 
-    def lines(self) -> Iterator[Entry]:
-        """Every line with its stage's number, past the points on it; thin, the axes as centre lines; equal angles."""
-        stages = self.solution.construction.stages
-        numbered = [(count, made) for count, stage in enumerate(stages, start=1) for made in stage.steps]
-        for step, (count, made) in enumerate(numbered, start=1):
-            if isinstance(made, LineStep):
-                pen: PenName = "centre" if made.name in ("axis", "axis c") else "construction"
-                for stroke in clipped(self._ends(made), self.on.room, pen, step):
-                    yield from (stroke, stage_number(stroke, count))
-            if isinstance(made, CarriedAngle):
-                yield from self._equal_angles(made, step)
+    def step(self, made: Step, stage: int) -> Iterator[Entry]:
+        """A thin line, an axis as a centre line, with equal angles."""
+        if isinstance(made, LineStep):
+            yield from self.on.line(made, stage, "centre" if made.name in ("axis", "axis c") else "construction")
+        if isinstance(made, CarriedAngle):
+            yield from self._equal_angles(made, stage)
 
-    def _equal_angles(self, carried: CarriedAngle, step: int) -> Iterator[Mark]:
+    def _equal_angles(self, carried: CarriedAngle, stage: int) -> Iterator[Mark]:
         """The angle between two rays of the pole, and the same between the axes: arcs with a dash."""
-        pole = self.on.window(as_place(self.solution.board.at(carried.at)))
-        lines = self.solution.construction.made_by
-        ends = {name: max(self._ends(line), key=lambda at: abs(at - pole), default=pole) - pole
-                for name in (carried.start, carried.end, carried.line, carried.name)
-                if isinstance(line := lines[name], LineStep)}  # fmt: skip
+        lines, ends = self.solution.construction.made_by, dict[str, complex]()
+        (pole,) = self.on.at(carried.at)
+        for name in (carried.start, carried.end, carried.line, carried.name):
+            if isinstance(line := lines[name], LineStep):
+                ends[name] = max(self.on.ends(line), key=lambda at: abs(at - pole), default=pole) - pole
         if not all(ends.values()) or not self.on.room.holds(pole):
             return
         turn = cmath.phase((ends[carried.end] / ends[carried.start]) ** 2) / 2  # of lines: by less than a right angle
-        radius = min(max(_ARC / max(abs(turn), 1e-9), _ARC), min(map(abs, ends.values())) - _BEYOND)
+        radius = min(_ARC / min(abs(turn) + 1e-9, 1.0), min(map(abs, ends.values())) - self.on.beyond)
         for name in (carried.end, carried.name):
             begin = cmath.phase(ends[name]) - turn
             middle = cmath.rect(1, begin + turn / 2)
-            yield ArcMark(pole, radius, begin, turn, "construction", step)
-            yield Stroke((pole + (radius - 1) * middle, pole + (radius + 1) * middle), "construction", step=step)
+            yield ArcMark(pole, radius, begin, turn, "construction", stage)
+            yield Stroke((pole + (radius - 1) * middle, pole + (radius + 1) * middle), "construction", step=stage)
 
-    def _ends(self, line: LineStep) -> list[Place]:
-        """From the first to the last point on a line and beyond, farther towards infinity; empty for the line there."""
-        start, direction = map(as_place, self.solution.board.line(line.name))
-        if not abs(start) * INFINITE < 1:
-            return []
-        along, board = self.on.window.turned(direction), self.solution.board
-        names = [*drawn_through(line), *self.solution.construction.met_on(line.name)]
-        places = [self.on.window(at) for name in names if cmath.isfinite(at := as_place(board.at(name)))]
-        reach = [((place - places[0]) * along.conjugate()).real for place in places]
-        more = 8 * _BEYOND if len(places) < len(names) or len(places) < 2 else _BEYOND
-        return [places[0] + along * (max(reach) + more), places[0] + along * (min(reach) - more)]
-
-    def points(self) -> Iterator[Entry]:
-        """The points of the construction, and the point itself where the mechanism does not show it."""
+    def points(self, new: bool) -> Iterator[Entry]:
+        """The points of the construction; new: and the point itself, where the mechanism does not show it."""
         point, solution = self.solution.point, self.solution
-        named: list[tuple[str, int | None]] = [(point, None)] if self.new else []
-        numbered = enumerate(solution.construction.steps, start=1)
-        named += [(step.name, step_number) for step_number, step in numbered if isinstance(step, PointStep)]
-        labels = {solution.crossings[1]: quantity_label("Q", point), solution.answer: quantity_label("K", point)}
-        for name, step in named:
-            place = as_place(self.solution.board.at(name))
-            if cmath.isfinite(place) and self.on.room.holds(at := self.on.window(place)):
-                yield Disc(at, 0.6, "vector", "ink", step=step)
-                own = point_label(name) if name == point else plain(name.replace("'", "′"), italic=True)
-                yield LabelRequest(labels.get(name, own), at, gap=0.9, step=step)
+        named: list[tuple[str, int | None]] = [(point, None)] if new else []
+        named += [(step.name, solution.construction.born(step.name)) for step in solution.construction.steps
+                  if isinstance(step, PointStep)]  # fmt: skip
+        labels = {point: point_label(point), solution.crossings[1]: quantity_label("Q", point)}
+        labels[solution.answer] = quantity_label("K", point)
+        for name, stage in named:
+            for at in filter(self.on.room.holds, self.on.at(name)):
+                own = plain(name.replace("'", "′"), italic=True)
+                yield from spot(at, labels.get(name, own), step=stage)

@@ -6,9 +6,8 @@ Source: Sun Huan, 机械原理, section 3-2.2.
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -16,14 +15,17 @@ import numpy as np
 from graphkin.base import geometry
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import Far, LineStep, Stage, drawn_through
-from graphkin.model.pairs import Cam, Pair, Rod
+from graphkin.construction.drafting import Far, Stage
+from graphkin.model.pairs import Cam, Rod
+from graphkin.sheet.boxes import xy
+from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, joined, number, plain, quantity_label
+from graphkin.sheet.lettering import Label, Run, number, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
-from graphkin.sheet.paper import PenName, Room
+from graphkin.sheet.paper import Room
+from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import BLOCK, HINGE
 from graphkin.sheet.window import Figure, Window
@@ -68,21 +70,17 @@ def coordinates(found: Centres, place: complex) -> Label:
     return (Run("("), *number(shown.real), Run(", "), *number(shown.imag), Run(")"))
 
 
-@frozen
-class CentreLine:
-    """A line on paper: a place on it and its unit direction, and the places of centres on it.
-
-    normal  it is the common normal of two profiles, and no join of centres
-    """
-
-    at: Place
-    direction: complex
-    stops: tuple[Place, ...]
-    normal: bool = False
-
-    def along(self, place: Place) -> float:
-        """Distance of a place along the line [mm]."""
-        return ((place - self.at) * self.direction.conjugate()).real
+_BEYOND = 4.0  # how far a line goes on past the centres on it [mm]
+_NORMAL = 12.0  # how far a common normal goes on past the rim of the smaller profile about its centre [mm]
+_SHORT = 0.8  # a shorter rest of a line already drawn is not drawn [mm]
+INFINITY: Label = plain(" → ∞ ")  # the room after the sign is because it is wider than what letters count as
+_ARROW, _EDGE_ARROW = 13.0, 8.0
+"""An arrow to infinity, and one to a centre beyond the edge [mm]."""
+_OFF = BLOCK.imag / 2 + 1.0  # from a block's middle to where its arrow starts [mm]
+_APART = 5.0  # arrows in one direction start at least so far from one another [mm]
+_Start = tuple[Place, complex]  # the start of an arrow, and its direction
+_CIRCLE, _DOT = 1.0, 0.5
+"""Radius of the circle and of the dot that mark a centre [mm]."""
 
 
 @frozen
@@ -92,6 +90,11 @@ class OnPaper:
     found: Centres
     window: Window
     room: Room
+
+    @cached_property
+    def drafting(self) -> DraftingFigure:
+        construction = self.found.centring.construction
+        return DraftingFigure(construction, self.found.board, self.window, self.room, _BEYOND)
 
     @cached_property
     def spots(self) -> list[Spot]:
@@ -106,143 +109,45 @@ class OnPaper:
         """True for a centre in the room."""
         return spot.place is not None and self.room.holds(self.at(spot))
 
-    def lines(self, spot: Spot) -> Iterator[CentreLine]:
-        """The lines that give a centre, but for the line at infinity."""
+    def lines(self, spot: Spot) -> Iterator[Stroke]:
+        """The lines that give a centre, past the centres on them; common normals past profiles, as centre lines."""
         for line in spot.stage.lines if spot.stage.say == "two lines" else ():
-            normal = self.found.centring.normals.get(line.name)
-            own = () if spot.place is None else (self.at(spot),)
+            normal, also = self.found.centring.normals.get(line.name), list[Place]()
             if normal is not None:
-                start = self._point(normal.line.through)
-                along = self.window.turned(geometry.place(self.found.plot.direction(normal.line.direction)))
-                stops = (start, *self._contact(normal.pair), *own)
-                yield CentreLine(start, along / abs(along), stops, normal=True)
-            elif (join := self._join(line, own)) is not None:
-                yield join
-
-    def _point(self, name: str) -> Place:
-        return self.window(geometry.place(self.found.plot.position[name]))
-
-    def _join(self, line: LineStep, own: tuple[Place, ...]) -> CentreLine | None:
-        by_name = {spot.name: spot for spot in self.spots}
-        ends = [by_name[end] for end in drawn_through(line)]
-        places = [self.at(end) for end in ends if end.place is not None]
-        if not places:
-            return None
-        infinite = [self.window.turned(end.direction) for end in ends if end.place is None]
-        along = infinite[0] if infinite else places[1] - places[0]
-        near = min(places, key=lambda place: abs(place - self.room.middle))
-        return CentreLine(near, along / abs(along), (*places, *own))
-
-    def _contact(self, pair: Pair) -> Iterator[Place]:
-        """The contact of a pair's links, unless the normal is drawn from there; of a rod, the end it keeps off."""
-        if not isinstance(pair, Cam):
-            yield from map(self._point, pair.slipping.points[1:] if isinstance(pair.slipping, Rod) else ())
-            return
-        position = self.found.plot.position
-        (one, radius), *others = [(geometry.place(position[centre]), radius) for _, centre, radius in pair.circles]
-        if others:
-            other, less = others[0]
-            side = -1 if pair.internal and radius < less else 1
-            yield self.window(one + side * radius * (other - one) / abs(other - one))
-        for straight in pair.lines:
-            turn = geometry.number(self.found.plot.theta.get(straight.link, 0.0))
-            along = straight.direction * cmath.exp(1j * turn)
-            off = geometry.place(position[straight.origin]) - one
-            yield self.window(one + off - along * (off * along.conjugate()).real)
-
-
-@frozen
-class Laid:
-    """A stretch of a line that is drawn, from start to end [mm along it]."""
-
-    line: CentreLine
-    start: float
-    end: float
-
-    @property
-    def ends(self) -> tuple[Place, Place]:
-        return self.line.at + self.start * self.line.direction, self.line.at + self.end * self.line.direction
-
-
-def clipped(line: CentreLine, room: Room) -> tuple[float, float] | None:
-    """The ends of a line in a room [mm along it]; None where it does not cross it."""
-    low, high = -math.inf, math.inf
-    at, along = line.at, line.direction
-    for start, step, least, most in (
-        (at.real, along.real, room.left, room.right), (at.imag, along.imag, room.top, room.bottom)
-    ):  # fmt: skip
-        if abs(step) < 1e-12:
-            if not least <= start <= most:
-                return None
-            continue
-        first, second = sorted(((least - start) / step, (most - start) / step))
-        low, high = max(low, first), min(high, second)
-    return (low, high) if low < high else None
-
-
-_BEYOND = 4.0  # how far a line goes on past the centres on it [mm]
-_NORMAL = 12.0  # how far a common normal goes on past the contact [mm]
-_PARALLEL = 16.0  # how far lines to a centre at infinity go on [mm]
-_SHORT = 0.8  # a shorter rest of a line already drawn is not drawn [mm]
-INFINITY: Label = plain(" → ∞ ")  # the room after the sign is because it is wider than what letters count as
-_ARROW, _EDGE_ARROW = 13.0, 8.0
-"""An arrow to infinity, and one to a centre beyond the edge [mm]."""
-_OFF = BLOCK.imag / 2 + 1.0  # from a block's middle to where its arrow starts [mm]
-_APART = 5.0  # arrows in one direction start at least so far from one another [mm]
-_Start = tuple[Place, complex]  # the start of an arrow, and its direction
-_CIRCLE, _DOT = 1.0, 0.5
-"""Radius of the circle and of the dot that mark a centre [mm]."""
-_BETWEEN = ", "
+                along, pair = self.window.turned(place(self.found.plot.direction(normal.line.direction))), normal.pair
+                least = min((radius for *_, radius in pair.circles), default=0.0) if isinstance(pair, Cam) else 0.0
+                past = (_NORMAL + least / self.window.scale) * along / abs(along)
+                names = pair.slipping.points if isinstance(pair.slipping, Rod) else (normal.line.through,)
+                centres = [self.window(place(self.found.plot.position[name])) for name in names]
+                also = [at + side * past for at in centres for side in (1, -1)]
+            ends = self.drafting.ends(line, also)
+            yield from clipped(ends, self.room, "dashed" if normal is None else "centre", spot.number)
 
 
 def centre_lines(paper: OnPaper) -> Figure:
     """The lines of all steps, the later ones where no earlier one lies."""
-    figure, drawn = Figure(), _DrawnStretches()
+    figure, drawn = Figure(), list[Stroke]()
     for spot in paper.spots:
         for line in paper.lines(spot):
-            if (laid := reach_of(paper, spot, line, line.normal)) is None:
-                continue
-            pen: PenName = "centre" if line.normal else "dashed"
-            for piece in drawn.fresh(laid):
-                figure.marks.append(Stroke(piece.ends, pen, step=spot.number))
-            for end, other in (laid.ends, laid.ends[::-1]) if line.normal else ():
+            figure.marks += (fresh := [*_fresh(line, drawn)])
+            drawn += fresh
+            for end, other in (line.places, line.places[::-1]) if line.pen == "centre" else ():
                 normal = LabelRequest(plain("n", italic=True), end, gap=0.2, away=end - other, step=spot.number)
                 figure.wanted.append(normal)
     return figure
 
 
-def reach_of(paper: OnPaper, spot: Spot, line: CentreLine, normal: bool = False) -> Laid | None:
-    """The stretch of a line that is drawn: past the centres on it, or to the room's edge towards those beyond."""
-    if (span := clipped(line, paper.room)) is None:
-        return None
-    low, high = span
-    beyond = _NORMAL if normal else _PARALLEL if spot.place is None else _BEYOND
-    seen = [line.along(place) for place in line.stops if paper.room.holds(place)]
-    outer = [line.along(place) for place in line.stops if not paper.room.holds(place)]
-    ends = [*(max(low, t - beyond) for t in seen), *(min(high, t + beyond) for t in seen)]
-    ends += [low if t < low else high for t in outer]
-    return Laid(line, min(ends), max(ends)) if max(ends, default=0) - min(ends, default=0) > SAME else None
-
-
-@dataclass
-class _DrawnStretches:
-    """Stretches that are drawn already."""
-
-    pieces: list[Laid] = field(default_factory=list)
-
-    def fresh(self, laid: Laid) -> list[Laid]:
-        """The pieces of a stretch that are not yet drawn."""
-        left = [(laid.start, laid.end)]
-        for piece in self.pieces:
-            one, other = laid.line, piece.line
-            alike = abs((one.direction * other.direction.conjugate()).imag) <= 2e-4
-            if alike and abs(((other.at - one.at) * one.direction.conjugate()).imag) < 2 * SAME:
-                first, second = sorted(laid.line.along(end) for end in piece.ends)
-                halves = (half for start, end in left for half in ((start, min(end, first)), (max(start, second), end)))
-                left = [(start, end) for start, end in halves if start < end]
-        fresh = [Laid(laid.line, *part) for part in left if part[1] - part[0] > _SHORT]
-        self.pieces += fresh
-        return fresh
+def _fresh(line: Stroke, drawn: Sequence[Stroke]) -> Iterator[Stroke]:
+    """The pieces of a line on which no other lies."""
+    start, end = line.places
+    along = (end - start) / abs(end - start)
+    left = [(0.0, abs(end - start))]
+    for other in drawn:
+        one, two = sorted(((at - start) / along for at in other.places), key=lambda off: off.real)
+        if max(abs(one.imag), abs(two.imag)) < 2 * SAME:
+            halves = [half for low, high in left for half in ((low, min(high, one.real)), (max(low, two.real), high))]
+            left = [(low, high) for low, high in halves if high - low > _SHORT]
+    yield from (replace(line, places=(start + low * along, start + high * along)) for low, high in left)
 
 
 def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
@@ -276,24 +181,20 @@ def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
         for off in (_OFF, _OFF + 6, _OFF + 14):
             yield from ((at + off * side, side) for side in (normal, -normal))
     for line in paper.lines(spot):
-        if (laid := reach_of(paper, spot, line)) is not None:
-            for end, along in ((laid.ends[1], line.direction), (laid.ends[0], -line.direction)):
-                if spot.place is None:
-                    yield end - 2 * along, along
-                elif ((paper.at(spot) - end) * along.conjugate()).real > 0:  # that end leads to the centre
-                    for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
-                        start = end - (_EDGE_ARROW + 0.5 + back) * along
-                        yield start, _towards(paper.at(spot), start)
+        for start, end in (line.places, line.places[::-1]):
+            along = (end - start) / abs(end - start)
+            if spot.place is None:
+                yield end - 2 * along, along
+            elif ((paper.at(spot) - end) * along.conjugate()).real > 0:  # that end leads to the centre
+                for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
+                    yield end - (_EDGE_ARROW + 0.5 + back) * along, along
     spread = 0.35 * paper.room.size  # from about the middle of the figure to its edge
     for x, y in ((0, 0), (1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)):
         foot = paper.room.middle + complex(x * spread.real, y * spread.imag)
-        along = paper.window.turned(spot.direction) if spot.place is None else _towards(paper.at(spot), foot)
-        if (span := clipped(CentreLine(foot, along, ()), paper.room)) is not None:
-            yield foot + along * (span[1] - _ARROW - 1), along
-
-
-def _towards(place: Place, start: Place) -> complex:
-    return (place - start) / abs(place - start)
+        along = paper.window.turned(spot.direction) if spot.place is None else paper.at(spot) - foot
+        along /= abs(along)
+        for line in clipped([foot, foot + along * abs(paper.room.size)], paper.room, "thin"):
+            yield line.places[-1] - along * (_ARROW + 1), along
 
 
 def _free(
@@ -301,8 +202,8 @@ def _free(
 ) -> _Start:
     """The place that touches the fewest things; the first of equals."""
     tried = [(start, along, start + length * along) for start, along in stands]
-    low = np.array([(start.real, start.imag) for start, _, _ in tried])
-    high = np.array([(end.real, end.imag) for _, _, end in tried])
+    skew = [(start + 0.4j * along, end - 0.4j * along) for start, along, end in tried]  # a bar along it is crossed, too
+    low, high = (xy(np.array(ends)).T for ends in zip(*skew, strict=True))
     hits = np.bincount(obstacles([*drawn, *taken]).crossed(low, high), minlength=len(tried))
 
     def price(k: int) -> float:
@@ -330,22 +231,8 @@ def centre_figure(paper: OnPaper) -> Figure:
         if all(abs(hinge - at) >= _CIRCLE for hinge in hinges):
             marks.append(Disc(at, _CIRCLE, "thin", "paper", step=step))
         marks.append(PointMark("centres", spot.name, spot.name, at, _DOT, step=step))
-    drawn = [*lines.marks, *machine.marks, *marks]
+    drawn, shown = [*lines.marks, *machine.marks, *marks], filter(paper.shown, paper.spots)
+    names = (LabelRequest(centre_label(s.name), paper.at(s), gap=HINGE, step=s.number) for s in shown)
     arrows = centre_arrows(paper, drawn)
-    wanted = [*machine.wanted, *_names(paper), *arrows.wanted, *lines.wanted]
+    wanted = [*machine.wanted, *together(names), *arrows.wanted, *lines.wanted]
     return Figure([*drawn, *arrows.marks], wanted)
-
-
-def _names(paper: OnPaper) -> Iterator[LabelRequest]:
-    """A label for each place, with all centres there; each name comes with its own step."""
-    groups: list[list[Spot]] = []
-    for spot in filter(paper.shown, paper.spots):
-        group = next((group for group in groups if abs(paper.at(group[0]) - paper.at(spot)) < SAME), None)
-        if group is None:
-            groups.append(group := [])
-        group.append(spot)
-    for group in groups:
-        labels, first = [centre_label(spot.name) for spot in group], group[0]
-        starts: list[Label] = [(), *([(Run(_BETWEEN),)] * (len(group) - 1))]
-        parts = tuple((start + label, spot.number) for start, label, spot in zip(starts, labels, group, strict=True))
-        yield LabelRequest(joined(labels, _BETWEEN), paper.at(first), gap=HINGE, step=first.number, parts=parts)

@@ -5,9 +5,9 @@ A step is a centre, in the order in which they are found.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import partial
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
@@ -19,7 +19,7 @@ from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room, papers_for
 from graphkin.sheet.single_figure import SheetGrid
-from graphkin.sheet.titleblock import tables_room
+from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import Extent, Window, corners
 from graphkin.studies.centres import Centres
 
@@ -33,9 +33,8 @@ _LARGE_ENOUGH = 14.0
 """The mechanism is to be so large, times the root of how many centres there are, which want letters in it [mm]."""
 _SHOWN, _LARGER_PAPER = 16, 30
 """Worth of a centre on the sheet, and cost of a larger paper, which fewer printers have."""
-_NEAR = (2.0, 1.3, 0.9, 0.6, 0.3, 0.0)  # centres so many times the mechanism's size away are looked for room for
-_FIT = 20.0  # the same, where all centres are to be on the sheet
-"""Width of the title block; height of the check bar under the table [mm]."""
+_NEAR, _FIT = 2.0, 20.0
+"""Centres so many times the mechanism's size away are looked for room for; and where all are to be on the sheet."""
 
 
 def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en", fit: bool = False) -> Sheet:
@@ -48,8 +47,7 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
 
     Raises UnknownPaper.
     """
-    measures = CentreExtent(found)
-    layouts = [layout for one in papers_for(paper) for layout in _layouts(measures, one, lang, fit)]
+    layouts = [layout for one in papers_for(paper) for layout in _layouts(found, one, lang, fit)]
     tried: list[Lettered] = []
     for layout in sorted(layouts, key=lambda one: -one.worth)[:_TRIES]:
         page = _page(found, layout, lang)
@@ -64,12 +62,10 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
 def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:
     """Table, heading, and the circle diagram beyond a thin line; then the figure."""
     grid, circle, scale = layout.grid, layout.circle, layout.window.scale
-    assert grid.strip is not None, "a sheet of centres has a title block"
     base = [*layout.table.drawn(complex(grid.strip.room.left + 3, grid.strip.room.top + 1.5))]
     base += heading(_HEADING[lang], "position", scale, layout.figure)
-    beside = circle.left > layout.figure.left
-    other = complex(circle.left, circle.bottom) if beside else complex(circle.right, circle.top)
-    base += [Stroke((complex(circle.left, circle.top), other), "thin"), *circle_diagram(found, circle, lang)]
+    edge = Stroke((complex(circle.left, circle.top), complex(circle.left, circle.bottom)), "thin")
+    base += [edge, *circle_diagram(found, circle, lang)]
     room = layout.figure.inset(2, HEAD, 2)
     panel = Panel(centre_figure(OnPaper(found, layout.window, room)), layout.window, room)
     return grid.page([panel], found.method.mechanism, lang, drivers=found.plot.facts.values, base=base)
@@ -79,106 +75,61 @@ def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:
 
 
 @frozen
-class CentreExtent:
-    """Places of a mechanism and its centres, and how far signs reach beyond them, on any paper."""
-
-    found: Centres
-
-    @cached_property
-    def places(self) -> list[complex]:
-        return mechanism_places(self.found.method, self.found.plot)
-
-    @cached_property
-    def extent(self) -> Extent:
-        """Of the mechanism alone."""
-        given = self.found.method.mechanism.scales.get("length")
-        return Extent.of(self.places, partial(bare_mechanism, self.found), given, letters=_LETTERS, trial=_TRIAL)
-
-    @property
-    def longest(self) -> float:
-        """The mechanism's larger side [m]."""
-        return self.extent.longest or 1.0
-
-    @cached_property
-    def finite(self) -> list[complex]:
-        """Centres that are not at infinity, the nearest first [m]."""
-        places = [spot.place for spot in spots(self.found) if spot.place is not None]
-        return sorted(places, key=lambda place: (self.off(place), place.real, place.imag))
-
-    def off(self, place: complex) -> float:
-        """Distance of a place from the mechanism's box, in its larger sides."""
-        low, high = self.extent.low, self.extent.high
-        x = max(low.real - place.real, place.real - high.real, 0.0)
-        y = max(low.imag - place.imag, place.imag - high.imag, 0.0)
-        return max(x, y) / self.longest
-
-    def box(self, places: Iterable[complex]) -> Extent:
-        """The box that holds the mechanism and more places."""
-        low, high = corners([*self.places, *places])
-        return replace(self.extent, low=low, high=high)
-
-
-@frozen
 class CentreLayout:
-    """A paper divided, the window through which the figure is seen.
-
-    shown   how many centres lie in its room
-    large   size of the mechanism, and least: what it is to be [mm]
-    """
+    """A paper divided, the window through which the figure is seen, and what that is worth."""
 
     grid: SheetGrid
     figure: Room
     circle: Room
     table: CentreTable
     window: Window
-    shown: int
-    large: float
-    least: float
-
-    @property
-    def worth(self) -> float:
-        """Centres on the sheet count, and that the mechanism is not small; larger paper only where it helps."""
-        small, paper = max(0.0, self.least - self.large), self.grid.paper
-        costs = 3 * small + _LARGER_PAPER * (paper.width * paper.height > 80_000) + 40 * self.table.lost
-        return _SHOWN * self.shown + min(self.large, 100) / 8 - costs
+    worth: float
 
 
-def _layouts(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
-    """On one paper, with more or less room for centres outside the mechanism.
+def _layouts(found: Centres, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
+    """On one paper, with more or fewer centres outside the mechanism: the circle diagram beside the table in the strip
+    at the foot, or beside the figure."""
+    size, most, wide = circle_size(found), 0.4 * paper.height, tables_room(paper)
+    for beside in (wide - size.real - 3, wide):
+        table = centre_table(found, lang, beside, most)
+        grid = SheetGrid.over(paper, least=max(table.height, size.imag if beside < wide else 0.0))
+        column = replace(grid.field, left=grid.field.right - size.real)
+        figure, circle = replace(grid.field, right=column.left), column
+        if beside < wide:
+            foot = grid.strip.room
+            figure, circle = grid.field, replace(foot, left=column.left, bottom=foot.bottom - FOOT)
+        room = figure.inset(0, HEAD, 0)
+        for window, shown, longest in _windows(found, room, fit):
+            large, larger = longest / window.scale, paper.width * paper.height > 80_000
+            small = max(0.0, _LARGE_ENOUGH * len(found.centring.stages) ** 0.5 - large)
+            worth = _SHOWN * shown + min(large, 100) / 8 - 3 * small - _LARGER_PAPER * larger - 40 * table.lost
+            yield CentreLayout(grid, figure, circle, table, window, worth)
 
-    The circle diagram stands at the right, on upright paper beside the table in the strip at the foot; where both have
-    no room there, over it.
-    """
-    size, wide, most = circle_size(measures.found), paper.frame.size.real, 0.4 * paper.height
-    table = centre_table(measures.found, lang, tables_room(paper), most)
-    beside = centre_table(measures.found, lang, wide - size.real - 6, most)
-    if not paper.landscape and not beside.lost and beside.height < table.height + size.imag:
-        grid = SheetGrid.over(paper, least=max(size.imag, beside.height))
-        assert grid.strip is not None
-        foot, table, figure = grid.strip.room, beside, grid.field
-        circle = Room(foot.right - size.real, foot.top, foot.right, foot.top + size.imag)
-    else:
-        grid = SheetGrid.over(paper, least=table.height)
-        field, right, bottom = grid.field, grid.field.right - size.real, grid.field.bottom - size.imag
-        figure, circle = replace(field, bottom=bottom), replace(field, top=bottom)
-        if paper.landscape:
-            figure, circle = replace(field, right=right), replace(field, left=right)
-    room = figure.inset(0, HEAD, 0)
-    inner = room.size - measures.extent.reach
-    if min(inner.real, inner.imag) < 15:
+
+def _windows(found: Centres, room: Room, fit: bool) -> Iterator[tuple[Window, int, float]]:
+    """Windows on the mechanism with the nearest of its centres, one for each scale; how many are seen through each, and
+    the mechanism's size [m]."""
+    places, given = mechanism_places(found.method, found.plot), found.method.mechanism.scales.get("length")
+    alone = Extent.of(places, partial(bare_mechanism, found), given, letters=_LETTERS, trial=_TRIAL)
+    if min((room.size - alone.reach).real, (room.size - alone.reach).imag) < 15:
         return
-    least = _LARGE_ENOUGH * len(measures.found.centring.stages) ** 0.5
-    scales, given = set[float](), measures.extent.given
-    for near in (_FIT,) if fit else _NEAR:
-        box = measures.box(place for place in measures.finite if measures.off(place) <= near)
-        # the finest at which all fits; the file's own, where the mechanism (to fit: all) fits at that
-        kept = given is not None and (box if fit else measures.extent).fits(given, room)
-        scales.add(given if given is not None and kept else box.finest(room))
-    for scale in sorted(scales):
-        shown, held = list[complex](), inner * scale * (1 + 1e-9)
-        for place in measures.finite:  # as many as it holds beside the mechanism [m], the nearest first
-            size = measures.box([*shown, place]).size
-            if size.real <= held.real and size.imag <= held.imag:
-                shown.append(place)
-        window = measures.box(shown).window(room, scale)
-        yield CentreLayout(grid, figure, circle, table, window, len(shown), measures.longest / scale, least)
+    (low, high), longest = (alone.low, alone.high), alone.longest or 1.0
+
+    def off(centre: complex) -> float:
+        """The distance of a place from the mechanism's box, in its larger sides."""
+        x = max(low.real - centre.real, centre.real - high.real, 0.0)
+        y = max(low.imag - centre.imag, centre.imag - high.imag, 0.0)
+        return max(x, y) / longest
+
+    finite = [spot.place for spot in spots(found) if spot.place is not None]
+    near = sorted((centre for centre in finite if off(centre) <= (_FIT if fit else _NEAR)), key=off)
+    boxes = dict[float, Extent]()
+    for count in range(len(near) if fit else 0, len(near) + 1):
+        low_end, high_end = corners([*places, *near[:count]])
+        box = replace(alone, low=low_end, high=high_end)
+        boxes[box.scale(room)] = box
+    if given in boxes and not fit:  # the file's own scale is kept where the mechanism fits at that
+        boxes = {given: boxes[given]}
+    for scale, box in boxes.items():
+        window = box.window(room, scale)
+        yield window, sum(room.holds(window(centre)) for centre in finite), longest

@@ -29,7 +29,7 @@ _KEY: dict[Lang, dict[PenName, str]] = {
 }
 _DIAGRAM: dict[Lang, str] = {"en": "Circle diagram", "zh": "消元法圆图"}
 _BALL = 1.95  # radius of the circle around a chord's number [mm]
-_NUMBERS = 8.0  # room for the links' numbers around the circle [mm]
+_NUMBERS, _OFF = 8.0, 2.2  # room for the links' numbers around the circle; from the circle to them [mm]
 _HEAD, _LINE = 8.0, 4.6
 """Height of the heading, and of a line of the key [mm]."""
 _SHARES = tuple(0.5 + sign * k / 40 for k in range(15) for sign in (1, -1))
@@ -54,6 +54,12 @@ def _radius(found: Centres) -> float:
     return min(48.0, 15.0 + 2.6 * max(4, len(found.method.mechanism.links)))
 
 
+def _around(found: Centres) -> float:
+    """Room beside the circle for the links' numbers or names [mm]."""
+    machine = found.method.mechanism
+    return max(_NUMBERS, _OFF + 2 + max(width(link_label(machine.called(link)), LABEL) for link in machine.links))
+
+
 def _pens(found: Centres) -> list[PenName]:
     used = {_PENS[stage.say] for stage in found.centring.stages}
     return [pen for pen in _KEY["en"] if pen in used]
@@ -61,8 +67,8 @@ def _pens(found: Centres) -> list[PenName]:
 
 def circle_size(found: Centres) -> complex:
     """Width and height of the diagram with its heading and key [mm]."""
-    across = 2 * (_radius(found) + _NUMBERS)
-    return complex(max(across, 56.0), _HEAD + across + _LINE * len(_pens(found)) + 2)
+    across = 2 * (_radius(found) + _around(found))
+    return complex(max(across, 56.0), _HEAD + 2 * (_radius(found) + _NUMBERS) + _LINE * len(_pens(found)) + 2)
 
 
 def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
@@ -82,7 +88,8 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
     for link, at in nodes.items():
         label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
         wide, high = width(label, LABEL), 0.68 * LABEL
-        beside = at + out * (2.6 + abs(out.real) * wide / 2 + abs(out.imag) * high / 2)
+        x, y = (max(-1.0, min(1.0, 1.6 * part)) for part in (out.real, out.imag))  # side or corner towards the circle
+        beside = at + out * _OFF + complex(x * wide, y * high) / 2
         marks += [Disc(at, 0.9, "outline", "ink"), Text(label, beside + complex(-wide / 2, high / 2), LABEL)]
     pens = _pens(found)
     wide = max((width(plain(_KEY[lang][pen]), LEAST) for pen in pens), default=0.0) + 14

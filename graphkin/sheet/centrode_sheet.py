@@ -15,36 +15,33 @@ from graphkin.model.mechanism import FRAME, Link, Mechanism
 from graphkin.running.path import along
 from graphkin.say.catalogue import in_both
 from graphkin.say.centre_about import curves_met, pole_words
+from graphkin.sheet.drafting_figure import named, right_angle, spot
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import divided
-from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, quantity_label
-from graphkin.sheet.marks import Disc, Place, Stroke
+from graphkin.sheet.lettering import Label, formula, point_label, quantity_label
+from graphkin.sheet.marks import Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
-from graphkin.sheet.page import Page, Sheet
+from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName, finest, papers_for
 from graphkin.sheet.path_figure import clipped
-from graphkin.sheet.single_figure import Caption, Picture, SingleFigure, place_for
-from graphkin.sheet.symbols import SWEEP, arrow_head, spin
-from graphkin.sheet.titleblock import Strip, Table, strip_height
+from graphkin.sheet.single_figure import Picture, SingleFigure, gridded, place_for
+from graphkin.sheet.symbols import SWEEP, arrow, spin
 from graphkin.sheet.window import Entry, Extent, Figure, Window, corners, enlarged
 from graphkin.studies.centres.centrodes import Centrodes
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
 FRAMES = 48
-_ROUND = 0.75  # curves are shown so far around the mechanism, as part of its size
+_ROUND = 1.25  # curves are shown so far from the middle of the mechanism, as part of its size
 _CENTRE = 2.0  # so many times larger the figure may become to show the centre itself
-_AGAIN = 0.03  # a curve that runs over itself within this is drawn once [mm]
-_PENS: tuple[PenName, ...] = ("visible", "dashed")
+_PENS: tuple[PenName, ...] = ("visible", "thin")
 
 HEADING: dict[Lang, str] = {"en": "Centrodes of links {first} and {second}", "zh": "构件 {first}、{second} 的瞬心线"}
 PATH: dict[Lang, str] = {"en": "Path of the instant centre {name}", "zh": "瞬心 {name} 的轨迹"}
 CURVES: Mapping[str, dict[Lang, str]] = {
-    "fixed": {"en": "fixed centrode (link ", "zh": "定瞬心线（构件 "},
-    "moving": {"en": "moving centrode (link ", "zh": "动瞬心线（构件 "},
-    "on": {"en": "centrode (link ", "zh": "瞬心线（构件 "},
+    "fixed": {"en": "fixed centrode (link {link})", "zh": "定瞬心线（构件 {link}）"},
+    "moving": {"en": "moving centrode (link {link})", "zh": "动瞬心线（构件 {link}）"},
+    "on": {"en": "centrode (link {link})", "zh": "瞬心线（构件 {link}）"},
 }
-OF: dict[Lang, tuple[str, str]] = {"en": ("path of ", ""), "zh": ("", " 的轨迹")}
-END: dict[Lang, str] = {"en": ")", "zh": "）"}
+OF: dict[Lang, str] = {"en": "path of P_{name}", "zh": "P_{name} 的轨迹"}
 
 
 def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = None, lang: Lang = "en") -> Sheet:
@@ -79,11 +76,8 @@ def _page(curves: Centrodes, times: Sequence[float], paper: str | None, told: Se
     plots = [along(method, curves.path, t) for t in times]
     values = [place for plot in plots for place in shown_places(method, plot)]
     low, high = corners(values)
-    more = _ROUND * max((high - low).real, (high - low).imag) * (1 + 1j)
-    low, high = low - more, high + more
     places = np.concatenate([curve for t in times for link in curves.axes for curve in _carried(curves, link, t)])
-    across = (low.real <= places.real) & (places.real <= high.real)
-    near = places[across & (low.imag <= places.imag) & (places.imag <= high.imag)]
+    near = places[np.abs(places - (low + high) / 2) <= _ROUND * max((high - low).real, (high - low).imag)]
     centre = _centre_at(curves, times[0])
     shown = enlarged([*values, *(corners([*near]) if near.size else ())], [] if centre is None else [centre], _CENTRE)
     return place_for(method, plots, shown, paper, told=told)
@@ -117,26 +111,17 @@ class _CentrodePage:
         """The curves as far as they lie in the room, and the centre; lettered: with the names of curves and links."""
         curves, on = self.curves, self.on
         plot, centre = along(curves.found.method, curves.path, t), _centre_at(curves, t)
-        lines = list[list[Stroke]]()
-        for link, pen in zip(curves.axes, _PENS, strict=False):
+        figure = Figure()
+        for link, pen, label, share in zip(curves.axes, _PENS, self._labels(), (0.25, 0.75), strict=False):
             strokes = list[Stroke]()
             for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
                 places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
-                strokes += clipped([*places, places[0]] if piece.closed else _once(places), on.room, pen)
-            lines.append(strokes)
-        figure, machine = Figure([stroke for strokes in lines for stroke in strokes]), on.mechanism(plot)
-        if lettered:
-            for label, strokes, share in zip(self._labels(), lines, (0.25, 0.75), strict=False):
-                if strokes:
-                    longest = max(strokes, key=lambda stroke: _lengths(stroke.places)[-1]).places
-                    lengths = _lengths(longest)
-                    k = int(np.searchsorted(lengths, share * lengths[-1]))
-                    figure.wanted.append(LabelRequest(label, longest[min(k, len(longest) - 1)], gap=1.2))
-        figure += machine if lettered else Figure(machine.marks)
+                strokes += clipped([*places, *places[:1]] if piece.closed else places, on.room, pen)
+            figure += Figure([*strokes], [*named(strokes, label, share)])
+        figure += on.mechanism(plot)
         if centre is not None and on.room.holds(on.window(centre)):
-            figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper" if lettered else "ink"))
-            if lettered:
-                figure.wanted.append(LabelRequest(quantity_label("P", curves.name[1:]), on.window(centre), gap=1.2))
+            figure += Figure.of(spot(on.window(centre), quantity_label("P", curves.name[1:]), 1.0, "paper"))
+        figure = figure if lettered else Figure(figure.marks)
         called = curves.found.method.mechanism.called
         names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
         words = PATH if len(curves.axes) == 1 else HEADING
@@ -145,35 +130,10 @@ class _CentrodePage:
     def _labels(self) -> list[Label]:
         """The names of the curves, or of the path."""
         if len(self.curves.axes) == 1:
-            before, after = OF[self.lang]
-            return [(*plain(before), *quantity_label("P", self.curves.name[1:]), *plain(after))]
-        kinds = ("fixed", "moving") if self.curves.second == FRAME else ("on", "on")
-        links = [link_label(self.curves.found.method.mechanism.called(link)) for link in self.curves.axes]
-        starts = [plain(CURVES[kind][self.lang]) for kind in kinds]
-        return [(*start, *link, *plain(END[self.lang])) for start, link in zip(starts, links, strict=True)]
-
-
-def _once(places: list[Place]) -> list[Place]:
-    """A curve that comes back to its first place and goes on over itself, up to there: dashes must not cover gaps."""
-    import shapely
-
-    away = np.abs(np.array(places) - places[0])
-    step = 2 * float(np.max(np.abs(np.diff(np.array(places)))))
-    left = np.flatnonzero(away > 2 * step)
-    back = np.flatnonzero(away[left[0] :] <= step) + left[0] if left.size else left
-    if not back.size:
-        return places
-    end = int(back[0] + np.argmin(away[back[0] : back[0] + 8])) + 1
-    if end + 1 >= len(places):
-        return places
-    rest = shapely.points([(z.real, z.imag) for z in places[end:]])
-    line = shapely.LineString([(z.real, z.imag) for z in places[: end + 1]])
-    return places[: end + 1] if np.all(shapely.distance(line, rest) < _AGAIN) else places
-
-
-def _lengths(places: Sequence[Place]) -> np.ndarray:
-    """Length of a curve up to each of its places."""
-    return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(np.array(places))))])
+            return [formula(OF[self.lang].format(name=self.curves.name[1:]))]
+        kinds, called = ("fixed", "moving"), self.curves.found.method.mechanism.called
+        words = [CURVES[kind if self.curves.second == FRAME else "on"][self.lang] for kind in kinds]
+        return [formula(text.format(link=called(link))) for text, link in zip(words, self.curves.axes, strict=True)]
 
 
 # --- the pole of a body from two of its velocities --------------------------------------------------------------------
@@ -181,8 +141,7 @@ def _lengths(places: Sequence[Place]) -> np.ndarray:
 
 _ARROW = 45.0  # the greater velocity is drawn no longer than this [mm]
 _BEYOND = 12.0  # the length of lines past their points [mm]; a line that meets none, so much more
-_SQUARE, _RADIUS = 2.2, 9.0
-_FOOT = 24.0  # room for what is said under the figure [mm]
+_RADIUS = 9.0  # of the arc of omega [mm]
 
 
 def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | None = None) -> Sheet:
@@ -195,19 +154,11 @@ def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | Non
         return Figure.of(_entries(velocities, window, speed))
 
     places = [*velocities.points, *([velocities.place] if cmath.isfinite(velocities.place) else [])]
-    caption = Caption(tuple(pole_words(velocities, lang)), _FOOT)
-    far = plain("\u221e" if cmath.isinf(velocities.place) else "")
-    rows = [(quantity_label("ω", ""), (*number(abs(velocities.omega)), Run(" rad/s")))]
-    if cmath.isfinite(velocities.place):
-        at = (("x", velocities.place.real), ("y", velocities.place.imag))
-        rows = [*((quantity_label(letter, "P"), (*number(value * 1e3), Run(" mm"))) for letter, value in at), *rows]
-    tables = [Table((quantity_label("P", ""), far), tuple(rows))]
-    field, foot = divided(chosen, strip_height(chosen, tables))
-    picture = Picture(Extent.of(places, draw), draw, caption)
-    strip = Strip(foot, tables, further={"velocity": speed} if fastest else {})
+    _, grid, panels = gridded([[Picture(Extent.of(places, draw), draw)]], chosen, told=[*pole_words(velocities, lang)])
+    strip = replace(grid.strip, further={"velocity": speed} if fastest else {})
     title = in_both("about.pole title")
     machine = Mechanism("velocities", "1", {FRAME: Link(FRAME, {})}, title=title, file="velocities")
-    return Page(chosen, [picture.panel(field, picture.scale(field))], machine, (), lang, strip).sheet()
+    return replace(grid, strip=strip).page(panels, machine, lang).sheet()
 
 
 def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterator[Entry]:
@@ -221,23 +172,19 @@ def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterato
         for end, tip in zip(ends, tips, strict=True):
             if abs(tip - end) < 1:
                 continue
-            along = (tip - end) / abs(tip - end)  # the perpendicular of a velocity, with its right angle
-            side = along * 1j if pole is None or ((along * 1j).conjugate() * (pole - end)).real > 0 else along * -1j
+            side = (tip - end) / abs(tip - end) * 1j  # the perpendicular of a velocity, with its right angle
+            side *= -1 if pole is not None and ((pole - end) / side).real < 0 else 1
             reach = _BEYOND * 4 if pole is None else abs(pole - end) + _BEYOND
             yield Stroke((end, end + side * reach), "construction")
-            yield Stroke(tuple(end + off * _SQUARE for off in (along, along + side, side)), "construction")
+            yield from right_angle(end, tip - end, side)
     yield Stroke((ends[0], ends[1]), "visible")
     for name, end, tip in zip(velocities.names, ends, tips, strict=True):
-        yield Disc(end, 0.6, "outline", "ink")
-        yield LabelRequest(point_label(name), end, gap=0.9, away=end - tip)
+        yield from spot(end, point_label(name))
         if abs(tip - end) > 1:
-            along = (tip - end) / abs(tip - end)
-            yield Stroke((end, tip - 2 * along), "vector", accent="velocity")
-            yield replace(arrow_head(tip, along, None), accent="velocity")
+            yield from arrow(end, tip, "velocity")
             yield LabelRequest(quantity_label("v", name), end, tip)
     if pole is not None:
-        yield Disc(pole, 0.9, "outline", "paper")
-        yield LabelRequest(quantity_label("P", ""), pole, gap=1.2, away=pole - ends[0])
+        yield from spot(pole, quantity_label("P", ""), 0.9, "paper")
         if velocities.omega:
             start, sense = cmath.rect(1, math.radians(30)), math.copysign(1, velocities.omega)
             yield from spin(pole, start, sense, _RADIUS)

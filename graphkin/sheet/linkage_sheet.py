@@ -18,6 +18,7 @@ from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
 from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.sheet import symbols
+from graphkin.sheet.drafting_figure import angle, right_angle
 from graphkin.sheet.fixed_link import away_from, grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import (
@@ -34,20 +35,18 @@ from graphkin.sheet.lettering import (
 )
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.mechanism_figure import moving_links
-from graphkin.sheet.page import Panel, Sheet
+from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import papers_for
-from graphkin.sheet.single_figure import Caption, Picture, SheetGrid, panels_in
+from graphkin.sheet.single_figure import SCALE, Picture, gridded
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.titleblock import Table, frame
-from graphkin.sheet.window import Extent, Figure, Window
+from graphkin.sheet.titleblock import Table
+from graphkin.sheet.window import Entry, Extent, Figure, Window
 from graphkin.studies.linkages import FAMILY, Linkage, Report, report
 from graphkin.studies.linkages.assembled import posed
 from graphkin.studies.linkages.linkage import LinkagePosition
 
 _ON_A4 = 2  # so many linkages are drawn on A4
-_CAPTION = 22.0  # room for a caption of four lines under each figure [mm]
-_COLUMNS, _HEAD, _FOOT = 4, 10.0, 13.0
-"""Sketches of the family side by side; room for its title, and for the name under each sketch [mm]."""
+_HEAD = 10.0  # room for the title of the family [mm]
 _FAMILY: dict[Lang, str] = {"en": "Linkages of four links", "zh": "平面四杆机构的类型"}
 _WORDS: dict[str, dict[Lang, str]] = {
     "limits": {"en": "Limit positions of {output}", "zh": "{output} 的极限位置"},
@@ -74,79 +73,60 @@ def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | No
     """
     chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
     several = len(reports) > 1
-    grid = SheetGrid.over(chosen, [_sizes(one, several) for one in reports])
-    panels: list[Panel] = []
-    for one, row in zip(reports, grid.field.cells(len(reports), 1), strict=True):
-        pictures = _pictures(one, lang, several)
-        divisions = [row.cells(len(pictures), columns) for columns in {len(pictures), len(pictures) if several else 1}]
-        scales = [max(each.scale(cell) for each, cell in zip(pictures, cells, strict=True)) for cells in divisions]
-        scale, cells = min(zip(scales, divisions, strict=True), key=lambda pair: pair[0])
-        if several:
-            pictures = [picture.captioned(f"(1:{scale * 1e3:g}) ") for picture in pictures]
-        panels += panels_in(pictures, cells, scale)
-    machine = titled(reports[0].linkage, title or kind_name(reports[0], lang))
-    return grid.page(panels, machine, lang).sheet()
+    tables = [found_sizes(one, "".join(one.linkage.names) if several else "") for one in reports]
+    _, grid, panels = gridded([_pictures(one, lang, several) for one in reports], chosen, tables)
+    return grid.page(panels, titled(reports[0].linkage, title or kind_name(reports[0], lang)), lang).sheet()
 
 
 def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
     """Every kind of the family once: a sketch at a scale of its own, with its name. Raises UnknownPaper."""
     chosen, pictures = papers_for(paper or "A4-landscape")[0], list[Picture]()
-    for member in FAMILY:
-        linkage = member.linkage
-        caption = Caption((kind_name(report(linkage), lang),), _FOOT)
-        pictures.append(pictured([linkage.drawn], partial(drawn_over, linkage, [linkage.drawn]), caption))
-    grid = SheetGrid(chosen, chosen.frame.inset(0, _HEAD, 0))
-    panels = panels_in(pictures, grid.field.cells(len(pictures), _COLUMNS))
+    for linkage in (member.linkage for member in FAMILY):
+        draw = partial(drawn_over, linkage, [linkage.drawn])
+        pictures.append(_picture([linkage.drawn], draw, kind_name(report(linkage), lang)))
+    _, grid, panels = gridded([[picture] for picture in pictures], chosen, head=_HEAD)
     title, room = plain(_FAMILY[lang]), chosen.frame
     head = Text(title, complex(room.middle.real - width(title, TITLE) / 2, room.top + 7.0), TITLE)
     machine = replace(titled(FAMILY[0].linkage), name="linkages", file="linkages.toml", text="")
     bare = [replace(panel, plane=None) for panel in panels]
-    return grid.page(bare, machine, lang, base=[frame(chosen), head], title=_FAMILY[lang]).sheet()
+    return grid.page(bare, machine, lang, base=[head], title=_FAMILY[lang]).sheet()
 
 
 def _pictures(one: Report, lang: Lang, several: bool) -> list[Picture]:
     """Limits and transmission angles; with `several`, captions begin with the letters of the linkage."""
-    pictures = [_limits(one, lang)] if one.limits else []
+    start = f"{SCALE} {''.join(one.linkage.names)}: " if several else ""
+    pictures = [_limits(one, lang, start)] if one.limits else []
     if one.critical and one.gamma_min is not None and not one.level:
-        pictures.append(_transmission(one, lang))
-    if not pictures:
-        ends, caption = one.critical[:2], Caption((kind_name(one, lang),), _CAPTION)
-        pictures.append(pictured(ends, partial(drawn_over, one.linkage, ends), caption))
-    name = "".join(one.linkage.names)
-    return [picture.captioned(f"{name}: ") for picture in pictures] if several else pictures
+        pictures.append(_transmission(one, lang, start))
+    ends = one.critical[:2]
+    return pictures or [_picture(ends, partial(drawn_over, one.linkage, ends), start + kind_name(one, lang))]
 
 
-def _limits(one: Report, lang: Lang) -> Picture:
+def _limits(one: Report, lang: Lang, start: str) -> Picture:
     def draw(window: Window) -> Figure:
-        return _over(drawn_over(one.linkage, one.limits, window, around=one.critical), dimensioned_limits(one, window))
+        return Figure.of(_limit_angles(one, window)) + drawn_over(one.linkage, one.limits, window, around=one.critical)
 
-    texts = [_WORDS["limits"][lang].format(output=one.output)]
+    texts = [start + _WORDS["limits"][lang].format(output=one.output)]
     if one.k is not None:
         key = "timed" if one.timed_by else "one" if one.slow is None else "k"
         texts.append(_WORDS[key][lang].format(k=numbers.number(one.k), crank=one.timed_by))
     texts += [_dead(one, name, lang) for name in one.dead if name != one.driver][:1]
-    return pictured(one.limits, draw, Caption(tuple(texts), _CAPTION))
+    return _picture(one.limits, draw, *texts)
 
 
-def _transmission(one: Report, lang: Lang) -> Picture:
+def _transmission(one: Report, lang: Lang, start: str) -> Picture:
     """The position of the least transmission angle first, and one to compare it with."""
     shown = (one.least[0], *[end for end in one.critical if end is not one.least[0]][:1])
 
     def draw(window: Window) -> Figure:
-        angles = dimensioned_transmission(one, shown, window)
-        return _over(drawn_over(one.linkage, shown, window, True, (*one.limits, *one.critical)), angles)
+        linkage = drawn_over(one.linkage, shown, window, True, (*one.limits, *one.critical))
+        return Figure.of(_transmission_angles(one, shown, window)) + linkage
 
     gamma, alpha = (f"{numbers.number(math.degrees(angle or 0.0))}°" for angle in (one.gamma_min, one.alpha_max))
     letter, values = "s" if one.driver == one.slide else "φ", ", ".join(amount(one, end.driver) for end in one.least)
     least = _WORDS["least"][lang].format(gamma=gamma, alpha=alpha, letter=letter, driver=one.driver, values=values)
-    texts = [_WORDS["gamma"][lang].format(driver=one.driver), least]
-    texts += [_dead(one, one.driver, lang)] if one.driver in one.dead else []
-    return pictured(shown, draw, Caption(tuple(texts), _CAPTION))
-
-
-def _over(linkage: Figure, angles: Figure) -> Figure:
-    """The linkage over the arcs, its letters before theirs."""
-    return Figure(angles.marks + linkage.marks, linkage.wanted + angles.wanted)
+    dead = [_dead(one, one.driver, lang)] if one.driver in one.dead else []
+    return _picture(shown, draw, start + _WORDS["gamma"][lang].format(driver=one.driver), least, *dead)
 
 
 def _dead(one: Report, driver: str, lang: Lang) -> str:
@@ -156,16 +136,16 @@ def _dead(one: Report, driver: str, lang: Lang) -> str:
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=shown)
 
 
-def _sizes(one: Report, several: bool) -> Table:
-    """Its lengths, and what was found; among several after its name."""
+def found_sizes(one: Report, name: str = "") -> Table:
+    """Its lengths, and what is found of it; among several after its name."""
     turn, psi, theta, high, k = math.degrees(1), *(quantity_label(letter, "") for letter in "ψθHK")
     least, most = (Run("γ", True), Run("min", place="sub")), (Run("α", True), Run("max", place="sub"))
     sizes: list[tuple[Label, float | None, float, str]] = []
-    sizes += [(points_label(name), size, 1e3, " mm") for name, size in one.linkage.sizes.items()]
+    sizes += [(points_label(link), size, 1e3, " mm") for link, size in one.linkage.sizes.items()]
     sizes += [(psi, one.swing, turn, "°"), (high, one.stroke, 1e3, " mm"), (theta, one.theta, turn, "°"),
               (k, one.k, 1.0, ""), (least, one.gamma_min, turn, "°"), (most, one.alpha_max, turn, "°")]  # fmt: skip
-    columns: list[tuple[Label, Label]] = [((), points_label("".join(one.linkage.names)))] if several else []
-    columns += [(name, (*number(s * factor), *plain(unit))) for name, s, factor, unit in sizes if s is not None]
+    columns: list[tuple[Label, Label]] = [((), points_label(name))] if name else []
+    columns += [(letter, (*number(s * factor), *plain(unit))) for letter, s, factor, unit in sizes if s is not None]
     heads, values = zip(*columns, strict=True)
     return Table(heads, (values,))
 
@@ -181,14 +161,12 @@ _STROKE_OFF = 15.0  # how far from the guide the stroke's dimension line lies [m
 _BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
 """Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
 _SEEN = 0.05  # an arm that leaves its link's line by more does not show its direction [mm]
-_SQUARE, _PAST_BLOCK, _RIGHT = 2.4, 6.5, 1e-6
-"""Side of the square in a right angle, and where it is to be seen beside a block [mm]; its cosine is no larger."""
+_PAST_BLOCK = 6.5  # side of the square in a right angle where it is to be seen beside a block [mm]
 
 
-def pictured(positions: Row, draw: Callable[[Window], Figure], caption: Caption) -> Picture:
-    """A figure of these positions that wants a cell."""
+def _picture(positions: Row, draw: Callable[[Window], Figure], *texts: str) -> Picture:
     places = [place for position in positions for place in position.places]
-    return Picture(Extent.of(places, draw, trial=_TRIAL), draw, caption)
+    return Picture(Extent.of(places, draw, trial=_TRIAL), draw, texts)
 
 
 def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
@@ -215,6 +193,8 @@ def drawn_over(
     for (one, start), (other, end) in combinations(named, 2):  # links by their ends, as their lengths are called
         name = next((name for name in (one + other, other + one) if name in linkage.sizes), "")
         if name and abs(end - start) > _SHORT:
+            if all(FRAME in machine.owners[pivot] for pivot in (one, other)):  # where no bar is
+                marks.insert(0, Stroke((start, end), "construction"))
             labels.append(LabelRequest(points_label(name), start, end, gap=1.2, size=LABEL, spare=True))
     return Figure([*marks, *_links(linkage, first)], labels)
 
@@ -250,98 +230,71 @@ def _degrees(sign: str, angle: float, primes: int = 0) -> Label:
     return (Run(sign, True), *index, Run(" = "), *number(math.degrees(angle)), Run("°"))
 
 
-def _arc(centre: Place, radius: float, start: complex, end: complex, label: Label) -> Figure:
-    """The smaller arc between two directions on paper."""
-    return _swept(centre, radius, cmath.phase(start), cmath.phase(end / start), label)
-
-
-def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Label) -> Figure:
-    """An arc with arrow heads and its value; nothing for no angle."""
-    if abs(sweep) < 1e-6:
-        return Figure()
-    marks = symbols.angle_arc(centre, radius, cmath.rect(1, begin), sweep)
-    middle = cmath.rect(1, begin + sweep / 2)
-    return Figure(marks, [LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=LABEL)])
-
-
-def dimensioned_limits(report: Report, window: Window) -> Figure:
-    """psi or H between the limits, and theta at the crank's pivot."""
-    figure = _theta(report, window)
+def _limit_angles(report: Report, window: Window) -> Iterator[Entry]:
+    """psi or H between the limits, theta at the crank's pivot, and right angles."""
+    yield from _theta(report, window)
     for end in report.limits:
         if end.how == "across":  # a crank at right angles to a bar that slides over its pin
             first, pin, last = on_paper(end, window)[:3]
-            figure.marks += _square(pin, first - pin, last - pin, _PAST_BLOCK)
+            yield from right_angle(pin, first - pin, last - pin, _PAST_BLOCK)
     if report.swing is not None:
-        figure += _psi(report, window)
+        yield from _psi(report, window)
     elif report.stroke is not None:
-        figure += _stroke(report, report.stroke, window)
-    return figure
+        yield from _stroke(report, report.stroke, window)
 
 
-def _square(at: Place, one: complex, other: complex, side: float = _SQUARE) -> Iterator[Mark]:
-    """Between two lines through a point that stand at right angles."""
-    one, other = one / abs(one), other / abs(other)
-    if abs((one.conjugate() * other).real) < _RIGHT:
-        yield Stroke((at + side * one, at + side * (one + other), at + side * other), "construction")
-
-
-def _psi(report: Report, window: Window) -> Figure:
+def _psi(report: Report, window: Window) -> Iterator[Entry]:
     """At the output's pivot, over its range."""
     pivot, tip = report.linkage.arm
     first = on_paper(report.limits[0], window)
     at, span = first[pivot], report.output_range
     share, least, most = _BESIDE_BLOCK if report.slide else _BESIDE_HINGE
     radius = min(max(share * abs(first[tip] - at), least), most)
-    figure = _swept(at, radius, -span.low, -span.width, _degrees("ψ", span.width))
+    yield from angle(at, cmath.rect(1, -span.low), -span.width, radius, _degrees("ψ", span.width))
     for end in report.limits:
         along = window.turned(cmath.rect(1, end.output))
         arm = on_paper(end, window)[tip] - at
         if abs((along.conjugate() * arm).imag) > _SEEN:
-            figure.marks.append(Stroke((at, at + along * (radius + 3)), "construction"))
-    return figure
+            yield Stroke((at, at + along * (radius + 3)), "construction")
 
 
-def _theta(report: Report, window: Window) -> Figure:
+def _theta(report: Report, window: Window) -> Iterator[Entry]:
     """Between the crank at the first limit and the crank at the second, carried on beyond its pivot."""
-    figure = Figure()
-    if report.theta is None or report.theta < 1e-6 or report.timed_by:
-        return figure
+    if report.theta is None or report.timed_by:
+        return
     order = -1 if report.linkage.driver == "rocker" else 1
     first, second = (on_paper(end, window)[::order] for end in report.limits)
     at, start, end = first[0], first[1] - first[0], second[0] - second[1]
     radius = max(abs(start) + 7.0, 13.0)
-    if report.limits[0].how == "across":
-        lines = (at, at + end / abs(end) * (radius + 3)), (first[1], at + start / abs(start) * (radius + 3))
-        figure.marks += [Stroke(line, "construction") for line in lines]
-    return figure + _arc(at, radius, start / abs(start), end / abs(end), _degrees("θ", report.theta))
+    if report.limits[0].how == "across" and report.theta > 1e-6:
+        yield Stroke((at, at + end / abs(end) * (radius + 3)), "construction")
+        yield Stroke((first[1], at + start / abs(start) * (radius + 3)), "construction")
+    yield from angle(at, start, cmath.phase(end / start), radius, _degrees("θ", report.theta))
 
 
-def _stroke(report: Report, length: float, window: Window) -> Figure:
+def _stroke(report: Report, length: float, window: Window) -> Iterator[Entry]:
     """A dimension line beside the guide, on the side of the ground."""
     along = window.turned(cmath.rect(1, report.limits[0].turn))
     places = [on_paper(end, window) for end in report.limits]
     one, other = (there[-1] for there in places)
     side = away_from(one, along, [place for there in places for place in there])
     line, extensions, heads = symbols.dimension_line((one, other), side, _STROKE_OFF, clear=(4.5, 4.5))
+    yield from (line, *extensions, *heads)
     label: Label = (Run("H", True), Run(" = "), *number(length * 1e3), Run(" mm"))
-    request = LabelRequest(label, line.places[0], line.places[1], gap=0.4, away=side, size=LABEL)
-    return Figure([line, *extensions, *heads], [request])
+    yield LabelRequest(label, line.places[0], line.places[1], gap=0.4, away=side, size=LABEL)
 
 
-def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:
+def _transmission_angles(report: Report, positions: Row, window: Window) -> Iterator[Entry]:
     """gamma at each position; for a slider the pressure angle alpha, which is seen against the guide."""
-    figure = Figure()
     for count, end in enumerate(positions, start=1):
-        angle, gamma = report.linkage.seen(end), end.gamma or 0.0
-        if angle is None:
+        seen, gamma = report.linkage.seen(end), end.gamma or 0.0
+        if seen is None:
             continue
         radius, label = 15.0, _degrees("γ", gamma, count)
-        if angle.pressure:
+        if seen.pressure:
             radius, label = 8.0 + 8.0 * count, _degrees("α", math.pi / 2 - gamma, count)
-        at, one, other = window(angle.at), window.turned(angle.one), window.turned(angle.other)
-        one, other = one / abs(one), other / abs(other)
+        at, one, other = window(seen.at), window.turned(seen.one), window.turned(seen.other)
         one = -one if (one.conjugate() * other).real < 0 else one  # the acute angle; what no link shows is drawn on
-        figure.marks += [Stroke((at, at + along * (radius + 3)), "construction") for along in (one, other)]
-        figure.marks += _square(at, one, other)
-        figure += _arc(at, radius, one, other, label)
-    return figure
+        yield from (Stroke((at, at + side / abs(side) * (radius + 3)), "construction") for side in (one, other))
+        yield from right_angle(at, one, other)
+        yield from angle(at, one, cmath.phase(other / one), radius, label)

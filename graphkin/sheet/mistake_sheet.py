@@ -29,7 +29,7 @@ from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
-from graphkin.sheet.single_figure import Caption
+from graphkin.sheet.single_figure import Picture, foot_of
 from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions, corners, enlarged
 
 Own = Mapping[Plane, Mapping[str, complex]]
@@ -39,7 +39,6 @@ _WIDE, _HIGH = 98.0, 96.0
 """Of the room for a figure with its heading and its caption, at most: so much that a telephone shows arrow heads of
 2.5 mm [mm]."""
 _CROWDED = 22  # figures with more labels than this leave out those that others tell, too
-_FOOT = 7.0
 _OFF = 2.5  # a point of the student's that lies farther off than this bears its letter [mm]
 _RING = 0.9  # radius of the circles about the student's points [mm]
 _FAR = 2.0  # points of the student's that would make the figure more than so many times as large are not drawn
@@ -86,20 +85,19 @@ class Version:
     def sheet(self, answer: bool, lang: Lang) -> Sheet:
         """As large as a page has room for; with its scale where it may be told."""
         extent = Extent.of(self.places(), self.figure)
-        scale = extent.finest(Room(0, HEAD, _WIDE, _HIGH - _FOOT))
+        picture = Picture(extent, self.figure, (say(f"pictures.under {self.name}", lang),))
+        foot = foot_of([picture], _WIDE)
+        scale = extent.finest(Room(0, HEAD, _WIDE, _HIGH - foot))
         short = self._short(scale) if self.plane != "position" else []
-        high = HEAD + extent.size.imag / scale + extent.reach.imag + _FOOT
-        window = extent.window(Room(0, HEAD, _WIDE, high - _FOOT), scale)
-        caption = Caption((say(f"pictures.under {self.name}", lang),), _FOOT, first=4.0)
-        for more in (0.0, _LENS) if short else (0.0,):  # a lens stands in the figure, or else under it
-            cell = Room(0.0, 0.0, _WIDE, high + more)
-            plain = Panel(self.figure(window), window, cell.inset(1, HEAD + 1, _FOOT), after=tuple(caption.drawn(cell)))
-            panel = lens(plain, self.figure, self.plane, [window(at) for at in short]) if short else plain
-            if panel is not plain:
-                break
-        if cell.bottom > high:  # as far down as the lens goes
-            cell = replace(cell, bottom=min(cell.bottom, bounds(panel.figure.marks)[3] + _BELOW + _FOOT))
-            panel = replace(panel, room=cell.inset(1, HEAD + 1, _FOOT), after=tuple(caption.drawn(cell)))
+        high = HEAD + extent.size.imag / scale + extent.reach.imag + foot
+        window = extent.window(Room(0, HEAD, _WIDE, high - foot), scale)
+        cell = Room(0.0, 0.0, _WIDE, high + _LENS * bool(short))
+        panel = Panel(self.figure(window), window, cell.inset(1, HEAD + 1, foot))
+        if short:  # a lens stands in the figure, or else under it: as far down as it goes
+            panel = lens(panel, self.figure, self.plane, [window(at) for at in short])
+            lowest = max(high, bounds(panel.figure.marks)[3] + _BELOW + foot)
+            cell = replace(cell, bottom=min(cell.bottom, lowest))
+        panel = replace(panel, room=cell.inset(1, HEAD + 1, foot), after=tuple(picture.caption(cell, foot)))
         head = heading(HEADINGS[lang][self.plane], self.plane, scale, cell)
         panel = replace(panel, before=head if answer else head[:1], plane=None)
         paper, title = Paper("figure", cell.right, cell.bottom, 0.0), HEADINGS[lang][self.plane]

@@ -8,8 +8,6 @@ ends say as much. What is asked for stands under the headings with its running v
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -17,6 +15,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
@@ -26,7 +25,7 @@ from graphkin.planning import Method
 from graphkin.planning.method import births
 from graphkin.running import replay_all
 from graphkin.running.path import along, stride
-from graphkin.sheet.boxes import overlap
+from graphkin.sheet.boxes import xy
 from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import HEAD_LEFT, lay_out, under_heading
@@ -245,60 +244,59 @@ class _Frames:
 
 # --- letters that go along without hopping ----------------------------------------------------------------------------
 
-_SIDES = tuple(cmath.rect(1, math.tau * k / 12) for k in range(12))
-_RINGS = (0.0, 2.8)  # distances of a letter from its sign: the farther gets it past a block [mm]
-_FARTHER = 0.15  # the cost of that in each position
-_ALONG = (0.5, 0.35, 0.65)  # the places beside a line for its number
+_LIKING = 0.1  # the weight of what a place costs by itself, against the things that a letter lies on there
 _CLEAR = 0.4  # the room that letters keep from lines [mm]
 _SELDOM = 0.1
 """Letters that points share for a moment, where they lie on one another, flash up: those on fewer of the figures."""
 _WAY = 0.15  # the cost of a letter's way about what it names [1/mm]
 _OUTSIDE = 6.0  # leaving its room counts like lying on so many lines
-_CHOICES = (1 + len(_SIDES)) * len(_RINGS)
-
-Boxes = tuple[np.ndarray, np.ndarray]  # upper left and lower right corners (n, 2) [mm]
 
 
 def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list[list[Mark]]:
     """The marks of each figure with their letters; `off`: what letters keep off, too."""
     marks: list[list[Mark]] = [list(figure.marks) for figure in figures]
     drawn = [obstacles([*figure.marks, *off]) for figure in figures]
-    letters: list[list[Boxes]] = [[] for _ in figures]
+    letters: list[list[Place]] = [[] for _ in figures]
+    halves: list[list[complex]] = [[] for _ in figures]
     every: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
     for k, figure in enumerate(figures):
         for want in (want for want in figure.wanted if not want.of):
             every.setdefault((want.label, want.end is None), {}).setdefault(k, want)
     often = (wants for wants in every.values() if len(wants) >= _SELDOM * len(figures))
     for wants in sorted(often, key=len, reverse=True):  # the most frequent come first, seldom ones not at all
-        middles, places = np.array([_middles(want) for want in wants.values()]), [want.place for want in wants.values()]
         wide, up, down = box(*next((want.label, want.size) for want in wants.values()))
-        half = complex(wide, up + down) / 2
-        costs = []
-        for k, row in zip(wants, middles, strict=True):  # the number of things on which each of the places lies
-            low, high = _boxes(row, half)
-            cost = np.bincount(drawn[k].touched(low, high), minlength=len(row)).astype(float)
-            for other in letters[k]:
-                cost += _lies((low, high), other)
-            outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
-            costs.append(cost + _OUTSIDE * outside)
-        far = np.arange(_CHOICES) >= _CHOICES // len(_RINGS)
-        chosen = _gliding(middles - np.array(places)[:, None], np.array(costs) + _FARTHER * far)
+        half, clear = complex(wide, up + down) / 2, complex(_CLEAR, _CLEAR)
+        middles, costs = list[Array](), list[Array]()
+        for k, want in wants.items():  # the number of things on which each of the places lies
+            near = want.near(half)
+            low, high = xy(near.middle - half - clear), xy(near.middle + half + clear)
+            cost = _LIKING * near.cost + np.bincount(drawn[k].touched(low.T, high.T), minlength=len(near.middle))
+            outside = ([room.left, room.top] > low.T).any(axis=1) | ([room.right, room.bottom] < high.T).any(axis=1)
+            costs.append(cost + _on_others(near.middle, half, letters[k], halves[k]).sum(axis=1) + _OUTSIDE * outside)
+            middles.append(near.middle)
+        chosen = _gliding([row - want.place for row, want in zip(middles, wants.values(), strict=True)], costs)
         for (k, want), row, best in zip(wants.items(), middles, chosen, strict=True):
-            place = _boxes(row[best : best + 1], half)
-            if not any(_lies(place, other) for other in letters[k]):  # hidden while it would lie on another
+            if not _on_others(row[best : best + 1], half, letters[k], halves[k]).any():  # hidden while it would be
                 at = complex(row[best]) + complex(-wide, up - down) / 2
                 marks[k].append(Text(want.label, at, want.size, want.step))
-                letters[k].append(place)
+                letters[k].append(complex(row[best]))
+                halves[k].append(half)
     return marks
 
 
-def _gliding(sides: np.ndarray, costs: np.ndarray) -> list[int]:
+def _on_others(middles: Array, half: complex, letters: Sequence[Place], halves: Sequence[complex]) -> Array:
+    """True where a letter in each of the middles lies on others (n, others)."""
+    off, reach = middles[:, None] - np.array(letters, dtype=complex), np.array(halves, dtype=complex) + half
+    return np.asarray((abs(off.real) < reach.real + _CLEAR) & (abs(off.imag) < reach.imag + _CLEAR))
+
+
+def _gliding(sides: Sequence[Array], costs: Sequence[Array]) -> list[int]:
     """The place a letter takes on each figure, round and round: cheap ones, with little way from each to the next.
 
-    sides  of its places from what it names (n, places), complex [mm]
+    sides  of its places from what it names (n,), complex [mm]
     """
     rounds = [*range(len(costs))] * 2
-    total, before = costs[0], list[np.ndarray]()
+    total, before = costs[0], list[Array]()
     for last, k in pairwise(rounds):
         ways = total + _WAY * abs(sides[k][:, None] - sides[last])
         before.append(ways.argmin(axis=1))
@@ -307,34 +305,3 @@ def _gliding(sides: np.ndarray, costs: np.ndarray) -> list[int]:
     for cheapest in reversed(before[len(costs) :]):
         chosen.append(int(cheapest[chosen[-1]]))
     return chosen[::-1]
-
-
-def _middles(want: LabelRequest) -> list[Place]:
-    """Places of its middle: around its point, the side it likes among them, touched by a ring; or beside its line."""
-    wide, up, down = box(want.label, want.size)
-    half = complex(wide, up + down) / 2
-    if want.end is None or abs(want.end - want.start) < 1e-6:
-        away = want.away / abs(want.away) if abs(want.away) > 1e-9 else 1 + 0j
-        return [
-            want.place + side * (want.gap + 0.6 + far) + complex(_leaning(side.real) * half.real,
-                                                                  _leaning(side.imag) * half.imag)
-            for far in _RINGS for side in (away, *_SIDES)
-        ]  # fmt: skip
-    along = (want.end - want.start) / abs(want.end - want.start)
-    sides = [(want.start + (want.end - want.start) * t, along * turn) for t in _ALONG for turn in (-1j, 1j)]
-    places = [at + side * (abs(side.real) * half.real + abs(side.imag) * half.imag + want.gap) for at, side in sides]
-    return places + places[:1] * (_CHOICES - len(places))
-
-
-def _leaning(x: float) -> float:
-    return max(-1.0, min(1.0, x * 1.6))
-
-
-def _boxes(middles: np.ndarray, half: complex) -> Boxes:
-    places, reach = np.stack([middles.real, middles.imag], axis=1), np.array([half.real, half.imag]) + _CLEAR
-    return places - reach, places + reach
-
-
-def _lies(one: Boxes, other: Boxes) -> np.ndarray:
-    """The boxes that lie on the other; what they keep from lines they need not keep twice from one another."""
-    return overlap(one[0].T, one[1].T, other[0].T + _CLEAR, other[1].T - _CLEAR)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from math import log
 from typing import SupportsFloat
 
 from graphkin.base.value import frozen
@@ -13,19 +14,19 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.say.dimensions import sizes
-from graphkin.say.numbers import circled
 from graphkin.say.reading import Reading
 from graphkin.sheet.dimension_lines import angles
-from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.drafting_figure import together
 from graphkin.sheet.layout import HEAD, Layout, alone, divided
-from graphkin.sheet.lettering import LABEL, formula, plain, width
-from graphkin.sheet.marks import Mark, Stroke, Text
+from graphkin.sheet.lettering import LABEL, formula, width
+from graphkin.sheet.marks import Mark, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
 from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.titleblock import Strip, Table, strip_height, two_lines
+from graphkin.sheet.text_blocks import broken
+from graphkin.sheet.titleblock import Strip, Table, strip_height
 from graphkin.sheet.window import Extent, Figure, Window
 
 _LABELS = 20  # the number of labels by which upright paper or paper on its side is chosen
@@ -53,12 +54,12 @@ class SingleFigure:
         return plain_mechanism(self.method, plot, self.window).numbered(None)
 
     def sheet(
-        self, plot: Plot, words: str, figure: Figure, lang: Lang, further: Mapping[Plane, float] | None = None,
-        after: Sequence[Mark] = (),
-    ) -> Sheet:  # fmt: skip
-        """The sheet; words: the heading, further: scales to be told beside the figure's own, after: over all else."""
+        self, plot: Plot, words: str, figure: Figure, lang: Lang, further: Mapping[Plane, float] | None = None
+    ) -> Sheet:
+        """The sheet; words: the heading, further: scales to be told beside the figure's own."""
         head = heading(words, "position", self.window.printed, self.layout.rooms["position"])
-        panel = Panel(figure, self.window, self.room, before=head, after=tuple(after))
+        figure = Figure(figure.marks, [*together(figure.wanted)])
+        panel = Panel(figure, self.window, self.room, before=head)
         foot = Strip(self.layout.strip, self.found, further=further or {}, told=self.told)
         return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, foot).sheet()
 
@@ -79,59 +80,6 @@ def place_for(
     extent = replace(Extent.of(places, drawn), given=method.mechanism.scales.get("length"), labels=_LABELS)
     layout = alone(extent, partial(strip_height, found=found, told=told), paper)
     return SingleFigure(method, layout, layout.window("position", extent), found, told)
-
-
-def stage_number(line: Stroke, count: int) -> LabelRequest:
-    """The number of a sentence at what it says is drawn."""
-    start, end = line.places[len(line.places) // 2 - 1 :][:2]
-    return LabelRequest(plain(circled(count)), start, end, gap=0.5, size=LABEL, step=line.step)
-
-
-@frozen
-class Caption:
-    """Lines in the middle under a figure.
-
-    height  of the room for them; first: from its top to the first base line; pitch: from line to line
-    sides   what stays free beside them [mm]
-    """
-
-    texts: tuple[str, ...]
-    height: float
-    first: float = 5.0
-    pitch: float = 1.35 * LABEL
-    sides: float = 3.0
-
-    def drawn(self, cell: Room) -> Iterator[Text]:
-        pen = cell.bottom - self.height + self.first
-        for text in self.texts:
-            for line in two_lines(text, LABEL, cell.size.real - 2 * self.sides):
-                label = formula(line)
-                yield Text(label, complex((cell.left + cell.right - width(label, LABEL)) / 2, pen), LABEL)
-                pen += self.pitch
-
-
-@frozen
-class Picture:
-    """A figure that wants a cell: its extent, its drawing through a window, its caption."""
-
-    extent: Extent
-    draw: Callable[[Window], Figure]
-    caption: Caption
-
-    def captioned(self, start: str) -> Picture:
-        """With a word before its caption."""
-        first, *others = self.caption.texts
-        return replace(self, caption=replace(self.caption, texts=(start + first, *others)))
-
-    def scale(self, cell: Room) -> float:
-        """The scale at which it fits a cell over its caption [m/mm]."""
-        return self.extent.scale(cell.inset(0, 0, self.caption.height))
-
-    def panel(self, cell: Room, scale: float) -> Panel:
-        """On paper."""
-        window = self.extent.window(cell.inset(0, 0, self.caption.height), scale)
-        room = cell.inset(1, 1, self.caption.height)
-        return Panel(self.draw(window), window, room, after=tuple(self.caption.drawn(cell)))
 
 
 def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
@@ -166,11 +114,11 @@ def _given(reading: Reading, window: Window) -> Figure:
 
 @frozen
 class SheetGrid:
-    """A paper divided: the field for figures and, on a sheet with a title block, the strip under it."""
+    """A paper divided: the field for figures, and the strip under it."""
 
     paper: Paper
     field: Room
-    strip: Strip | None = None
+    strip: Strip
 
     @classmethod
     def over(
@@ -181,15 +129,66 @@ class SheetGrid:
         return cls(paper, field, Strip(foot, tables, told=told))
 
     def page(
-        self, panels: Sequence[Panel], machine: Mechanism, lang: Lang, *, base: Sequence[Mark] = (), title: str = "",
+        self, panels: Iterable[Panel], machine: Mechanism, lang: Lang, *, base: Sequence[Mark] = (), title: str = "",
         drivers: Sequence[SupportsFloat] | None = None,
     ) -> Page:  # fmt: skip
         """The page with these panels; drivers: their values, the file's where left out."""
         values = [driver.value or 0.0 for driver in machine.drivers] if drivers is None else drivers
-        return Page(self.paper, panels, machine, values, lang, self.strip, base, title)
+        return Page(self.paper, [*panels], machine, values, lang, self.strip, base, title)
 
 
-def panels_in(pictures: Sequence[Picture], cells: Sequence[Room], scale: float | None = None) -> Iterator[Panel]:
-    """Each picture in its cell, at one scale [m/mm], or each at its own."""
-    for picture, cell in zip(pictures, cells, strict=True):
-        yield picture.panel(cell, picture.scale(cell) if scale is None else scale)
+SCALE = "(1: )"
+"""Stands in a caption for the scale of its figure."""
+_PITCH, _SIDES, _FOOT = 1.35 * LABEL, 3.0, 4.5
+"""From line to line of captions; what stays free beside them, and at their top and foot together [mm]."""
+
+
+@frozen
+class Picture:
+    """A figure that wants a cell: its extent, its drawing through a window, and sentences in the middle under it."""
+
+    extent: Extent
+    draw: Callable[[Window], Figure]
+    texts: Sequence[str] = ()
+
+    def lines(self, wide: float) -> list[str]:
+        """Its caption in a cell of that width [mm]."""
+        return [line for text in self.texts for line in broken(text, wide - 2 * _SIDES, LABEL)]
+
+    def panel(self, cell: Room, foot: float, scale: float) -> Panel:
+        """On paper, its caption in the foot of its cell."""
+        window = self.extent.window(cell.inset(0, 0, foot), scale)
+        return Panel(self.draw(window), window, cell.inset(1, 1, foot), after=tuple(self.caption(cell, foot, scale)))
+
+    def caption(self, cell: Room, foot: float, scale: float = 1.0) -> Iterator[Text]:
+        for k, line in enumerate(self.lines(cell.size.real), start=1):
+            label = formula(line.replace(SCALE, f"(1:{scale * 1e3:g})"))
+            corner = complex(cell.middle.real - width(label, LABEL) / 2, cell.bottom - foot + k * _PITCH)
+            yield Text(label, corner, LABEL)
+
+
+def foot_of(pictures: Iterable[Picture], wide: float) -> float:
+    """The height of captions in cells of that width [mm]."""
+    return _FOOT + _PITCH * max(len(picture.lines(wide)) for picture in pictures)
+
+
+def gridded(
+    groups: Sequence[Sequence[Picture]], paper: Paper, tables: Sequence[Table] = (), told: Sequence[str] = (),
+    head: float = 0.0,
+) -> tuple[float, SheetGrid, Iterator[Panel]]:  # fmt: skip
+    """Pictures in equal cells, each group at one scale, in as many columns as make them largest; the coarsest of the
+    scales [m/mm].
+
+    head  room over them [mm]
+    """
+    grid, tried = SheetGrid.over(paper, tables, told), list[tuple[float, float, list[Room], list[float]]]()
+    every = [(picture, number) for number, group in enumerate(groups) for picture in group]
+    for columns in range(1, len(every) + 1):
+        cells = grid.field.inset(0, head, 0).cells(len(every), columns)
+        foot = foot_of((picture for picture, _ in every), cells[0].size.real)
+        free = cells[0].inset(0, 0, foot)
+        scales = [max(picture.extent.scale(free) for picture in group) for group in groups]
+        tried.append((sum(map(log, scales)), foot, cells, scales))
+    _, foot, cells, scales = min(tried, key=lambda one: one[0])
+    each = zip(every, cells, strict=True)
+    return max(scales), grid, (picture.panel(cell, foot, scales[number]) for (picture, number), cell in each)

@@ -47,7 +47,7 @@ def test_nothing_leaves_the_frame(name: str, link: str):
 def test_labels(lang: str, words: tuple[str, str]):
     texts = lettered(about_sheet(seen("ex3-7", "4"), lang=lang))  # type: ignore[arg-type]
     for word in (*words, "P46", "J", "W", "t", "n", "vD", "vE", "KD"):
-        assert word in texts
+        assert any(word in text.split(", ") for text in texts)
     assert "KE" not in texts  # the ram's path is straight
 
 
@@ -106,10 +106,10 @@ def test_bobillier_on_paper(name: str, link: str, point: str | complex):
     sheet = bobillier_sheet(entry, drawn, lang="zh")
     place = complex(entry.plot.position[point]) if isinstance(point, str) else point
     centre = sheet.origins["position"] + entry.carried(place).centre.conjugate() / sheet.scales["position"]
-    (mark,) = (mark for mark in sheet.marks if isinstance(mark, Disc) and mark.step == len([*drawn.construction.steps]))
+    (mark,) = (mark for mark in sheet.marks if isinstance(mark, Disc) and mark.step == len(drawn.construction.stages))
     assert abs(mark.centre - centre) < 1e-6
-    steps = list(step_sheets(bobillier_sheet(entry, drawn), range(1, len([*drawn.construction.steps]) + 1)))
+    steps = list(step_sheets(bobillier_sheet(entry, drawn), range(1, len(drawn.construction.stages) + 1)))
     counts = [len(one.marks) for one in steps]
     assert counts == sorted(counts)
     assert counts[-1] == len(bobillier_sheet(entry, drawn).marks)
-    assert all(mark.new == (mark.step == 8) for mark in steps[7].marks)
+    assert all(mark.new == (mark.step == 4) for mark in steps[3].marks)

@@ -77,7 +77,7 @@ def test_steps_add_up_to_the_sheet(name):
 def test_the_drawing_of_example_2_3_tells_its_numbers():
     sheet = design_sheet(DESIGNS["rocker"], lang="zh")
     told = [words(mark) for mark in sheet.marks if isinstance(mark, Text)]
-    for text in ("θ = 23.478°", "ψ = 40°", "lAB", "20.773 mm", "lBC", "89.960 mm", "F", "G", "P", "O", "C1", "C2"):
+    for text in ("θ = 23.478°", "ψ = 40°", "AB", "20.77 mm", "BC", "89.96 mm", "F", "G", "P", "O", "C1", "C2"):
         assert text in told
     assert sheet.scales["position"] == 0.001
 

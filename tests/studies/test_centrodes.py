@@ -305,7 +305,7 @@ def test_drawn_curves_touch_at_the_centre():
     curves = rolled("fig3-6", "3", "1")
     sheet = centrode_sheet(curves)
     place = sheet.origins["position"] + complex(curves.found.place(FRAME, "3")).conjugate() / sheet.scales["position"]
-    for pen in ("visible", "dashed"):
+    for pen in ("visible", "thin"):
         strokes = [mark for mark in sheet.marks if isinstance(mark, Stroke) and mark.pen == pen and len(mark.places) > 20]
         assert strokes
         assert min(_distance(place, stroke.places) for stroke in strokes) < 0.02

@@ -90,9 +90,9 @@ PHRASES: Phrases = {
     "about.piece closed": ("closed, {places} places", "闭合，{places} 个位置"),
     "about.piece open": ("open, {places} places", "不闭合，{places} 个位置"),
     "about.reach": ("in the axes of link {link}: x {x}, y {y}", "在构件 {link} 的坐标系中：x {x}，y {y}"),
-    "about.rolling": ("The moving centrode (dashed) rolls without slipping on the other; they touch at {centre} "
+    "about.rolling": ("The moving centrode (thin) rolls without slipping on the other; they touch at {centre} "
                       "{place}.",
-                      "动瞬心线（虚线）在另一条瞬心线上作纯滚动；此刻两线相切于 {centre} {place}。"),
+                      "动瞬心线（细线）在另一条瞬心线上作纯滚动；此刻两线相切于 {centre} {place}。"),
     "about.hinge": ("{centre} {place} stays at one point of both links: the centrodes are points.",
                     "{centre} {place} 始终为两构件上的同一点：瞬心线退化为点。"),
     "about.centre now": ("At this position {centre} lies at {place}.", "此位置 {centre} 在 {place}。"),

@@ -1,0 +1,150 @@
+"""Constructions with ruler and compass on paper: lines as far as their points, stages with their numbers; angles.
+
+Points at one place share a label.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from graphkin.base import geometry
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import (
+    INFINITE,
+    Bisector,
+    Board,
+    ChosenPoint,
+    Drafting,
+    LineStep,
+    Step,
+    drawn_through,
+)
+from graphkin.say.numbers import circled
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import LABEL, Label, joined, plain
+from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
+from graphkin.sheet.paper import PenName, Room
+from graphkin.sheet.path_figure import clipped
+from graphkin.sheet.symbols import HINGE, angle_arc
+from graphkin.sheet.window import Entry, Window
+
+NEAR = 0.25  # points nearer than this on paper are one [mm]
+_STRAIGHT = 8.0  # a shorter piece of a curve is named as a point of it [mm]
+_FAR = 4  # a line that meets others at infinity, or has no two points on it, goes on so many times farther
+_SQUARE, _SQUARE_DEG = 2.3, 1e-6
+"""Side of the square in a right angle [mm]; its cosine is no larger."""
+
+
+@frozen
+class DraftingFigure:
+    """A construction through a window, in a room of the paper.
+
+    beyond  how far a line goes on past its points [mm]
+    """
+
+    construction: Drafting
+    board: Board
+    window: Window
+    room: Room
+    beyond: float = 5.0
+
+    def at(self, *names: str) -> list[Place]:
+        """Points on the paper or beyond its edge; none for those at infinity."""
+        places = (geometry.place(self.board.at(name)) for name in names)
+        return [self.window(place) for place in places if cmath.isfinite(place)]
+
+    def stages(self, draw: Callable[[Step, int], Iterator[Entry]]) -> Iterator[Entry]:
+        """Everything that the steps of each stage draw, and its number at the longest of its lines."""
+        for number, stage in enumerate(self.construction.stages, start=1):
+            entries = [entry for step in stage.steps for entry in draw(step, number)]
+            yield from entries
+            if strokes := [entry for entry in entries if isinstance(entry, Stroke)]:
+                longest = max(strokes, key=lambda stroke: abs(stroke.places[-1] - stroke.places[0])).places
+                start, end = longest[len(longest) // 2 - 1 :][:2]
+                yield LabelRequest(plain(circled(number)), start, end, gap=0.5, size=LABEL, step=number)
+
+    def line(self, step: LineStep, number: int, pen: PenName = "construction") -> Iterator[Stroke]:
+        """A line as far as the paper goes."""
+        yield from clipped(self.ends(step), self.room, pen, number)
+
+    def ends(self, step: LineStep, also: Sequence[Place] = ()) -> list[Place]:
+        """The ends of a line, beyond the first and the last point on it and other places; none of the line at infinity.
+        """
+        foot, direction = map(geometry.place, self.board.line(step.name))
+        if not abs(foot) * INFINITE < 1:
+            return []
+        start, along = self.window(foot), self.window.turned(direction)
+        met = self.construction.met_on(step.name)
+        places = [*self.at(*drawn_through(step), *met), *also]
+        if isinstance(step, Bisector):
+            one, other = self.at(step.first, step.second)
+            chosen = self.at(*(made.name for made in self.construction.steps if isinstance(made, ChosenPoint)))
+            places += [at for at in chosen if abs(((at - start) / along).imag) < NEAR]
+            places += [(one + other) / 2 + side * abs(other - one) * along for side in (0.3, -0.3)]
+        base = places[0] if places else start
+        reach = [((place - base) / along).real for place in places] or [0.0]
+        far = max(reach) - min(reach) < NEAR or len(self.at(*met)) < len(met)
+        more = self.beyond * (_FAR if far else 1)
+        return [base + along * (min(reach) - more), base + along * (max(reach) + more)]
+
+
+def together(wanted: Iterable[LabelRequest]) -> Iterator[LabelRequest]:
+    """Labels of points at one place as one label, whose parts come with steps of their own."""
+    groups: list[list[LabelRequest]] = []
+    for want in wanted:
+        same = (group for group in groups if want.end is None and not want.parts and _at_one_place(group[0], want))
+        if (group := next(same, None)) is None:
+            groups.append([want])
+        else:
+            group.append(want)
+    for first, *others in groups:
+        if not others:
+            yield first
+            continue
+        parts = ((first.label, first.step), *((joined([(), other.label]), other.step) for other in others))
+        label, gap = tuple(run for part, _ in parts for run in part), max(each.gap for each in (first, *others))
+        yield replace(first, label=label, gap=gap, parts=parts if len({step for _, step in parts}) > 1 else ())
+
+
+def _at_one_place(one: LabelRequest, other: LabelRequest) -> bool:
+    points = one.end is None and not one.parts and max(one.gap, other.gap) <= HINGE  # no blocks, for their numbers
+    return points and one.size == other.size and abs(one.start - other.start) < NEAR
+
+
+def spot(at: Place, label: Label, radius: float = 0.6, fill: Fill = "ink", step: int | None = None) -> Iterator[Entry]:
+    """A point with its letters."""
+    yield Disc(at, radius, "vector", fill, step=step)
+    yield LabelRequest(label, at, gap=radius + 0.3, step=step)
+
+
+def angle(
+    at: Place, first: complex, sweep: float, radius: float, label: Label, step: int | None = None, spare: bool = False
+) -> Iterator[Entry]:  # fmt: skip
+    """An arc from a direction on [rad, clockwise on paper] with its value; nothing for no angle."""
+    if abs(sweep) > 1e-6:
+        first /= abs(first)
+        middle = first * cmath.rect(1, sweep / 2)
+        yield from angle_arc(at, radius, first, sweep, step)
+        yield LabelRequest(label, at + radius * middle, gap=0.6, away=middle, size=LABEL, step=step, spare=spare)
+
+
+def right_angle(at: Place, one: complex, other: complex, side: float = _SQUARE, step: int | None = None) -> list[Mark]:
+    """A square between two lines; nothing where the angle is another."""
+    if abs(one.real * other.real + one.imag * other.imag) > _SQUARE_DEG * abs(one) * abs(other):
+        return []
+    one, other = side * one / abs(one), side * other / abs(other)
+    return [Stroke((at + one, at + one + other, at + other), "construction", step=step)]
+
+
+def named(strokes: Sequence[Stroke], label: Label, share: float) -> Iterator[LabelRequest]:
+    """The name of a curve, beside the longest of its pieces, where that share of it is passed."""
+    pieces = [np.array(stroke.places) for stroke in strokes]
+    passed = [np.abs(np.diff(places)).cumsum() for places in pieces]
+    if pieces:
+        longest = max(range(len(pieces)), key=lambda k: passed[k][-1])
+        start, end = map(complex, pieces[longest][np.searchsorted(passed[longest], share * passed[longest][-1]) :][:2])
+        yield LabelRequest(label, start, end if abs(end - start) > _STRAIGHT else None, gap=0.8)
