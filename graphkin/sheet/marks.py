@@ -8,6 +8,7 @@ construction step a mark belongs to; `new` marks are those of the newest step of
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Literal, assert_never
 
 from graphkin.base.value import frozen
@@ -16,6 +17,7 @@ from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
 
 Place = complex
+BREAK = 3.0  # of a line under another, 1 mm on each side of a link [mm]
 Fill = Literal["none", "paper", "ink", "grey", "tint"]  # a tint hides nothing under it
 Layer = Plane | Literal["centres", "detail"]
 """The layer of a mark: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
@@ -51,6 +53,7 @@ class Stroke:
     """A line through `places`; `closed` back to the first; `shows`: of lines of links.
 
     accent  its colour where that is not its layer's
+    breaks  where another goes over it, and the step in which that is drawn
     """
 
     places: tuple[Place, ...]
@@ -61,6 +64,31 @@ class Stroke:
     step: int | None = None
     new: bool = False
     accent: Accent | None = None
+    breaks: tuple[tuple[Place, int | None], ...] = ()
+
+    @property
+    def outline(self) -> tuple[Place, ...]:
+        """Its corners, and the first again where it is closed."""
+        return (*self.places, *self.places[: self.closed])
+
+    @property
+    def dashes(self) -> tuple[float, ...]:
+        """The lengths of line and gap in turn, from its start past its end; none of an unbroken line [mm]."""
+        if not self.breaks:
+            return ()
+        middles, length = list[float](), 0.0
+        for start, end in pairwise(self.outline):
+            offs = [(place - start) / (end - start) for place, _ in self.breaks if start != end]
+            on = [off.real for off in offs if 0 < off.real < 1 and abs(off.imag * (end - start)) < 1e-6]
+            middles += [length + t * abs(end - start) for t in on]
+            length += abs(end - start)
+        dashes, drawn, least = list[float](), 0.0, BREAK / 2
+        for middle in sorted(middles):
+            low, high = middle - BREAK / 2, middle + BREAK / 2
+            if low - drawn >= least and length - high >= BREAK / 2:
+                dashes += (low - drawn, BREAK)
+                drawn, least = high, BREAK
+        return (*dashes, length - drawn + 1.0, 1.0) if dashes else ()
 
 
 @frozen
@@ -163,8 +191,9 @@ Mark = Stroke | Disc | ArcMark | Text | VectorMark | PointMark
 def enlarged(mark: Mark, times: float) -> Mark:
     """A mark so many times as large; its lines are as wide as before."""
     match mark:
-        case Stroke(places=places):
-            return replace(mark, places=tuple(times * place for place in places))
+        case Stroke(places=places, breaks=breaks):
+            breaks = tuple((times * place, step) for place, step in breaks)
+            return replace(mark, places=tuple(times * place for place in places), breaks=breaks)
         case Disc(centre=centre, radius=radius) | ArcMark(centre=centre, radius=radius):
             return replace(mark, centre=times * centre, radius=times * radius)
         case Text(at=at, size=size):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -76,25 +77,19 @@ def _bodies(skeleton: Skeleton) -> Figure:
         if len(names) > 1:
             figure.marks += _body(names, places, link, step)
         figure.wanted += _link_number(skeleton, link, places, step)
-    return Figure([*_broken(skeleton, figure.marks), *_signs(skeleton, OVER_LINKS)], figure.wanted)
+    return Figure([*_broken(skeleton, figure.marks)][::-1] + _signs(skeleton, OVER_LINKS), figure.wanted)
 
 
 def _broken(skeleton: Skeleton, marks: Sequence[Mark]) -> Iterator[Mark]:
-    """Bars and guides, each over a gap in those of other links that it crosses where nothing joins them."""
-    joints = [skeleton.at(point) for point in skeleton.points]
-    under: list[tuple[str, Place, Place]] = []
-    for mark in marks:
-        shown = mark.shows.form if isinstance(mark, Stroke) and mark.shows is not None else ""
-        if isinstance(mark, Stroke) and (mark.pen == "visible" or shown in ("bar", "guide")):
-            link = mark.shows.link if mark.shows is not None else ""
-            corners = (*mark.places, *mark.places[: mark.closed])
-            for start, end in pairwise(corners):
-                for other, one, far in under:
-                    at = crossing(start, end, one, far) if other != link else None
-                    if at is not None and min((abs(at - joint) for joint in joints), default=9.0) > _JOINED:
-                        along = 0.3 * (end - start) / abs(end - start)
-                        yield Stroke((at - along, at + along), "gap", step=mark.step)
-            under += [(link, *pair) for pair in pairwise(corners)]
+    """Bars and guides, last ones first, broken where one goes over them that is of another link and no joint."""
+    joints, over = [skeleton.at(point) for point in skeleton.points], list[tuple[set[str], int | None, Place, Place]]()
+    for mark in reversed(marks):
+        if isinstance(mark, Stroke) and mark.shows is not None and mark.shows.form in ("bar", "guide", "arc"):
+            of, sides = {mark.shows.link, mark.shows.line} - {""}, [*pairwise(mark.outline)]
+            met = [(crossing(*side, *ends), step) for side in sides for other, step, *ends in over if not other & of]
+            breaks = [(at, step) for at, step in met if at and all(abs(at - joint) > _JOINED for joint in joints)]
+            over += [(of, mark.step, *side) for side in sides]
+            mark = replace(mark, breaks=tuple(breaks))
         yield mark
 
 
