@@ -111,7 +111,7 @@ class DimensionLines:
     def _dimension(
         self, start: Place, end: Place, along: complex, label: Label, step: int | None
     ) -> Iterator[_Trial]:
-        """A dimension line with two heads between extension lines, to either side."""
+        """A dimension line with two heads between extension lines, beyond what it measures or between its ends."""
         if abs(end - start) < 0.5:
             return
         along *= math.copysign(1, ((end - start) / along).real)
@@ -119,12 +119,22 @@ class DimensionLines:
         blocks = [self.skeleton.at(slide.point) for slide in self.skeleton.blocks.values()]
         first, second = (_BLOCK if min((abs(end - at) for at in blocks), default=9.0) < 0.1 else 2 * HINGE
                          for end in (start, end))  # fmt: skip
-        for crossing, offset, across in product((False, True), _OFFSETS, (1j * along, -1j * along)):
-            past = 0.0 if wide + 1 <= long else wide + 5
-            line, both, heads = dimension_line((start, end), across, offset, past, step, (first, second))
-            middle = line.places[1] - along * (past - wide / 2 - 4 if past else long / 2)
+        across = 1j * along
+        low, high = sorted((place / across).real for place in (start, end))
+        levels = [level for offset in _OFFSETS for level in (low - offset, high + offset)]
+        levels += [low + part * (high - low) for part in _ALONG if high - low > 2 * _OFFSETS[0]]
+        past = 0.0 if wide + 1 <= long else wide + 5
+        ends = ((start, end), (first, second), along)
+        orders = [ends, (ends[0][::-1], ends[1][::-1], -along)][: 2 if past else 1]
+        for crossing, level, (places, clear, way) in product((0, 1, 2), levels, orders):
+            line, both, heads = dimension_line(places, across, level, past, step, clear)
+            middle = line.places[1] - way * (past - wide / 2 - 4 if past else long / 2)
             text = self._text(label, middle, along, 0.8, step)
-            yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
+            if crossing == 2:  # extension lines, broken at letters
+                pieces = [Stroke(piece, "thin", step=step) for each in both for piece in self.free.pieces(*each.places)]
+                yield _Trial([line, text], heads, pieces)
+            else:
+                yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
 
     def _radius(self, span: Span, label: Label) -> Iterator[_Trial]:
         """A line from a centre to its rim, with letters along it, inside or beyond."""

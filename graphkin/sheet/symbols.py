@@ -197,21 +197,23 @@ def angle_arc(at: Place, radius: float, first: complex, sweep: float, step: int 
 
 
 def dimension_line(
-    ends: tuple[Place, Place], across: complex, offset: float, past: float = 0.0, step: int | None = None,
+    ends: tuple[Place, Place], across: complex, level: float, past: float = 0.0, step: int | None = None,
     clear: tuple[float, float] = (2 * HINGE, 2 * HINGE),
 ) -> tuple[Stroke, list[Stroke], list[Stroke]]:  # fmt: skip
-    """The line, extension lines from what it measures, and heads (ISO 129): `offset` beyond the farther of two places
-    in the direction `across`; heads of a short one point inwards, and the line goes on `past` its second end [mm].
+    """The line, extension lines from what it measures, and heads (ISO 129); heads of a short one point inwards, and the
+    line goes on `past` its second end [mm].
 
-    clear  what stays free at each of the places [mm]
+    level  how far the line lies in the direction `across`; clear: what stays free at each of the places [mm]
     """
-    feet = [(end / across).real for end in ends]
-    one, other = (end + across * (max(feet) + offset - foot) for end, foot in zip(ends, feet, strict=True))
+    ways = [level - (end / across).real for end in ends]
+    one, other = (end + across * way for end, way in zip(ends, ways, strict=True))
     along = (other - one) / abs(other - one)
     inside = abs(other - one) >= 2 * THIN_HEAD + 1.5
     line = Stroke((one - along * 5 * (not inside), other + along * past), "thin", step=step)
-    tips = zip(ends, (one, other), clear, strict=True)
-    starts = [(end + across * free, tip + across * 1.5) for end, tip, free in tips]
-    ways = (-along, along) if inside else (along, -along)
-    heads = [arrow_head(tip, way, step, THIN_HEAD) for tip, way in zip((one, other), ways, strict=True)]
-    return line, [Stroke(places, "thin", step=step) for places in starts], heads
+    extensions = []
+    for end, tip, way, free in zip(ends, (one, other), ways, clear, strict=True):
+        if abs(way) > free:
+            out = across * math.copysign(1, way)
+            extensions.append(Stroke((end + out * free, tip + out * 1.5), "thin", step=step))
+    out = along if inside else -along
+    return line, extensions, [arrow_head(one, -out, step, THIN_HEAD), arrow_head(other, out, step, THIN_HEAD)]
