@@ -45,10 +45,13 @@ def moving_figure(skeleton: Skeleton, method: Method, others: Sequence[Skeleton]
     return _figure(skeleton, method, Figure(), grounds(*others), driving)
 
 
-def _figure(skeleton: Skeleton, method: Method, special: Figure, ground: Figure, driving: Figure) -> Figure:
+def _figure(
+    skeleton: Skeleton, method: Method, special: Figure, ground: Figure, driving: Figure, bare: bool = False
+) -> Figure:
+    """bare: without lower-pair equivalents."""
     turning, bodies, touching = wheels(skeleton), _bodies(skeleton), contacts(method, skeleton)
     marks = special.marks + turning.marks + ground.marks + bodies.marks + _hinges(skeleton) + touching.marks
-    marks += [*_through_bars(skeleton), *equivalents(skeleton), *driving.marks]
+    marks += [*_through_bars(skeleton), *(equivalents(skeleton) if not bare else ()), *driving.marks]
     labels = bodies.wanted
     for point in skeleton.points:  # letters of points; those at one place share a label
         away, step = -sum(skeleton.directions(point), 0j), skeleton.step(point)
@@ -149,7 +152,7 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
         return []
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
     shows = Shows(slide.guide, "slot", (slide.point,), slide.name)
-    return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
+    return symbols.slot((at - reach * along, at + 9.0 * along), shows, step)
 
 
 OVER_LINKS: Signs = {Cam: profiles, Slide: _sliding}  # the signs of pairs that stand over the links; hinges are points
@@ -261,10 +264,7 @@ def plain_mechanism(method: Method, plot: Plot, window: Window, others: Sequence
 
 def bare_figure(method: Method, skeleton: Skeleton) -> Figure:
     """The mechanism as a problem gives it: no special points and no lower-pair equivalents, which a solution finds."""
-    whole, beside = mechanism_figure(skeleton, method, []), specials(method, skeleton, [])
-    left_out = [*beside.marks, *equivalents(skeleton)]
-    marks = [mark for mark in whole.marks if mark not in left_out]
-    return Figure(marks, [want for want in whole.wanted if want not in beside.wanted])
+    return _figure(skeleton, method, Figure(), grounds(skeleton), drives(skeleton), bare=True)
 
 
 def plainly(mark: Mark) -> Mark:

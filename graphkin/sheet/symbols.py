@@ -13,7 +13,6 @@ from itertools import pairwise
 
 from graphkin.construction import Plane
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows, Stroke
-from graphkin.sheet.paper import PenName
 
 HINGE = 1.3  # radius of a hinge [mm]
 PIVOT_DEPTH = 4.6  # from a pivot's centre to the ground [mm]
@@ -93,30 +92,20 @@ def guide(start: Place, end: Place, side: complex, step: int | None = None, show
     return [Stroke((start, end), "outline", shows=shows, step=step), *hatch(start, end, side, step)]
 
 
-def slot(start: Place, end: Place, shows: Shows, pen: PenName = "outline", step: int | None = None) -> list[Mark]:
-    """A slot with round ends, cut into a link or the ground: white, over the link's bar."""
-    along = (end - start) / abs(end - start)
-    side = 1j * along * _SLOT
-    cap = [side * cmath.rect(1, -math.pi * k / 10) for k in range(11)]
-    ends = (*(end + off for off in cap), *(start - off for off in cap))
-    return [Stroke(ends, pen, closed=True, fill="paper", shows=shows, step=step)]
+def slot(along: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
+    """A slot with round ends along a line or an arc, cut into a link or the ground: white, over the link's bar."""
+    ways = [after - before for before, after in zip((along[0], *along), (*along[1:], along[-1]), strict=False)]
+    sides = [1j * _SLOT * way / abs(way) for way in ways]
+    far, near = ([end * cmath.rect(1, -math.pi * k / 10) for k in range(1, 10)] for end in (sides[-1], -sides[0]))
+    one, other = ([place + sign * side for place, side in zip(along, sides, strict=True)] for sign in (1, -1))
+    rim = (*one, *(along[-1] + off for off in far), *other[::-1], *(along[0] + off for off in near))
+    return [Stroke(rim, "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 
 def arc_places(centre: Place, arm: complex, start: float, end: float) -> list[Place]:
     """Places along an arc about `centre`, from `arm` turned by `start` to `arm` turned by `end` [rad]."""
     steps = max(8, math.ceil(abs(end - start) / math.radians(3)))
     return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]
-
-
-def arc_slot(centre: Place, along: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
-    """A slot with round ends along an arc, white over what it is cut into."""
-    out = [(place - centre) / abs(place - centre) * _SLOT for place in along]
-    outer = [place + off for place, off in zip(along, out, strict=True)]
-    inner = [place - off for place, off in zip(reversed(along), reversed(out), strict=True)]
-    sense = math.copysign(1, ((along[1] - along[0]) / (1j * (along[0] - centre))).real)
-    cap = [cmath.rect(1, sense * math.pi * k / 10) for k in range(1, 10)]
-    far, near = [along[-1] + out[-1] * turn for turn in cap], [along[0] - out[0] * turn for turn in cap]
-    return [Stroke((*outer, *far, *inner, *near), "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 
 def arc_ground(centre: Place, along: Sequence[Place], step: int | None = None) -> list[Mark]:

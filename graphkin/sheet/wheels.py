@@ -269,6 +269,7 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     step, radius = skeleton.step(slot.centre, slot.point), slot.radius / skeleton.window.scale
     arm, half = radius * ((pin - centre) / abs(pin - centre)), min(_ARC / radius, _MOST)
     cut = symbols.arc_places(centre, arm, -half, half)
+    shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     if slot.guide == FRAME:
         marks = symbols.arc_ground(centre, cut, step)
     else:  # the arc of a moving link that carries the slot, joined to the nearest of the link's points
@@ -279,8 +280,6 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
         near = {end: min([_FREE, *(off_stretch(end, *bar) for bar in bars)]) for end in ends}
         joint = min(product(near, points), key=lambda pair: (-near[pair[0]], abs(pair[1] - pair[0])))  # no false joint
         arc = symbols.arc_places(centre, arm, math.copysign(half, -ends[joint[0]]), ends[joint[0]])
-        held = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
-        marks = [Stroke(tuple(arc), "visible", shows=held, step=step), Stroke(joint, "visible", step=step)]
-    shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
-    marks += symbols.arc_slot(centre, cut, shows, step)
+        marks = [Stroke(tuple(arc), "visible", shows=shows, step=step), Stroke(joint, "visible", step=step)]
+    marks += symbols.slot(cut, shows, step)
     return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]
