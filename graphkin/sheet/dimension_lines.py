@@ -71,13 +71,12 @@ class DimensionLines:
             case Span() as span:
                 start, end = self.skeleton.window(span.start), self.skeleton.window(span.end)
                 step = self.skeleton.step(*span.points)
-                if span.form == "measured":
-                    yield from self._measured(start, end, formula(size.text), step)
-                    return
-                if span.form == "bar":
-                    yield from self._beside(start, end, formula(size.bare.figure), step)
-                along = self.skeleton.window.turned(span.along)
-                yield from self._dimension(start, end, along, formula(size.bare.figure), step)
+                label = formula(size.text if span.form == "measured" else size.bare.figure)
+                if span.form != "apart":
+                    yield from self._beside(start, end, label, step, span.form == "measured")
+                if span.form != "measured":
+                    along = self.skeleton.window.turned(span.along)
+                    yield from self._dimension(start, end, along, label, step)
             case Corner() | None:
                 pass
 
@@ -91,22 +90,17 @@ class DimensionLines:
         turn = 0.0 if abs(turn) < 1e-6 else turn
         return Text(label, middle + base - on * wide / 2, LABEL, step, turn=turn)
 
-    def _beside(self, start: Place, end: Place, label: Label, step: int | None) -> Iterator[_Trial]:
-        """Letters along a link, nothing more."""
-        if box(label, LABEL)[0] < abs(end - start) - 4 * HINGE:
-            for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
-                yield _Trial([self._text(label, start + (end - start) * t, end - start, side * gap, step)])
-
-    def _measured(self, start: Place, end: Place, label: Label, step: int | None) -> Iterator[_Trial]:
-        """A dashed line between two points, where no bar is, with letters along it."""
-        if abs(end - start) > box(label, LABEL)[0] + 6 * HINGE:
-            along = (end - start) / abs(end - start)
-            on_bar = any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in self.skeleton.segments())
-            pieces = [] if on_bar else self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
-            lines = [Stroke(piece, "measured", step=step) for piece in pieces]
-            for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
-                text = self._text(label, start + (end - start) * t, end - start, side * gap, step)
-                yield _Trial([text], touching=lines)
+    def _beside(self, start: Place, end: Place, label: Label, step: int | None, measured: bool) -> Iterator[_Trial]:
+        """Letters along a link, nothing more; along a dashed line between two points that no bar joins."""
+        if abs(end - start) <= box(label, LABEL)[0] + (6 if measured else 4) * HINGE:
+            return
+        along, pieces = (end - start) / abs(end - start), list[tuple[Place, Place]]()
+        bars = self.skeleton.segments() if measured else ()
+        if measured and not any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in bars):
+            pieces = self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
+        lines = [Stroke(piece, "measured", step=step) for piece in pieces]
+        for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
+            yield _Trial([self._text(label, start + (end - start) * t, along, side * gap, step)], touching=lines)
 
     def _dimension(
         self, start: Place, end: Place, along: complex, label: Label, step: int | None

@@ -80,7 +80,7 @@ class _FixedStretch:
     def end(self, t: float) -> Place:
         return self.foot + self.along * t
 
-    def marks(self) -> list[Mark]:
+    def marks(self) -> Sequence[Mark]:
         start, end = self.end(self.low), self.end(self.high)
         shows = Shows(FRAME, "slot" if self.pins else "guide", self.points, self.line)
         if not self.pins:

@@ -141,7 +141,7 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     at, along = skeleton.at(slide.point), skeleton.along(slide)
     step = skeleton.step(slide.point, slide.line.origin)
     if (rod := follower(skeleton, slide)) is not None:
-        return rod
+        return [*rod]
     if slide.block is not None:
         if skeleton.is_cylinder(slide):
             return []
@@ -211,16 +211,15 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
 def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int | None) -> Iterator[LabelRequest]:
     """A link's number beside its longest bar, inside its outline, or beside its block."""
     label = link_label(skeleton.mechanism.called(link))
-    slide = skeleton.blocks.get(link)
+    slide, guide = skeleton.blocks.get(link), next(skeleton.guides(link), None)
     if slide is not None and len(places) < 2:
+        at, rod = skeleton.at(slide.point), follower(skeleton, slide)
         if skeleton.is_cylinder(slide):
-            yield LabelRequest(label, _tube(skeleton, slide)[1], skeleton.at(slide.point), gap=1.2, step=step)
-            return
-        if (rod := follower(skeleton, slide)) is not None and isinstance(rod[0], Stroke):
+            yield LabelRequest(label, _tube_end(skeleton, slide), at, gap=1.2, step=step)
+        elif rod is not None:
             yield LabelRequest(label, rod[0].places[0], rod[0].places[1], gap=1.2, step=step)
-            return
-        across = skeleton.along(slide) * 1j
-        yield LabelRequest(label, skeleton.at(slide.point), gap=math.hypot(2.4, 2.8), away=across, step=step)
+        else:
+            yield LabelRequest(label, at, gap=math.hypot(2.4, 2.8), away=skeleton.along(slide) * 1j, step=step)
     elif len(places) > 1 and (ends := in_line(places)) is None:
         corners = [places[k] for k in hull(places)]
         yield LabelRequest(label, sum(corners) / len(corners), gap=-2.6, step=step)
@@ -228,18 +227,16 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
         order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
         longest = max(pairwise(order), key=lambda pair: abs(pair[1] - pair[0]))
         yield LabelRequest(label, *longest, gap=1.2, step=step)
-    else:
-        for guide in skeleton.guides(link):
-            yield LabelRequest(label, *_tube(skeleton, guide), gap=3.4, step=step)
-            return
-        if places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
-            yield LabelRequest(label, places[0], gap=4.0, step=step)
+    elif guide is not None:
+        yield LabelRequest(label, skeleton.at(guide.line.origin), _tube_end(skeleton, guide), gap=3.4, step=step)
+    elif places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
+        yield LabelRequest(label, places[0], gap=4.0, step=step)
 
 
-def _tube(skeleton: Skeleton, slide: Slide) -> tuple[Place, Place]:
-    """The two ends of a cylinder's tube."""
-    foot, rod_end = skeleton.at(slide.line.origin), skeleton.at(slide.point)
-    return foot, foot + symbols.TUBE * (rod_end - foot)
+def _tube_end(skeleton: Skeleton, slide: Slide) -> Place:
+    """The end of a cylinder's tube, from which its rod goes on."""
+    foot = skeleton.at(slide.line.origin)
+    return foot + symbols.TUBE * (skeleton.at(slide.point) - foot)
 
 
 def mechanism_places(method: Method, plot: Plot) -> list[complex]:

@@ -35,7 +35,7 @@ def pivot(at: Place, down: complex, step: int | None = None) -> list[Mark]:
     ]
 
 
-def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> list[Mark]:
+def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> list[Stroke]:
     """Short slanting lines along start..end on the side where the ground is."""
     length = abs(end - start)
     if length < _PITCH:
@@ -87,7 +87,7 @@ def block_corners(at: Place, along: complex) -> tuple[Place, ...]:
     return at + x + y, at + x - y, at - x - y, at - x + y
 
 
-def guide(start: Place, end: Place, side: complex, step: int | None = None, shows: Shows | None = None) -> list[Mark]:
+def guide(start: Place, end: Place, side: complex, step: int | None = None, shows: Shows | None = None) -> list[Stroke]:
     """A fixed guide: a line with the ground hatched on one side."""
     return [Stroke((start, end), "outline", shows=shows, step=step), *hatch(start, end, side, step)]
 

@@ -236,7 +236,7 @@ def equivalents(skeleton: Skeleton) -> list[Mark]:
     return marks
 
 
-def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
+def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:
     """A fixed guide's block that a cam moves at its point: a rod with its tip or roller, guided above; else None."""
     if slide.guide != FRAME or slide.block is None or len(skeleton.named(slide.block)) > 1:
         return None
@@ -247,14 +247,14 @@ def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
     return None
 
 
-def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> list[Mark]:
+def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> list[Stroke]:
     at, along = skeleton.at(slide.point), skeleton.along(slide)
     out = along * math.copysign(1, (along.conjugate() * (at - skeleton.at(cam_centre))).real)
     side, step = 1j * out, skeleton.step(slide.point)
     shows = Shows(slide.block or "", "guide", (), slide.name)
     near, far = (max(0.0, radius - 3) + reach for reach in _BUSH)
     foot = at + out * (2.6 if radius == 0 else 0.0)
-    marks: list[Mark] = [Stroke((foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)]
+    marks = [Stroke((foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)]
     if radius == 0:
         tip = (at, at + out * 3.4 + side * 1.1, at + out * 3.4 - side * 1.1)
         marks.append(Stroke(tip, "outline", closed=True, fill="ink", step=step))
