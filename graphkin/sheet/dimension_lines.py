@@ -164,8 +164,7 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
     for size in data:
         if isinstance(size.shape, Corner):
             angle = _Angle.of(size.shape, skeleton)
-            rooms = [min(_CLEAR, angle.room(skeleton, radius, others)) for radius in _RADII]
-            radius = _RADII[rooms.index(max(rooms))]
+            radius = max(_RADII, key=lambda radius: min(_CLEAR, angle.room(skeleton, radius, others)))
             others += angle.places(radius)
             figure.marks += angle.marks(skeleton, radius)
             figure.wanted += angle.labels(size, skeleton, radius)
@@ -203,8 +202,7 @@ class _Angle:
     def room(self, skeleton: Skeleton, radius: float, others: Sequence[Place]) -> float:
         """Distance of its arc from links and other arcs [mm]."""
         on = self.places(radius)
-        apart = [abs(place - other) for place in on for other in others]
-        return min([clearance(skeleton, place) for place in on] + apart)
+        return min([clearance(skeleton, at) for at in on] + [abs(at - other) for at in on for other in others])
 
     def marks(self, skeleton: Skeleton, radius: float) -> list[Mark]:
         marks = angle_arc(self.at, radius, self.first, self.sweep, self.step)

@@ -232,8 +232,8 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     out -= 1.5 if out > 6 else 0.0
     across = max((up, -up), key=lambda side: min(clearance(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
     start = at + across * out - along * 4
-    marks = symbols.push(start, along, Shows(line.link, "push", line=driver.link), skeleton.step(point))
-    figure.marks += marks
+    shows, step = Shows(line.link, "push", line=driver.link), skeleton.step(point)
+    figure.marks += symbols.arrow(start, start + 11 * along, shows=shows, step=step)
     relative = between([skeleton.mechanism.called(link) for link in reversed(pair.joins)])
     label = quantity_label("v", point if line.link == FRAME else relative)
-    figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=marks[0].step))
+    figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=step))

@@ -8,7 +8,6 @@ construction step a mark belongs to; `new` marks are those of the newest step of
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
 from typing import Literal, assert_never
 
 from graphkin.base.value import frozen
@@ -76,19 +75,16 @@ class Stroke:
         """The lengths of line and gap in turn, from its start past its end; none of an unbroken line [mm]."""
         if not self.breaks:
             return ()
-        middles, length = list[float](), 0.0
-        for start, end in pairwise(self.outline):
-            offs = [(place - start) / (end - start) for place, _ in self.breaks if start != end]
-            on = [off.real for off in offs if 0 < off.real < 1 and abs(off.imag * (end - start)) < 1e-6]
-            middles += [length + t * abs(end - start) for t in on]
-            length += abs(end - start)
-        dashes, drawn, least = list[float](), 0.0, BREAK / 2
-        for middle in sorted(middles):
+        from shapely import LineString, Point
+
+        line = LineString([(place.real, place.imag) for place in self.outline])
+        dashes, drawn, least = list[float](), 0.0, BREAK / 2  # between two breaks as much line as gap
+        for middle in sorted(line.project(Point(place.real, place.imag)) for place, _ in self.breaks):
             low, high = middle - BREAK / 2, middle + BREAK / 2
-            if low - drawn >= least and length - high >= BREAK / 2:
+            if low - drawn >= least and line.length - high >= BREAK / 2:
                 dashes += (low - drawn, BREAK)
                 drawn, least = high, BREAK
-        return (*dashes, length - drawn + 1.0, 1.0) if dashes else ()
+        return (*dashes, line.length - drawn + 1.0, 1.0) if dashes else ()
 
 
 @frozen

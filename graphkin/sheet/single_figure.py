@@ -53,12 +53,11 @@ class SingleFigure:
         return plain_mechanism(self.method, plot, self.window).numbered(None)
 
     def sheet(
-        self, plot: Plot, words: str, figure: Figure, lang: Lang, further: Mapping[Plane, float] | None = None,
-        after: Sequence[Mark] = (),
-    ) -> Sheet:  # fmt: skip
-        """The sheet; words: the heading, further: scales to be told beside the figure's own, after: over all else."""
+        self, plot: Plot, words: str, figure: Figure, lang: Lang, further: Mapping[Plane, float] | None = None
+    ) -> Sheet:
+        """The sheet; words: the heading, further: scales to be told beside the figure's own."""
         head = heading(words, "position", self.window.printed, self.layout.rooms["position"])
-        panel = Panel(figure, self.window, self.room, before=head, after=tuple(after))
+        panel = Panel(figure, self.window, self.room, before=head)
         foot = Strip(self.layout.strip, self.found, further=further or {}, told=self.told)
         return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, foot).sheet()
 

@@ -148,21 +148,17 @@ def spin(
     return [ArcMark(at, radius, start, shaft, "vector", step=step), replace(head, shows=shows)]
 
 
-def push(start: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:
-    """A straight arrow beside a driven slide."""
-    tip = start + 11 * along
-    shaft = Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step)
-    return [shaft, replace(arrow_head(tip, along, step), shows=shows)]
-
-
-def arrow(start: Place, tip: Place, accent: Plane) -> list[Mark]:
-    """An arrow of any length in the colour of a plane; nothing for one that could not be seen."""
+def arrow(
+    start: Place, tip: Place, accent: Plane | None = None, shows: Shows | None = None, step: int | None = None
+) -> list[Mark]:
+    """An arrow of any length, as large as others of a mechanism where it shows something; nothing for one that could
+    not be seen."""
     length = abs(tip - start)
     if length < 0.3:
         return []
-    along, head = (tip - start) / length, min(0.7 * _HEAD, 0.5 * length)
-    shaft = Stroke((start, tip - 0.8 * head * along), "vector", accent=accent)
-    return [shaft, replace(arrow_head(tip, along, None, head), accent=accent)]
+    along, head = (tip - start) / length, min((0.7 if shows is None else 1.0) * _HEAD, 0.5 * length)
+    shaft = Stroke((start, tip - 0.8 * head * along), "vector", accent=accent, step=step)
+    return [shaft, replace(arrow_head(tip, along, step, head), accent=accent, shows=shows)]
 
 
 def arrow_head(tip: Place, along: complex, step: int | None, length: float = _HEAD) -> Stroke:
