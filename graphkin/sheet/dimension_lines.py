@@ -163,66 +163,40 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
     figure, others = Figure(), [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
     for size in data:
         if isinstance(size.shape, Corner):
-            angle = _Angle.of(size.shape, skeleton)
-            radius = max(_RADII, key=lambda radius: min(_CLEAR, angle.room(skeleton, radius, others)))
-            others += angle.places(radius)
-            figure.marks += angle.marks(skeleton, radius)
-            figure.wanted += angle.labels(size, skeleton, radius)
+            at = skeleton.window(size.shape.at)
+            radius, arc = max(((radius, _places(size.shape, skeleton, radius)) for radius in _RADII),
+                              key=lambda way: _room(skeleton, way[1], others))  # fmt: skip
+            others += arc
+            figure += _angle(size, size.shape, skeleton, at, radius)
     return figure
 
 
-@frozen
-class _Angle:
-    """An angle on paper: its corner, the unit vector of its first arm, and how far on its second lies [rad].
+def _places(corner: Corner, skeleton: Skeleton, radius: float) -> list[Place]:
+    """Places on the arc of an angle, off its ends."""
+    first, long = radius * skeleton.window.turned(corner.start), abs(corner.turn) * radius
+    parts = [k / 12 for k in range(13) if 2.0 <= k / 12 * long <= long - 2.0]
+    return [skeleton.window(corner.at) + first * cmath.rect(1, -corner.turn * part) for part in parts or [0.5]]
 
-    axis  the first arm is the x axis at a driven link
-    """
 
-    at: Place
-    first: complex
-    sweep: float
-    axis: bool
-    step: int | None
+def _room(skeleton: Skeleton, arc: Sequence[Place], others: Sequence[Place]) -> float:
+    """Distance of an arc from links and other arcs, as far as it matters [mm]."""
+    return min([_CLEAR, *(clearance(skeleton, at) for at in arc), *(abs(at - other) for at in arc for other in others)])
 
-    @classmethod
-    def of(cls, corner: Corner, skeleton: Skeleton) -> _Angle:
-        first, axis = skeleton.window.turned(corner.start), abs(corner.start - 1) < 1e-9 and len(corner.points) > 1
-        return cls(skeleton.window(corner.at), first, -corner.turn, axis, skeleton.step(*corner.points))
 
-    @property
-    def last(self) -> complex:
-        return self.first * cmath.rect(1, self.sweep)
-
-    def places(self, radius: float) -> list[Place]:
-        """Places on the arc, off its ends."""
-        long = abs(self.sweep) * radius
-        parts = [k / 12 for k in range(13) if 2.0 <= k / 12 * long <= long - 2.0]
-        return [self.at + radius * self.first * cmath.rect(1, self.sweep * part) for part in parts or [0.5]]
-
-    def room(self, skeleton: Skeleton, radius: float, others: Sequence[Place]) -> float:
-        """Distance of its arc from links and other arcs [mm]."""
-        on = self.places(radius)
-        return min([clearance(skeleton, at) for at in on] + [abs(at - other) for at in on for other in others])
-
-    def marks(self, skeleton: Skeleton, radius: float) -> list[Mark]:
-        marks = angle_arc(self.at, radius, self.first, self.sweep, self.step)
-        for arm in self._open(skeleton):
-            ends = self.at + arm * 2 * HINGE, self.at + arm * (radius + _BEYOND)
-            marks.append(Stroke(ends, "thin", step=self.step))
-        return marks
-
-    def labels(self, size: Size, skeleton: Skeleton, radius: float) -> Iterator[LabelRequest]:
-        """Its value; the x beside its first arm."""
-        out = self.first * cmath.rect(1, self.sweep / 2)
-        yield LabelRequest(angle_label(size), self.at + out * radius, gap=0.5, away=out, step=self.step)
-        if self.axis and any(abs(arm - self.first) < 1e-9 for arm in self._open(skeleton)):
-            end = self.at + self.first * (radius + _BEYOND)
-            yield LabelRequest(plain("x", italic=True), end, gap=0.3, away=self.first, step=self.step, spare=True)
-
-    def _open(self, skeleton: Skeleton) -> list[complex]:
-        """The arms that no bar of a link has."""
-        bars = list(skeleton.segments())
-        return [arm for arm in (self.first, self.last) if not any(_lies_on(self.at, arm, bar) for bar in bars)]
+def _angle(size: Size, corner: Corner, skeleton: Skeleton, at: Place, radius: float) -> Figure:
+    """The arc with its value, and the arms that no bar of a link has."""
+    first, step = skeleton.window.turned(corner.start), skeleton.step(*corner.points)
+    middle, last = (first * cmath.rect(1, -corner.turn * part) for part in (0.5, 1.0))
+    figure = Figure(angle_arc(at, radius, first, -corner.turn, step))
+    figure.wanted.append(LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step))
+    for number, arm in enumerate((first, last)):
+        if not any(_lies_on(at, arm, bar) for bar in skeleton.segments()):
+            end = at + arm * (radius + _BEYOND)
+            figure.marks.append(Stroke((at + arm * 2 * HINGE, end), "thin", step=step))
+            if number == 0 and abs(corner.start - 1) < 1e-9 and len(corner.points) > 1:  # the x axis at a driven link
+                x = plain("x", italic=True)
+                figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm, step=step, spare=True))
+    return figure
 
 
 def _lies_on(at: Place, arm: complex, bar: tuple[Place, Place]) -> bool:
