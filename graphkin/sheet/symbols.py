@@ -27,7 +27,7 @@ _PITCH, _SLANT = 1.5, 1.7
 def pivot(at: Place, down: complex, step: int | None = None) -> list[Mark]:
     """A fixed pivot: a triangle on hatched ground; its hinge is drawn apart. `down` is a unit vector."""
     foot, side = at + PIVOT_DEPTH * down, 1j * down
-    triangle = (at, foot + 2.7 * side, foot - 2.7 * side)
+    triangle = (at, foot + 2.5 * side, foot - 2.5 * side)
     return [
         Stroke(triangle, "outline", closed=True, fill="paper", step=step),
         Stroke((foot + 4.4 * side, foot - 4.4 * side), "outline", step=step),
