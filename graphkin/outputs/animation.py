@@ -122,7 +122,7 @@ def _change(into: ET.Element, elements: Sequence[ET.Element], seconds: float) ->
         _change(part, parts, seconds)
     names = dict.fromkeys(name for element in elements for name in element.attrib)
     for place, name in enumerate(name for name in names if name not in _STILL):
-        values = [element.get(name, "none") for element in elements]
+        values = [element.get(name, "inherit") for element in elements]
         if len(set(values)) == 1:
             continue
         if len({_NUMBER.sub("", value) for value in values}) == 1 and not name.startswith("marker"):

@@ -8,6 +8,7 @@ from __future__ import annotations
 import cmath
 import io
 import math
+from collections.abc import Iterator
 from typing import Any, assert_never
 
 from graphkin.outputs.files import needed
@@ -59,15 +60,16 @@ class _DxfPage:
 
     def add(self, mark: Mark) -> None:
         match mark:
-            case Stroke(pen="gap"):
-                pass  # nothing is white in such a file
             case Stroke():
                 corners = [self._xy(place) for place in mark.places]
                 if mark.fill == "ink" and len(corners) > 2:
                     hatch = self.space.add_hatch(dxfattribs={"layer": "0"})
                     hatch.paths.add_polyline_path(corners, is_closed=True)
                 look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
-                self.space.add_lwpolyline(corners, close=mark.closed, dxfattribs=look)
+                if not mark.dashes:
+                    self.space.add_lwpolyline(corners, close=mark.closed, dxfattribs=look)
+                for piece in _pieces(mark):
+                    self.space.add_lwpolyline([self._xy(place) for place in piece], dxfattribs=look)
             case Disc():
                 look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
                 self.space.add_circle(self._xy(mark.centre), mark.radius, dxfattribs=look)
@@ -106,3 +108,14 @@ class _DxfPage:
         """Layer and width [hundredths of a millimetre, of the widths that DXF knows]."""
         weight = min((13, 18, 25, 35, 50, 70, 100), key=lambda weight: abs(weight - round(100 * PENS[pen].width)))
         return {"layer": _NAMES.get(plane, plane) or "0", "lineweight": weight}
+
+
+def _pieces(mark: Stroke) -> Iterator[list[Place]]:
+    """What is drawn of a broken line."""
+    from shapely import LineString
+    from shapely.ops import substring
+
+    line, start = LineString([(place.real, place.imag) for place in mark.outline]), 0.0
+    for length, gap in zip(mark.dashes[::2], mark.dashes[1::2], strict=True):
+        yield [complex(x, y) for x, y in substring(line, start, start + length).coords]
+        start += length + gap

@@ -34,8 +34,6 @@ class Colours:
     def of_mark(self, mark: Mark, layer: Layer) -> str:
         if isinstance(mark, Stroke) and mark.pen == "leader":
             return _half(self.of_mark(replace(mark, pen="thin"), layer))
-        if isinstance(mark, Stroke) and mark.pen == "gap":
-            return _PAPER
         if self.ink == "black" or (self.staged and not mark.new):
             return _INK
         plane: str | None = getattr(mark, "accent", None) or layer.plane

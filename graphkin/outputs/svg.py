@@ -141,11 +141,13 @@ class SvgPen:
 
     def _form(self, mark: Mark, layer: Layer) -> Form:
         match mark:
-            case Stroke(places=(start, end), closed=False):
-                return "line", _line(start, end), ""
             case Stroke():
+                gaps = {"stroke-dasharray": " ".join(map(mm, mark.dashes)), "stroke-linecap": "butt"}
+                gaps = gaps if mark.dashes else {}
+                if len(mark.places) == 2 and not mark.closed:
+                    return "line", _line(*mark.places) | gaps, ""
                 corners = "L".join(" ".join(_xy(place)) for place in mark.places)
-                return "path", {"d": "M" + corners + ("Z" if mark.closed else "")}, ""
+                return "path", {"d": "M" + corners + ("Z" if mark.closed else "")} | gaps, ""
             case Disc():
                 return _circle(mark.centre, mark.radius)
             case ArcMark():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from functools import partial
 from itertools import groupby
 from typing import assert_never
@@ -61,7 +62,7 @@ def _mark(mark: Mark) -> str:
     match mark:
         case Stroke():
             ends = " -- ".join(map(_place, mark.places)) + (" -- cycle" if mark.closed else "")
-            return rf"\draw[{_pen(mark.pen, mark.fill)}] {ends};"
+            return rf"\draw[{_pen(mark.pen, mark.fill, mark.dashes)}] {ends};"
         case Disc():
             return rf"\draw[{_pen(mark.pen, mark.fill)}] {_place(mark.centre)} circle[radius={_mm(mark.radius)}];"
         case ArcMark():
@@ -82,10 +83,12 @@ def _mark(mark: Mark) -> str:
             assert_never(mark)
 
 
-def _pen(pen: PenName, fill: Fill = "none") -> str:
+def _pen(pen: PenName, fill: Fill = "none", broken: Sequence[float] = ()) -> str:
     kind = PENS[pen]
-    dashes = " ".join(f"{'on' if k % 2 == 0 else 'off'} {_mm(dash)}mm" for k, dash in enumerate(kind.dashes))
+    lengths = enumerate(broken or kind.dashes)
+    dashes = " ".join(f"{'on' if k % 2 == 0 else 'off'} {_mm(dash)}mm" for k, dash in lengths)
     look = [f"line width={_mm(kind.width)}mm", f"dash pattern={dashes}" if dashes else "", _FILLS[fill]]
+    look += ["line cap=butt"] if broken else []
     return ", ".join(filter(None, look))
 
 

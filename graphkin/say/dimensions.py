@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from cmath import phase, rect
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations, permutations
 from math import degrees, fmod, isclose, pi, tau
@@ -29,11 +29,6 @@ def beside(reading: Reading, link: str) -> Iterator[tuple[tuple[str, str, str], 
         side = float(cross(shape.arm(points[0], points[1]), shape.arm(points[0], third)))
         if abs(side) > reading.noise * abs(shape.arm(points[0], third)):
             yield (points[0], points[1], third), side > 0
-
-
-def millimetres(reading: Reading, length: float) -> float:
-    """A length, or a coordinate, as it is given; noise is none."""
-    return length * 1000 if abs(length) > reading.noise else 0.0
 
 
 # --- lengths and angles of links --------------------------------------------------------------------------------------
@@ -238,15 +233,18 @@ def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
         first, second = (names.of_slide(symbol, driver.link) for symbol in ("ṡ", "s̈"))
         speed, change = (*path, "velocity"), (*path, "acceleration")
         return at, sized(reading, first, rate, "velocity", speed), sized(reading, second, more, "acceleration", change)
-    turning = _rate(reading, driver, path, "ω", rate, "angular velocity", "omega", "v", "velocity")
-    return at, turning, _rate(reading, driver, path, "α", more, "angular acceleration", "alpha", "a", "acceleration")
+    return at, _rate(reading, driver, path, "ω", rate), _rate(reading, driver, path, "α", more)
 
 
-def _rate(
-    reading: Reading, driver: Driver, path: KeyPath, letter: str, value: float, kind: Dimension, key: str,
-    tip: str, along: Dimension,
-) -> Size:  # fmt: skip
+_RATES: Mapping[str, tuple[str, Dimension, str, Dimension]] = {
+    "ω": ("omega", "angular velocity", "v", "velocity"), "α": ("alpha", "angular acceleration", "a", "acceleration"),
+}  # fmt: skip
+"""Of a rotation and of the tip of its vector: key, letter and dimension."""
+
+
+def _rate(reading: Reading, driver: Driver, path: KeyPath, letter: str, value: float) -> Size:
     """Of a driven rotation; of the tip of its vector, where the file states that."""
+    key, kind, tip, along = _RATES[letter]
     if driver.vector is not None and (*path, along) in reading.mechanism.given:
         turned = value * abs(reading.mechanism.links[driver.link].arm(*driver.vector))
         size = sized(reading, f"{tip}_{names.point(driver.vector[1])}", turned, along, (*path, along))

@@ -20,7 +20,7 @@ from graphkin.planning.drawn_position import by_pose, shown
 from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation, text_lines
-from graphkin.say.equations import worded
+from graphkin.say.equations import equation
 from graphkin.say.figures import Operand, TrigFormula
 from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
@@ -225,6 +225,8 @@ def derivation(
 def vector_equations(
     method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, plane: Plane
 ) -> dict[Equation, VectorEquation]:
-    """The equations of one polygon as they are printed, by the equations of its construction."""
+    """The equations of one polygon as they are printed, by the equations of its construction; none of what a sentence
+    says in place of one."""
     drawn = PolygonReading(Reading(method, plot, scales, lang), plane)
-    return {part: worded(drawn, part) for part in drawn.construction.equations}
+    entries = ((part, entry) for part in drawn.construction.equations for entry in equation(drawn, part))
+    return {part: entry for part, entry in entries if isinstance(entry, VectorEquation)}

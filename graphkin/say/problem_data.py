@@ -9,7 +9,7 @@ from itertools import combinations
 from math import degrees, remainder
 
 from graphkin.base.geometry import dot
-from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME, Driver, Pose
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
 from graphkin.say.dimensions import beside, driven, guide_angle, link_sizes, radii
@@ -41,11 +41,8 @@ def problem_data(reading: Reading) -> Iterator[Entry]:
                 key = f"derivation.driven {_kind(reading, pose.link)}"
             else:
                 angle = f"{given_figure(degrees(pose.value))}°"
-                words = {"line": _points(pose.vector), "link": reading.link(pose.link), "angle": angle}
-                words["heading"] = heading(angle, reading.lang)
+                words = {"angle": angle, "heading": heading(angle, reading.lang), **_turned(reading, pose)}
                 key = "derivation.pose line" if pose.from_vector is None else "derivation.pose joint"
-            if pose.vector is not None and pose.from_vector is not None:
-                words |= {"other": _points(pose.from_vector), "seen_from": reading.link(pose.from_link)}
             poses.append(reading.say(key, **words))
         yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
 
@@ -67,9 +64,14 @@ def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.numbers left out"))
 
 
-def _points(line: tuple[str, str]) -> str:
-    """Two points of a link in the order of their direction."""
-    return "".join(map(names.point, line))
+def _turned(reading: Reading, turned: Driver | Pose) -> dict[str, str]:
+    """The link that is turned, its line by two points in their order, and what its angle is measured from."""
+    words = {"link": reading.link(turned.link)}
+    if turned.vector is not None:
+        words["line"] = "".join(map(names.point, turned.vector))
+    if turned.from_vector is not None:
+        words |= {"other": "".join(map(names.point, turned.from_vector)), "seen_from": reading.link(turned.from_link)}
+    return words
 
 
 def _kind(reading: Reading, slide: str) -> str:
@@ -92,14 +94,11 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
         return reading.joined([start, *texts])
     texts = [f"{size.bare.text}{reading.note(reading.sense(size.value))}{size.bare.worked}" if size.value
              else f"{size.symbol} = 0" for size in rates]  # fmt: skip
-    words, key = {"link": reading.link(driver.link)}, "derivation.driven wheel"
-    if driver.vector is not None:
-        words["line"], key = _points(driver.vector), "derivation.driven line free"
-        if shown is not None:
-            words["angle"], key = shown.whole, "derivation.driven link" if shown.value else "derivation.driven along x"
-        if shown is not None and driver.from_vector is not None:
-            words |= {"other": _points(driver.from_vector), "seen_from": reading.link(driver.from_link)}
-            key = "derivation.driven joint"
+    key = "derivation.driven wheel" if driver.vector is None else "derivation.driven line free"
+    if driver.vector is not None and shown is not None:
+        key = "derivation.driven link" if shown.value else "derivation.driven along x"
+        key = "derivation.driven joint" if driver.from_vector is not None else key
+    words = _turned(reading, driver) | ({"angle": shown.whole} if shown is not None else {})
     return reading.joined([reading.say(key, **words), *texts])
 
 

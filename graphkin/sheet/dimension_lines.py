@@ -71,13 +71,12 @@ class DimensionLines:
             case Span() as span:
                 start, end = self.skeleton.window(span.start), self.skeleton.window(span.end)
                 step = self.skeleton.step(*span.points)
-                if span.form == "measured":
-                    yield from self._measured(start, end, formula(size.text), step)
-                    return
-                if span.form == "bar":
-                    yield from self._beside(start, end, formula(size.bare.figure), step)
-                along = self.skeleton.window.turned(span.along)
-                yield from self._dimension(start, end, along, formula(size.bare.figure), step)
+                label = formula(size.text if span.form == "measured" else size.bare.figure)
+                if span.form != "apart":
+                    yield from self._beside(start, end, label, step, span.form == "measured")
+                if span.form != "measured":
+                    along = self.skeleton.window.turned(span.along)
+                    yield from self._dimension(start, end, along, label, step)
             case Corner() | None:
                 pass
 
@@ -91,27 +90,22 @@ class DimensionLines:
         turn = 0.0 if abs(turn) < 1e-6 else turn
         return Text(label, middle + base - on * wide / 2, LABEL, step, turn=turn)
 
-    def _beside(self, start: Place, end: Place, label: Label, step: int | None) -> Iterator[_Trial]:
-        """Letters along a link, nothing more."""
-        if box(label, LABEL)[0] < abs(end - start) - 4 * HINGE:
-            for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
-                yield _Trial([self._text(label, start + (end - start) * t, end - start, side * gap, step)])
-
-    def _measured(self, start: Place, end: Place, label: Label, step: int | None) -> Iterator[_Trial]:
-        """A dashed line between two points, where no bar is, with letters along it."""
-        if abs(end - start) > box(label, LABEL)[0] + 6 * HINGE:
-            along = (end - start) / abs(end - start)
-            on_bar = any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in self.skeleton.segments())
-            pieces = [] if on_bar else self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
-            lines = [Stroke(piece, "measured", step=step) for piece in pieces]
-            for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
-                text = self._text(label, start + (end - start) * t, end - start, side * gap, step)
-                yield _Trial([text], touching=lines)
+    def _beside(self, start: Place, end: Place, label: Label, step: int | None, measured: bool) -> Iterator[_Trial]:
+        """Letters along a link, nothing more; along a dashed line between two points that no bar joins."""
+        if abs(end - start) <= box(label, LABEL)[0] + (6 if measured else 4) * HINGE:
+            return
+        along, pieces = (end - start) / abs(end - start), list[tuple[Place, Place]]()
+        bars = self.skeleton.segments() if measured else ()
+        if measured and not any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in bars):
+            pieces = self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
+        lines = [Stroke(piece, "measured", step=step) for piece in pieces]
+        for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
+            yield _Trial([self._text(label, start + (end - start) * t, along, side * gap, step)], touching=lines)
 
     def _dimension(
         self, start: Place, end: Place, along: complex, label: Label, step: int | None
     ) -> Iterator[_Trial]:
-        """A dimension line with two heads between extension lines, to either side."""
+        """A dimension line with two heads between extension lines, beyond what it measures or between its ends."""
         if abs(end - start) < 0.5:
             return
         along *= math.copysign(1, ((end - start) / along).real)
@@ -119,12 +113,22 @@ class DimensionLines:
         blocks = [self.skeleton.at(slide.point) for slide in self.skeleton.blocks.values()]
         first, second = (_BLOCK if min((abs(end - at) for at in blocks), default=9.0) < 0.1 else 2 * HINGE
                          for end in (start, end))  # fmt: skip
-        for crossing, offset, across in product((False, True), _OFFSETS, (1j * along, -1j * along)):
-            past = 0.0 if wide + 1 <= long else wide + 5
-            line, both, heads = dimension_line((start, end), across, offset, past, step, (first, second))
-            middle = line.places[1] - along * (past - wide / 2 - 4 if past else long / 2)
+        across = 1j * along
+        low, high = sorted((place / across).real for place in (start, end))
+        levels = [level for offset in _OFFSETS for level in (low - offset, high + offset)]
+        levels += [low + part * (high - low) for part in _ALONG if high - low > 2 * _OFFSETS[0]]
+        past = 0.0 if wide + 1 <= long else wide + 5
+        ends = ((start, end), (first, second), along)
+        orders = [ends, (ends[0][::-1], ends[1][::-1], -along)][: 2 if past else 1]
+        for crossing, level, (places, clear, way) in product((0, 1, 2), levels, orders):
+            line, both, heads = dimension_line(places, across, level, past, step, clear)
+            middle = line.places[1] - way * (past - wide / 2 - 4 if past else long / 2)
             text = self._text(label, middle, along, 0.8, step)
-            yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
+            if crossing == 2:  # extension lines, broken at letters
+                pieces = [Stroke(piece, "thin", step=step) for each in both for piece in self.free.pieces(*each.places)]
+                yield _Trial([line, text], heads, pieces)
+            else:
+                yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
 
     def _radius(self, span: Span, label: Label) -> Iterator[_Trial]:
         """A line from a centre to its rim, with letters along it, inside or beyond."""
@@ -159,68 +163,40 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
     figure, others = Figure(), [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
     for size in data:
         if isinstance(size.shape, Corner):
-            angle = _Angle.of(size.shape, skeleton)
-            rooms = [min(_CLEAR, angle.room(skeleton, radius, others)) for radius in _RADII]
-            radius = _RADII[rooms.index(max(rooms))]
-            others += angle.places(radius)
-            figure.marks += angle.marks(skeleton, radius)
-            figure.wanted += angle.labels(size, skeleton, radius)
+            at = skeleton.window(size.shape.at)
+            radius, arc = max(((radius, _places(size.shape, skeleton, radius)) for radius in _RADII),
+                              key=lambda way: _room(skeleton, way[1], others))  # fmt: skip
+            others += arc
+            figure += _angle(size, size.shape, skeleton, at, radius)
     return figure
 
 
-@frozen
-class _Angle:
-    """An angle on paper: its corner, the unit vector of its first arm, and how far on its second lies [rad].
+def _places(corner: Corner, skeleton: Skeleton, radius: float) -> list[Place]:
+    """Places on the arc of an angle, off its ends."""
+    first, long = radius * skeleton.window.turned(corner.start), abs(corner.turn) * radius
+    parts = [k / 12 for k in range(13) if 2.0 <= k / 12 * long <= long - 2.0]
+    return [skeleton.window(corner.at) + first * cmath.rect(1, -corner.turn * part) for part in parts or [0.5]]
 
-    axis  the first arm is the x axis at a driven link
-    """
 
-    at: Place
-    first: complex
-    sweep: float
-    axis: bool
-    step: int | None
+def _room(skeleton: Skeleton, arc: Sequence[Place], others: Sequence[Place]) -> float:
+    """Distance of an arc from links and other arcs, as far as it matters [mm]."""
+    return min([_CLEAR, *(clearance(skeleton, at) for at in arc), *(abs(at - other) for at in arc for other in others)])
 
-    @classmethod
-    def of(cls, corner: Corner, skeleton: Skeleton) -> _Angle:
-        first, axis = skeleton.window.turned(corner.start), abs(corner.start - 1) < 1e-9 and len(corner.points) > 1
-        return cls(skeleton.window(corner.at), first, -corner.turn, axis, skeleton.step(*corner.points))
 
-    @property
-    def last(self) -> complex:
-        return self.first * cmath.rect(1, self.sweep)
-
-    def places(self, radius: float) -> list[Place]:
-        """Places on the arc, off its ends."""
-        long = abs(self.sweep) * radius
-        parts = [k / 12 for k in range(13) if 2.0 <= k / 12 * long <= long - 2.0]
-        return [self.at + radius * self.first * cmath.rect(1, self.sweep * part) for part in parts or [0.5]]
-
-    def room(self, skeleton: Skeleton, radius: float, others: Sequence[Place]) -> float:
-        """Distance of its arc from links and other arcs [mm]."""
-        on = self.places(radius)
-        apart = [abs(place - other) for place in on for other in others]
-        return min([clearance(skeleton, place) for place in on] + apart)
-
-    def marks(self, skeleton: Skeleton, radius: float) -> list[Mark]:
-        marks = angle_arc(self.at, radius, self.first, self.sweep, self.step)
-        for arm in self._open(skeleton):
-            ends = self.at + arm * 2 * HINGE, self.at + arm * (radius + _BEYOND)
-            marks.append(Stroke(ends, "thin", step=self.step))
-        return marks
-
-    def labels(self, size: Size, skeleton: Skeleton, radius: float) -> Iterator[LabelRequest]:
-        """Its value; the x beside its first arm."""
-        out = self.first * cmath.rect(1, self.sweep / 2)
-        yield LabelRequest(angle_label(size), self.at + out * radius, gap=0.5, away=out, step=self.step)
-        if self.axis and any(abs(arm - self.first) < 1e-9 for arm in self._open(skeleton)):
-            end = self.at + self.first * (radius + _BEYOND)
-            yield LabelRequest(plain("x", italic=True), end, gap=0.3, away=self.first, step=self.step, spare=True)
-
-    def _open(self, skeleton: Skeleton) -> list[complex]:
-        """The arms that no bar of a link has."""
-        bars = list(skeleton.segments())
-        return [arm for arm in (self.first, self.last) if not any(_lies_on(self.at, arm, bar) for bar in bars)]
+def _angle(size: Size, corner: Corner, skeleton: Skeleton, at: Place, radius: float) -> Figure:
+    """The arc with its value, and the arms that no bar of a link has."""
+    first, step = skeleton.window.turned(corner.start), skeleton.step(*corner.points)
+    middle, last = (first * cmath.rect(1, -corner.turn * part) for part in (0.5, 1.0))
+    figure = Figure(angle_arc(at, radius, first, -corner.turn, step))
+    figure.wanted.append(LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step))
+    for number, arm in enumerate((first, last)):
+        if not any(_lies_on(at, arm, bar) for bar in skeleton.segments()):
+            end = at + arm * (radius + _BEYOND)
+            figure.marks.append(Stroke((at + arm * 2 * HINGE, end), "thin", step=step))
+            if number == 0 and abs(corner.start - 1) < 1e-9 and len(corner.points) > 1:  # the x axis at a driven link
+                x = plain("x", italic=True)
+                figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm, step=step, spare=True))
+    return figure
 
 
 def _lies_on(at: Place, arm: complex, bar: tuple[Place, Place]) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import chain
 
 from graphkin.base.value import filled
@@ -80,13 +80,13 @@ class _FixedStretch:
     def end(self, t: float) -> Place:
         return self.foot + self.along * t
 
-    def marks(self) -> list[Mark]:
+    def marks(self) -> Sequence[Mark]:
         start, end = self.end(self.low), self.end(self.high)
         shows = Shows(FRAME, "slot" if self.pins else "guide", self.points, self.line)
         if not self.pins:
             return symbols.guide(start, end, self.side, self.step, shows)
         wall = symbols.hatch(start + self.side * 1.75, end + self.side * 1.75, self.side, self.step)
-        return symbols.slot(start, end, shows, "outline", self.step) + wall
+        return symbols.slot((start, end), shows, self.step) + wall
 
 
 def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_FixedStretch]:
@@ -167,24 +167,21 @@ def drives(skeleton: Skeleton) -> Figure:
             at, tip = (skeleton.at(point) for point in driver.vector)
             if abs(tip - at) >= 1:
                 towards, radius = (tip - at) / abs(tip - at), min(9.0, max(6.0, 0.45 * abs(tip - at)))
-                starts = [towards * cmath.rect(1, math.radians(turn)) for turn in (14, 22)]
-                mirrored = [towards**2 * start.conjugate() for start in starts]
-                _arcs(skeleton, driver, figure, driver.vector, radius, {1: starts, -1: mirrored})
+                _arcs(skeleton, driver, figure, driver.vector, radius, towards, (14, 22))
         elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
             for wheel in [each for each in wheels_of(skeleton.mechanism) if each.link == driver.link][:1]:
                 radius = min(9.0, max(4.0, 0.6 * wheel.radius / skeleton.window.scale))
-                starts = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
-                _arcs(skeleton, driver, figure, (wheel.centre,), radius, {1: starts, -1: starts})
+                _arcs(skeleton, driver, figure, (wheel.centre,), radius, 1, range(0, 360, 45))
     return figure
 
 
 def _arcs(
     skeleton: Skeleton, driver: Driver, figure: Figure, on: tuple[str, ...], radius: float,
-    starts: Mapping[int, Sequence[complex]],
+    towards: complex, turns: Sequence[int],
 ) -> None:  # fmt: skip
     """An arc about the first point; where the acceleration opposes the rate each has its own, the one about the other.
 
-    starts  directions at which an arc may begin, of counter-clockwise ones (1) and of others (-1)
+    turns  from `towards` on, in its sense, where an arc may begin [deg]
     """
     at, seen_from = skeleton.at(on[0]), driver.from_link if driver.from_link != FRAME else ""
     letters: dict[int, str] = {}  # by the sense of rate and acceleration
@@ -196,8 +193,8 @@ def _arcs(
     called = between([skeleton.mechanism.called(link) for link in links])
     for sense, text in letters.items():
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
-        rooms = [clearance(skeleton, at + start * half * radius) for start in starts[sense]]  # about their middles
-        start = starts[sense][rooms.index(max(rooms))]
+        starts = [towards * cmath.rect(1, sense * math.radians(turn)) for turn in turns]
+        start = max(starts, key=lambda start: clearance(skeleton, at + start * half * radius))  # about its middle
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
         figure.marks += marks
@@ -235,8 +232,8 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     out -= 1.5 if out > 6 else 0.0
     across = max((up, -up), key=lambda side: min(clearance(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
     start = at + across * out - along * 4
-    marks = symbols.push(start, along, Shows(line.link, "push", line=driver.link), skeleton.step(point))
-    figure.marks += marks
+    shows, step = Shows(line.link, "push", line=driver.link), skeleton.step(point)
+    figure.marks += symbols.arrow(start, start + 11 * along, shows=shows, step=step)
     relative = between([skeleton.mechanism.called(link) for link in reversed(pair.joins)])
     label = quantity_label("v", point if line.link == FRAME else relative)
-    figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=marks[0].step))
+    figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=step))

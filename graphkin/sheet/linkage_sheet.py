@@ -278,7 +278,8 @@ def _stroke(report: Report, length: float, window: Window) -> Iterator[Entry]:
     places = [on_paper(end, window) for end in report.limits]
     one, other = (there[-1] for there in places)
     side = away_from(one, along, [place for there in places for place in there])
-    line, extensions, heads = symbols.dimension_line((one, other), side, _STROKE_OFF, clear=(4.5, 4.5))
+    level = (one / side).real + _STROKE_OFF
+    line, extensions, heads = symbols.dimension_line((one, other), side, level, clear=(4.5, 4.5))
     yield from (line, *extensions, *heads)
     label: Label = (Run("H", True), Run(" = "), *number(length * 1e3), Run(" mm"))
     yield LabelRequest(label, line.places[0], line.places[1], gap=0.4, away=side, size=LABEL)

@@ -16,6 +16,7 @@ from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
 
 Place = complex
+BREAK = 3.0  # of a line under another, 1 mm on each side of a link [mm]
 Fill = Literal["none", "paper", "ink", "grey", "tint"]  # a tint hides nothing under it
 Layer = Plane | Literal["centres", "detail"]
 """The layer of a mark: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
@@ -51,6 +52,7 @@ class Stroke:
     """A line through `places`; `closed` back to the first; `shows`: of lines of links.
 
     accent  its colour where that is not its layer's
+    breaks  where another goes over it, and the step in which that is drawn
     """
 
     places: tuple[Place, ...]
@@ -61,6 +63,28 @@ class Stroke:
     step: int | None = None
     new: bool = False
     accent: Accent | None = None
+    breaks: tuple[tuple[Place, int | None], ...] = ()
+
+    @property
+    def outline(self) -> tuple[Place, ...]:
+        """Its corners, and the first again where it is closed."""
+        return (*self.places, *self.places[: self.closed])
+
+    @property
+    def dashes(self) -> tuple[float, ...]:
+        """The lengths of line and gap in turn, from its start past its end; none of an unbroken line [mm]."""
+        if not self.breaks:
+            return ()
+        from shapely import LineString, Point
+
+        line = LineString([(place.real, place.imag) for place in self.outline])
+        dashes, drawn, least = list[float](), 0.0, BREAK / 2  # between two breaks as much line as gap
+        for middle in sorted(line.project(Point(place.real, place.imag)) for place, _ in self.breaks):
+            low, high = middle - BREAK / 2, middle + BREAK / 2
+            if low - drawn >= least and line.length - high >= BREAK / 2:
+                dashes += (low - drawn, BREAK)
+                drawn, least = high, BREAK
+        return (*dashes, line.length - drawn + 1.0, 1.0) if dashes else ()
 
 
 @frozen
@@ -163,8 +187,9 @@ Mark = Stroke | Disc | ArcMark | Text | VectorMark | PointMark
 def enlarged(mark: Mark, times: float) -> Mark:
     """A mark so many times as large; its lines are as wide as before."""
     match mark:
-        case Stroke(places=places):
-            return replace(mark, places=tuple(times * place for place in places))
+        case Stroke(places=places, breaks=breaks):
+            breaks = tuple((times * place, step) for place, step in breaks)
+            return replace(mark, places=tuple(times * place for place in places), breaks=breaks)
         case Disc(centre=centre, radius=radius) | ArcMark(centre=centre, radius=radius):
             return replace(mark, centre=times * centre, radius=times * radius)
         case Text(at=at, size=size):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -44,10 +45,13 @@ def moving_figure(skeleton: Skeleton, method: Method, others: Sequence[Skeleton]
     return _figure(skeleton, method, Figure(), grounds(*others), driving)
 
 
-def _figure(skeleton: Skeleton, method: Method, special: Figure, ground: Figure, driving: Figure) -> Figure:
+def _figure(
+    skeleton: Skeleton, method: Method, special: Figure, ground: Figure, driving: Figure, bare: bool = False
+) -> Figure:
+    """bare: without lower-pair equivalents."""
     turning, bodies, touching = wheels(skeleton), _bodies(skeleton), contacts(method, skeleton)
     marks = special.marks + turning.marks + ground.marks + bodies.marks + _hinges(skeleton) + touching.marks
-    marks += [*_through_bars(skeleton), *equivalents(skeleton), *driving.marks]
+    marks += [*_through_bars(skeleton), *(equivalents(skeleton) if not bare else ()), *driving.marks]
     labels = bodies.wanted
     for point in skeleton.points:  # letters of points; those at one place share a label
         away, step = -sum(skeleton.directions(point), 0j), skeleton.step(point)
@@ -76,25 +80,19 @@ def _bodies(skeleton: Skeleton) -> Figure:
         if len(names) > 1:
             figure.marks += _body(names, places, link, step)
         figure.wanted += _link_number(skeleton, link, places, step)
-    return Figure([*_broken(skeleton, figure.marks), *_signs(skeleton, OVER_LINKS)], figure.wanted)
+    return Figure([*_broken(skeleton, figure.marks)][::-1] + _signs(skeleton, OVER_LINKS), figure.wanted)
 
 
 def _broken(skeleton: Skeleton, marks: Sequence[Mark]) -> Iterator[Mark]:
-    """Bars and guides, each over a gap in those of other links that it crosses where nothing joins them."""
-    joints = [skeleton.at(point) for point in skeleton.points]
-    under: list[tuple[str, Place, Place]] = []
-    for mark in marks:
-        shown = mark.shows.form if isinstance(mark, Stroke) and mark.shows is not None else ""
-        if isinstance(mark, Stroke) and (mark.pen == "visible" or shown in ("bar", "guide")):
-            link = mark.shows.link if mark.shows is not None else ""
-            corners = (*mark.places, *mark.places[: mark.closed])
-            for start, end in pairwise(corners):
-                for other, one, far in under:
-                    at = crossing(start, end, one, far) if other != link else None
-                    if at is not None and min((abs(at - joint) for joint in joints), default=9.0) > _JOINED:
-                        along = 0.3 * (end - start) / abs(end - start)
-                        yield Stroke((at - along, at + along), "gap", step=mark.step)
-            under += [(link, *pair) for pair in pairwise(corners)]
+    """Bars and guides, last ones first, broken where one goes over them that is of another link and no joint."""
+    joints, over = [skeleton.at(point) for point in skeleton.points], list[tuple[set[str], int | None, Place, Place]]()
+    for mark in reversed(marks):
+        if isinstance(mark, Stroke) and mark.shows is not None and mark.shows.form in ("bar", "guide", "arc"):
+            of, sides = {mark.shows.link, mark.shows.line} - {""}, [*pairwise(mark.outline)]
+            met = [(crossing(*side, *ends), step) for side in sides for other, step, *ends in over if not other & of]
+            breaks = [(at, step) for at, step in met if at and all(abs(at - joint) > _JOINED for joint in joints)]
+            over += [(of, mark.step, *side) for side in sides]
+            mark = replace(mark, breaks=tuple(breaks))
         yield mark
 
 
@@ -143,7 +141,7 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     at, along = skeleton.at(slide.point), skeleton.along(slide)
     step = skeleton.step(slide.point, slide.line.origin)
     if (rod := follower(skeleton, slide)) is not None:
-        return rod
+        return [*rod]
     if slide.block is not None:
         if skeleton.is_cylinder(slide):
             return []
@@ -154,7 +152,7 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
         return []
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
     shows = Shows(slide.guide, "slot", (slide.point,), slide.name)
-    return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
+    return symbols.slot((at - reach * along, at + 9.0 * along), shows, step)
 
 
 OVER_LINKS: Signs = {Cam: profiles, Slide: _sliding}  # the signs of pairs that stand over the links; hinges are points
@@ -213,16 +211,15 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
 def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int | None) -> Iterator[LabelRequest]:
     """A link's number beside its longest bar, inside its outline, or beside its block."""
     label = link_label(skeleton.mechanism.called(link))
-    slide = skeleton.blocks.get(link)
+    slide, guide = skeleton.blocks.get(link), next(skeleton.guides(link), None)
     if slide is not None and len(places) < 2:
+        at, rod = skeleton.at(slide.point), follower(skeleton, slide)
         if skeleton.is_cylinder(slide):
-            yield LabelRequest(label, _tube(skeleton, slide)[1], skeleton.at(slide.point), gap=1.2, step=step)
-            return
-        if (rod := follower(skeleton, slide)) is not None and isinstance(rod[0], Stroke):
+            yield LabelRequest(label, _tube_end(skeleton, slide), at, gap=1.2, step=step)
+        elif rod is not None:
             yield LabelRequest(label, rod[0].places[0], rod[0].places[1], gap=1.2, step=step)
-            return
-        across = skeleton.along(slide) * 1j
-        yield LabelRequest(label, skeleton.at(slide.point), gap=math.hypot(2.4, 2.8), away=across, step=step)
+        else:
+            yield LabelRequest(label, at, gap=math.hypot(2.4, 2.8), away=skeleton.along(slide) * 1j, step=step)
     elif len(places) > 1 and (ends := in_line(places)) is None:
         corners = [places[k] for k in hull(places)]
         yield LabelRequest(label, sum(corners) / len(corners), gap=-2.6, step=step)
@@ -230,18 +227,16 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
         order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
         longest = max(pairwise(order), key=lambda pair: abs(pair[1] - pair[0]))
         yield LabelRequest(label, *longest, gap=1.2, step=step)
-    else:
-        for guide in skeleton.guides(link):
-            yield LabelRequest(label, *_tube(skeleton, guide), gap=3.4, step=step)
-            return
-        if places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
-            yield LabelRequest(label, places[0], gap=4.0, step=step)
+    elif guide is not None:
+        yield LabelRequest(label, skeleton.at(guide.line.origin), _tube_end(skeleton, guide), gap=3.4, step=step)
+    elif places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
+        yield LabelRequest(label, places[0], gap=4.0, step=step)
 
 
-def _tube(skeleton: Skeleton, slide: Slide) -> tuple[Place, Place]:
-    """The two ends of a cylinder's tube."""
-    foot, rod_end = skeleton.at(slide.line.origin), skeleton.at(slide.point)
-    return foot, foot + symbols.TUBE * (rod_end - foot)
+def _tube_end(skeleton: Skeleton, slide: Slide) -> Place:
+    """The end of a cylinder's tube, from which its rod goes on."""
+    foot = skeleton.at(slide.line.origin)
+    return foot + symbols.TUBE * (skeleton.at(slide.point) - foot)
 
 
 def mechanism_places(method: Method, plot: Plot) -> list[complex]:
@@ -266,10 +261,7 @@ def plain_mechanism(method: Method, plot: Plot, window: Window, others: Sequence
 
 def bare_figure(method: Method, skeleton: Skeleton) -> Figure:
     """The mechanism as a problem gives it: no special points and no lower-pair equivalents, which a solution finds."""
-    whole, beside = mechanism_figure(skeleton, method, []), specials(method, skeleton, [])
-    left_out = [*beside.marks, *equivalents(skeleton)]
-    marks = [mark for mark in whole.marks if mark not in left_out]
-    return Figure(marks, [want for want in whole.wanted if want not in beside.wanted])
+    return _figure(skeleton, method, Figure(), grounds(skeleton), drives(skeleton), bare=True)
 
 
 def plainly(mark: Mark) -> Mark:

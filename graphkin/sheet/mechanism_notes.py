@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
-from itertools import islice, product
+from itertools import combinations, islice, product
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -23,7 +23,7 @@ from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, quantity_labe
 from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
-from graphkin.sheet.text_blocks import EquationBlock, WrittenLines
+from graphkin.sheet.text_blocks import WrittenLines
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
 _MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler [mm]
@@ -50,7 +50,6 @@ class MechanismNotes:
     reading: Reading
     given: Sequence[Size]
     planes: Sequence[Plane] = field(default_factory=tuple)
-    loose: Sequence[EquationBlock] = ()
 
     def lines(self) -> list[Mark]:
         return []
@@ -130,20 +129,17 @@ class MechanismNotes:
     def _arcs(self, link: str) -> Iterator[Arc]:
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
-        pivot = points[:1] if points and FRAME in owners[points[0]] else []
-        ends = sorted(skeleton.bars(link), key=lambda pair: -abs(pair[0] - pair[1]))
-        for point in pivot:
-            at = skeleton.at(point)
-            for radius, (start, end) in product(_RADII, ends):
-                for one, other in ((start, end), (end, start)):
-                    if abs(one - at) < 0.1 and abs(other - at) > radius + 2:
-                        yield (point,), radius, (other - at) / abs(other - at), True
-        pairs = [(a, b) for k, a in enumerate(points) for b in points[k + 1 :]]
-        for tail, head in sorted(pairs, key=lambda pair: -abs(skeleton.at(pair[0]) - skeleton.at(pair[1]))):
-            start, end = skeleton.at(tail), skeleton.at(head)
-            for radius in _MIDDLE:
-                if abs(end - start) > 2 * radius + 6:
-                    yield from (((tail, head), radius, way * (end - start) / abs(end - start), True) for way in (1, -1))
-        if not ends:
-            for point, radius, middle in product(points, _RADII, _AROUND):
-                yield (point,), radius, middle, False
+        bars = sorted(skeleton.bars(link), key=lambda bar: -abs(bar[0] - bar[1]))
+        if points and FRAME in owners[points[0]]:
+            at = skeleton.at(points[0])
+            arms = [far - at for bar in bars for near, far in (bar, bar[::-1]) if abs(near - at) < 0.1]
+            for radius, arm in product(_RADII, arms):
+                if abs(arm) > radius + 2:
+                    yield (points[0],), radius, arm / abs(arm), True
+        stretches = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2)]
+        for pair, arm in sorted(stretches, key=lambda stretch: -abs(stretch[1])):
+            for radius, way in product(_MIDDLE, (1, -1)):
+                if abs(arm) > 2 * radius + 6:
+                    yield pair, radius, way * arm / abs(arm), True
+        for point, radius, middle in product(points, _RADII, _AROUND) if not bars else ():
+            yield (point,), radius, middle, False

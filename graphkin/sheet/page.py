@@ -86,6 +86,8 @@ class Sheet:
 
         def as_of_step(mark: Mark) -> Mark | None:
             later = mark.step is not None and mark.step > step
+            if isinstance(mark, Stroke) and mark.breaks:
+                mark = replace(mark, breaks=tuple(each for each in mark.breaks if (each[1] or 0) <= step))
             return None if later else replace(mark, new=True) if mark.step == step else mark
 
         return self.redrawn(as_of_step)

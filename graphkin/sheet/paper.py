@@ -122,7 +122,7 @@ USUAL = tuple(PAPERS.values())[:4]
 
 PenName = Literal[
     "visible", "outline", "asked", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",
-    "leader", "gap",
+    "leader",
 ]  # fmt: skip
 
 
@@ -147,7 +147,6 @@ PENS: Mapping[PenName, Pen] = {
     "construction": Pen(0.13),
     "measured": Pen(0.13, (3.0, 1.2)),  # lengths of the mechanism that the solution uses
     "leader": Pen(0.13),  # in half the colour of its plane
-    "gap": Pen(2.7),  # white, under a link that crosses another: 1 mm on each side
 }
 
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}

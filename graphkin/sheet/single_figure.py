@@ -22,7 +22,7 @@ from graphkin.sheet.lettering import LABEL, formula, width
 from graphkin.sheet.marks import Mark, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
 from graphkin.sheet.mechanism_notes import MechanismNotes
-from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
+from graphkin.sheet.page import Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.text_blocks import broken
@@ -82,14 +82,11 @@ def place_for(
     return SingleFigure(method, layout, layout.window("position", extent), found, told)
 
 
-def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
-    """The figure of a problem at the position of a plot: the mechanism with its letters, and nothing that is found."""
-    alone = place_for(method, [plot], mechanism_places(method, plot), None)
-    return alone.sheet(plot, HEADINGS[lang]["position"], _given(Reading(method, plot, {}, lang), alone.window), lang)
 
 
 def problem_picture(method: Method, plot: Plot, size: complex, lang: Lang) -> Sheet:
-    """The same, on a paper no larger than this [mm], with nothing around it."""
+    """The figure of a problem: the mechanism with its letters, and nothing that is found, on a paper no larger than
+    this [mm] with nothing around it."""
     reading = Reading(method, plot, {}, lang)
     extent = Extent.of(mechanism_places(method, plot), partial(_given, reading))
     scale = extent.finest(Room(0, 0, size.real, size.imag))

@@ -13,7 +13,6 @@ from itertools import pairwise
 
 from graphkin.construction import Plane
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows, Stroke
-from graphkin.sheet.paper import PenName
 
 HINGE = 1.3  # radius of a hinge [mm]
 PIVOT_DEPTH = 4.6  # from a pivot's centre to the ground [mm]
@@ -28,7 +27,7 @@ _PITCH, _SLANT = 1.5, 1.7
 def pivot(at: Place, down: complex, step: int | None = None) -> list[Mark]:
     """A fixed pivot: a triangle on hatched ground; its hinge is drawn apart. `down` is a unit vector."""
     foot, side = at + PIVOT_DEPTH * down, 1j * down
-    triangle = (at, foot + 2.7 * side, foot - 2.7 * side)
+    triangle = (at, foot + 2.5 * side, foot - 2.5 * side)
     return [
         Stroke(triangle, "outline", closed=True, fill="paper", step=step),
         Stroke((foot + 4.4 * side, foot - 4.4 * side), "outline", step=step),
@@ -36,7 +35,7 @@ def pivot(at: Place, down: complex, step: int | None = None) -> list[Mark]:
     ]
 
 
-def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> list[Mark]:
+def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> list[Stroke]:
     """Short slanting lines along start..end on the side where the ground is."""
     length = abs(end - start)
     if length < _PITCH:
@@ -88,35 +87,25 @@ def block_corners(at: Place, along: complex) -> tuple[Place, ...]:
     return at + x + y, at + x - y, at - x - y, at - x + y
 
 
-def guide(start: Place, end: Place, side: complex, step: int | None = None, shows: Shows | None = None) -> list[Mark]:
+def guide(start: Place, end: Place, side: complex, step: int | None = None, shows: Shows | None = None) -> list[Stroke]:
     """A fixed guide: a line with the ground hatched on one side."""
     return [Stroke((start, end), "outline", shows=shows, step=step), *hatch(start, end, side, step)]
 
 
-def slot(start: Place, end: Place, shows: Shows, pen: PenName = "outline", step: int | None = None) -> list[Mark]:
-    """A slot with round ends, cut into a link or the ground: white, over the link's bar."""
-    along = (end - start) / abs(end - start)
-    side = 1j * along * _SLOT
-    cap = [side * cmath.rect(1, -math.pi * k / 10) for k in range(11)]
-    ends = (*(end + off for off in cap), *(start - off for off in cap))
-    return [Stroke(ends, pen, closed=True, fill="paper", shows=shows, step=step)]
+def slot(along: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
+    """A slot with round ends along a line or an arc, cut into a link or the ground: white, over the link's bar."""
+    ways = [after - before for before, after in zip((along[0], *along), (*along[1:], along[-1]), strict=False)]
+    sides = [1j * _SLOT * way / abs(way) for way in ways]
+    far, near = ([end * cmath.rect(1, -math.pi * k / 10) for k in range(1, 10)] for end in (sides[-1], -sides[0]))
+    one, other = ([place + sign * side for place, side in zip(along, sides, strict=True)] for sign in (1, -1))
+    rim = (*one, *(along[-1] + off for off in far), *other[::-1], *(along[0] + off for off in near))
+    return [Stroke(rim, "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 
 def arc_places(centre: Place, arm: complex, start: float, end: float) -> list[Place]:
     """Places along an arc about `centre`, from `arm` turned by `start` to `arm` turned by `end` [rad]."""
     steps = max(8, math.ceil(abs(end - start) / math.radians(3)))
     return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]
-
-
-def arc_slot(centre: Place, along: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
-    """A slot with round ends along an arc, white over what it is cut into."""
-    out = [(place - centre) / abs(place - centre) * _SLOT for place in along]
-    outer = [place + off for place, off in zip(along, out, strict=True)]
-    inner = [place - off for place, off in zip(reversed(along), reversed(out), strict=True)]
-    sense = math.copysign(1, ((along[1] - along[0]) / (1j * (along[0] - centre))).real)
-    cap = [cmath.rect(1, sense * math.pi * k / 10) for k in range(1, 10)]
-    far, near = [along[-1] + out[-1] * turn for turn in cap], [along[0] - out[0] * turn for turn in cap]
-    return [Stroke((*outer, *far, *inner, *near), "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 
 def arc_ground(centre: Place, along: Sequence[Place], step: int | None = None) -> list[Mark]:
@@ -159,21 +148,17 @@ def spin(
     return [ArcMark(at, radius, start, shaft, "vector", step=step), replace(head, shows=shows)]
 
 
-def push(start: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:
-    """A straight arrow beside a driven slide."""
-    tip = start + 11 * along
-    shaft = Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step)
-    return [shaft, replace(arrow_head(tip, along, step), shows=shows)]
-
-
-def arrow(start: Place, tip: Place, accent: Plane) -> list[Mark]:
-    """An arrow of any length in the colour of a plane; nothing for one that could not be seen."""
+def arrow(
+    start: Place, tip: Place, accent: Plane | None = None, shows: Shows | None = None, step: int | None = None
+) -> list[Mark]:
+    """An arrow of any length, as large as others of a mechanism where it shows something; nothing for one that could
+    not be seen."""
     length = abs(tip - start)
     if length < 0.3:
         return []
-    along, head = (tip - start) / length, min(0.7 * _HEAD, 0.5 * length)
-    shaft = Stroke((start, tip - 0.8 * head * along), "vector", accent=accent)
-    return [shaft, replace(arrow_head(tip, along, None, head), accent=accent)]
+    along, head = (tip - start) / length, min((0.7 if shows is None else 1.0) * _HEAD, 0.5 * length)
+    shaft = Stroke((start, tip - 0.8 * head * along), "vector", accent=accent, step=step)
+    return [shaft, replace(arrow_head(tip, along, step, head), accent=accent, shows=shows)]
 
 
 def arrow_head(tip: Place, along: complex, step: int | None, length: float = _HEAD) -> Stroke:
@@ -197,21 +182,23 @@ def angle_arc(at: Place, radius: float, first: complex, sweep: float, step: int 
 
 
 def dimension_line(
-    ends: tuple[Place, Place], across: complex, offset: float, past: float = 0.0, step: int | None = None,
+    ends: tuple[Place, Place], across: complex, level: float, past: float = 0.0, step: int | None = None,
     clear: tuple[float, float] = (2 * HINGE, 2 * HINGE),
 ) -> tuple[Stroke, list[Stroke], list[Stroke]]:  # fmt: skip
-    """The line, extension lines from what it measures, and heads (ISO 129): `offset` beyond the farther of two places
-    in the direction `across`; heads of a short one point inwards, and the line goes on `past` its second end [mm].
+    """The line, extension lines from what it measures, and heads (ISO 129); heads of a short one point inwards, and the
+    line goes on `past` its second end [mm].
 
-    clear  what stays free at each of the places [mm]
+    level  how far the line lies in the direction `across`; clear: what stays free at each of the places [mm]
     """
-    feet = [(end / across).real for end in ends]
-    one, other = (end + across * (max(feet) + offset - foot) for end, foot in zip(ends, feet, strict=True))
+    ways = [level - (end / across).real for end in ends]
+    one, other = (end + across * way for end, way in zip(ends, ways, strict=True))
     along = (other - one) / abs(other - one)
     inside = abs(other - one) >= 2 * THIN_HEAD + 1.5
     line = Stroke((one - along * 5 * (not inside), other + along * past), "thin", step=step)
-    tips = zip(ends, (one, other), clear, strict=True)
-    starts = [(end + across * free, tip + across * 1.5) for end, tip, free in tips]
-    ways = (-along, along) if inside else (along, -along)
-    heads = [arrow_head(tip, way, step, THIN_HEAD) for tip, way in zip((one, other), ways, strict=True)]
-    return line, [Stroke(places, "thin", step=step) for places in starts], heads
+    extensions = []
+    for end, tip, way, free in zip(ends, (one, other), ways, clear, strict=True):
+        if abs(way) > free:
+            out = across * math.copysign(1, way)
+            extensions.append(Stroke((end + out * free, tip + out * 1.5), "thin", step=step))
+    out = along if inside else -along
+    return line, extensions, [arrow_head(one, -out, step, THIN_HEAD), arrow_head(other, out, step, THIN_HEAD)]

@@ -236,7 +236,7 @@ def equivalents(skeleton: Skeleton) -> list[Mark]:
     return marks
 
 
-def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
+def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:
     """A fixed guide's block that a cam moves at its point: a rod with its tip or roller, guided above; else None."""
     if slide.guide != FRAME or slide.block is None or len(skeleton.named(slide.block)) > 1:
         return None
@@ -247,14 +247,14 @@ def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
     return None
 
 
-def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> list[Mark]:
+def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> list[Stroke]:
     at, along = skeleton.at(slide.point), skeleton.along(slide)
     out = along * math.copysign(1, (along.conjugate() * (at - skeleton.at(cam_centre))).real)
     side, step = 1j * out, skeleton.step(slide.point)
     shows = Shows(slide.block or "", "guide", (), slide.name)
     near, far = (max(0.0, radius - 3) + reach for reach in _BUSH)
     foot = at + out * (2.6 if radius == 0 else 0.0)
-    marks: list[Mark] = [Stroke((foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)]
+    marks = [Stroke((foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)]
     if radius == 0:
         tip = (at, at + out * 3.4 + side * 1.1, at + out * 3.4 - side * 1.1)
         marks.append(Stroke(tip, "outline", closed=True, fill="ink", step=step))
@@ -269,6 +269,7 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     step, radius = skeleton.step(slot.centre, slot.point), slot.radius / skeleton.window.scale
     arm, half = radius * ((pin - centre) / abs(pin - centre)), min(_ARC / radius, _MOST)
     cut = symbols.arc_places(centre, arm, -half, half)
+    shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     if slot.guide == FRAME:
         marks = symbols.arc_ground(centre, cut, step)
     else:  # the arc of a moving link that carries the slot, joined to the nearest of the link's points
@@ -279,8 +280,6 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
         near = {end: min([_FREE, *(off_stretch(end, *bar) for bar in bars)]) for end in ends}
         joint = min(product(near, points), key=lambda pair: (-near[pair[0]], abs(pair[1] - pair[0])))  # no false joint
         arc = symbols.arc_places(centre, arm, math.copysign(half, -ends[joint[0]]), ends[joint[0]])
-        held = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
-        marks = [Stroke(tuple(arc), "visible", shows=held, step=step), Stroke(joint, "visible", step=step)]
-    shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
-    marks += symbols.arc_slot(centre, cut, shows, step)
+        marks = [Stroke(tuple(arc), "visible", shows=shows, step=step), Stroke(joint, "visible", step=step)]
+    marks += symbols.slot(cut, shows, step)
     return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]

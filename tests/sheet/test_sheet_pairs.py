@@ -131,3 +131,40 @@ def test_a_pin_runs_in_a_slot_and_a_piston_in_a_cylinder(guide: str, runs: str, 
     shown = [mark.shows for mark in sheet(method, replay_all(method)).marks if getattr(mark, "shows", None)]
     assert {each.form for each in shown} & {"slot", "block"} == sign
     assert any(each.form == "guide" and not each.points for each in shown) == (not sign)
+
+
+CROSSED = """
+[frame]
+A = [0, 0]
+D = [40, 0]
+[links.1]
+AB = 80
+[links.2]
+BC = 40
+[links.3]
+DC = 80
+[[driver]]
+vector = "AB"
+angle = 60
+omega = 10
+[sketch]
+C = [10, 70]
+"""
+
+
+def test_the_rear_link_is_broken_where_another_goes_over_it() -> None:
+    """The bars AB and DC cross in their middle; the gap is in the rear one, from the step on in which both are there."""
+    method = plan(loads(CROSSED))
+    page = sheet(method, replay_all(method))
+    bars = {m.shows.link: m for m in page.marks if isinstance(m, Stroke) and m.shows and m.shows.form == "bar"}
+    (broken,) = (mark for mark in bars.values() if mark.dashes)
+    assert broken is bars["1"]
+    assert broken.dashes[:2] == pytest.approx((0.04 / page.scales["position"] - 1.5, 3.0))
+    assert broken.step == 1
+    assert not any(mark.breaks for mark in page.upto(1).marks if isinstance(mark, Stroke))
+
+
+def test_an_eccentricity_stands_on_the_drawing() -> None:
+    written = {plain_text(mark.label) for mark in drawn("p3-23a").marks if isinstance(mark, Text)}
+    assert "30 mm" in written
+    assert not any("eA" in text for text in written)
