@@ -6,7 +6,7 @@ After it: the results of drawing and analysis beside each other, and the mistake
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -19,13 +19,13 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
-from graphkin.handouts.letters import lettered
 from graphkin.homework.grading.keys import key_drawn, paper_scales
 from graphkin.marking.key import Key, columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Centre, read
 from graphkin.model.quantities.reading import respelled
+from graphkin.outputs.letters import lettered
 from graphkin.planning.drawn_position import shown
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
@@ -109,6 +109,11 @@ class HandoutProblem:
     @property
     def title(self) -> str:
         return " · ".join(filter(None, (self.drawing.mechanism.headline(self.lang), self.whose)))
+
+    @property
+    def story(self) -> Sequence[entry.Entry]:
+        """The text that stands before what is given."""
+        return self._sections[0].entries
 
     @property
     def head(self) -> tuple[Section, ...]:

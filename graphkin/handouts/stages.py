@@ -13,14 +13,13 @@ from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
-from graphkin.handouts.letters import lettered
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
 from graphkin.handouts.worksheet import answer_boxes, empty_rows, measured, room, worth
 from graphkin.homework.problems.posed import shown_at
 from graphkin.model.mechanism import Mechanism
+from graphkin.outputs.letters import lettered
 from graphkin.say import entry
 from graphkin.say.catalogue import say
-from graphkin.say.problems import story
 from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
@@ -209,7 +208,7 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
     yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
-    yield from blocks_of([*story(problem.drawing.mechanism, problem.lang)], problem.lang, problem.points)
+    yield from blocks_of(problem.story, problem.lang, problem.points)
     for section in problem.head:
         yield from _section(problem, section)
     figures = 0

@@ -127,7 +127,7 @@ def curves_met(curves: Centrodes, centre: complex | None, lang: Lang) -> Iterato
     if centre is not None:
         x, y = (number(1e3 * part, 1e-6) for part in (centre.real, centre.imag))
         key = "about.hinge" if curves.is_point else "about.rolling" if len(curves.axes) > 1 else "about.centre now"
-        yield catalogue.say(key, lang, centre=curves.name, place=f"({x}, {y}) mm")
+        yield catalogue.say(key, lang, centre=curves.name, place=catalogue.say("common.place", lang, x=x, y=y) + " mm")
     for piece in () if curves.is_point else curves.pieces:
         for link, places in zip(curves.axes, piece.places):
             yield _reach(curves, link, places, lang, lambda value: f"{number(1e3 * value, 1e-6)} mm")

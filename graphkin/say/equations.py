@@ -77,7 +77,7 @@ def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
 
 def _alone(part: Equation, side: tuple[Term, ...]) -> bool:
     """True of a side that is nothing but the motion sought."""
-    return len(side) == 1 and side[0].of == part.of and not side[0].seen_from
+    return len(side) == 1 and side[0].of == part.of and not (side[0].seen_from or side[0].over)
 
 
 def _introduction(polygon: PolygonReading, part: Equation) -> str:

@@ -105,7 +105,8 @@ class PositionReader(Tangents):
                 if self.reading.method.structure.slides[step.slide].named:
                     yield from self._slide(step.slide)
             case kinds.Image(link, corners, _, point):
-                if self.reading.named(point):  # the start of a line that has no name is told where it is needed
+                # the start of a line that has no name is told where it is needed
+                if self.reading.named(point) and point not in self.marked:
                     yield Sentence(self._corner(link, corners))
             case kinds.Measure("theta", of):
                 self.waiting.append(of)
@@ -201,9 +202,6 @@ class PositionReader(Tangents):
             return reading.say("derivation.meet lines", **words)
         words["where"] = reading.note(_crossing(reading, step, step.second))
         return reading.say("derivation.meet circles", **words)
-
-    def _circle(self, about: str, length: str) -> str:
-        return self.reading.say("derivation.circle", about=self.reading.place(about), length=length)
 
     def _locus(self, locus: kinds.Ray | kinds.Arc) -> str:
         reading = self.reading

@@ -25,9 +25,10 @@ _SCALES = (("length", "μ_l", "m/mm"), ("velocity", "μ_v", "(m/s)/mm"), ("accel
 
 
 def problem_data(reading: Reading) -> Iterator[Entry]:
-    """The title, and what is given: links, pairs, drivers, the drawn position."""
+    """The title, the story of the file, and what is given: links, pairs, drivers, the drawn position."""
     between = reading.say("common.semicolon")
     yield Heading(reading.mechanism.headline(reading.lang))
+    yield from (Sentence(text) for text in [reading.mechanism.story(reading.lang)] if text)
     yield Heading(reading.say("solution.given"))
     yield from map(Sentence, _dimensions(reading))
     drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
@@ -126,7 +127,7 @@ def _place(reading: Reading, place: complex) -> str:
     values = (value if abs(value) > reading.noise else 0.0 for value in (place.real, place.imag))
     unit = length_unit(reading)
     x, y = (given_figure(in_unit(value, unit, "length")) for value in values)
-    return f"({x}, {y})"
+    return reading.say("common.place", x=x, y=y)
 
 
 def _slide(reading: Reading, pair: Slide) -> str:

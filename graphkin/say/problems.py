@@ -23,7 +23,6 @@ def posed_entries(goal: SolutionGoal, drawn: DrawnSides | None = None) -> Iterat
     """A problem without its title: its story, the data, with the assembly it is `drawn` in and further positions, and
     the question."""
     reading = goal.reading
-    yield from story(reading.mechanism, reading.lang)
     yield from islice(problem_data(reading), 1, None)
     if drawn is not None:
         lines = [assembly_sentence(drawn, reading.lang), *position_lines(reading.mechanism, reading.lang)]
@@ -33,11 +32,6 @@ def posed_entries(goal: SolutionGoal, drawn: DrawnSides | None = None) -> Iterat
     thetas = {half.link: half for half in halves if isinstance(half, Rotation) and half.word == "theta"}
     lines = [_angle_line(goal, theta) for theta in thetas.values()]
     yield from map(Sentence, filter(None, lines))
-
-
-def story(mechanism: Mechanism, lang: Lang) -> Iterator[Sentence]:
-    """The text of the file that stands before what is given, where it has one."""
-    yield from (Sentence(text) for text in [mechanism.story(lang)] if text)
 
 
 def position_lines(mechanism: Mechanism, lang: Lang) -> Iterator[str]:

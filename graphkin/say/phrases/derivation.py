@@ -86,6 +86,10 @@ PHRASES: Phrases = {
                                     "由 {start} 作该线的平行线（{heading}），取 {length}，得 {tip}。"),
     "derivation.lay off turned": ("From {start} lay off {length} turned by {turned} {sense} from this line: {tip}.",
                                   "由 {start} 作与该线成 {turned}（由该线{sense}转过）的直线，取 {length}，得 {tip}。"),
+    "derivation.on line, by sides": ("On this line lay off {along} from {start} {heading}: {mark}. Then {first}; {second}. "
+                                     "They cross at {tip} ({way}).",
+                                     "在该线上由 {start} 取 {along}（{heading}），得 {mark}；再{first}，{second}；两弧交于 "
+                                     "{tip}（{way}）。"),
     "derivation.over reach": ("{first}; {second}. They cross at {point} ({way}).",
                               "{first}；{second}；两者交于 {point}（{way}）。"),
     "derivation.shape corner": ("{point} on link {link}: {first} and {second} ({way}).",

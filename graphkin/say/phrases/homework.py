@@ -29,7 +29,7 @@ PHRASES: Phrases = {
                           "{point} 取两个可能位置中离 {line} 较远者"),
     "assembly.side near": ("{point} at that of its two possible places which is nearer to {line}",
                            "{point} 取两个可能位置中离 {line} 较近者"),
-    "assembly.near": ("{point} near ({x}, {y})", "{point} 在 ({x}, {y}) 附近"),
+    "assembly.near": ("{point} near ({x}, {y})", "{point} 在（{x}，{y}）附近"),
     # === files of teaching platforms: columns, titles, what is left out
     "platforms.problem title": ("{set}, {id}", "{set} {id}"),
     "platforms.answers": ("Answer with three significant digits, in the units stated; counter-clockwise is positive.",

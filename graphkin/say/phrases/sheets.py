@@ -124,7 +124,7 @@ PHRASES: Phrases = {
     "equations.drivers": ("Given: the motions of the drivers, {drivers}.", "已知：原动件的运动 {drivers}。"),
     "equations.driver": ("Given: the motion of the driver, {drivers}.", "已知：原动件的运动 {drivers}。"),
     "equations.auxiliary fixed": ("{letter} is an auxiliary fixed point, at ({x}, {y}) mm.",
-                                  "{letter} 为机架上的辅助点，坐标为 ({x}, {y}) mm。"),
+                                  "{letter} 为机架上的辅助点，坐标为（{x}，{y}）mm。"),
     "equations.auxiliary": ("{letter} is an auxiliary point of link {link}: there the line begins on which {point} "
                             "moves.",
                             "{letter} 为构件 {link} 上的辅助点，即 {point} 所沿直线的起点。"),
