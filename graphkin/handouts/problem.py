@@ -225,7 +225,8 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
     signs = respelled(name, lambda text: names.symbols(text) if text in texts else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
     text = raised[:1].upper() + raised[1:] if raised[:2].islower() and raised[:2].isascii() else raised
-    return lettered(say("handouts.gives", problem.lang, mistake=text, values=", ".join(shown)), problem.points)
+    given = say("common.and", problem.lang).join(shown)
+    return lettered(say("handouts.gives", problem.lang, mistake=text, values=given), problem.points)
 
 
 _COMMON = (

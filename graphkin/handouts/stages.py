@@ -172,7 +172,7 @@ def scales_to_use(problem: HandoutProblem) -> Label:
     """Those of the mechanism and of the polygons that are drawn, as a sentence."""
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
     before = say("handouts.scales", problem.lang) + say("common.colon", problem.lang)
-    return (*plain(before), *joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
+    return (*plain(before), *joined([written(plane, problem.scales[plane]) for plane in planes], say("common.semicolon", problem.lang)))
 
 
 def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[document.HandoutPicture, bool]:

@@ -158,6 +158,22 @@ def instant_centre(polygon: PolygonReading, part: Equation) -> str:
     return polygon.reading.say("contacts.instant centre", name=polygon.seen(part.of, ""), **words)
 
 
+def about_centre(polygon: PolygonReading, part: Equation) -> str:
+    """A special point that is an instant centre, about which the motion sought turns; "" of any other equation."""
+    pole = polygon.construction.pole
+    for term in part.left + part.right if polygon.plane == "velocity" else ():
+        direction = term.direction
+        if not isinstance(direction, terms.Across) or term.tail != pole or term.seen_from or term.over:
+            continue
+        special = polygon.reading.method.special.intersection((direction.tail, direction.head))
+        for point, site in ((point, polygon.reading.method.position.nodes[point].site) for point in special):
+            assert site is not None
+            words = {"point": names.point(point), "link": polygon.reading.link(site.link)}
+            words |= {"name": polygon.vector(term), "direction": polygon.direction(direction)}
+            return polygon.reading.say("contacts.about centre", **words)
+    return ""
+
+
 def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterator[Entry]:
     """The equations, their unknowns, and what they come to."""
     reading, plane = polygon.reading, polygon.plane

@@ -102,6 +102,9 @@ PHRASES: Phrases = {
                                 "link {link}, so {name} = 0, and {node} falls on {pole}. (Its acceleration is not 0.)",
                                 "两支路均与机架相连，特殊点 {point} 即为构件 {link} 的绝对瞬心，故 {name} = 0，{node} 与 {pole} "
                                 "重合（但其加速度一般不为零）。"),
+    "contacts.about centre": ("Both legs are joined to the fixed link: {point} is the absolute instant centre of link "
+                              "{link}, so {name} {direction}.",
+                              "两支路均与机架相连，特殊点 {point} 即为构件 {link} 的绝对瞬心，故 {name} {direction}。"),
     "contacts.steady": ("Pure rolling: {relations} at all times, with {rates} constant; so {zero}.",
                         "纯滚动关系 {relations} 始终成立，其中 {rates} 为常量，故 {zero}。"),
     "contacts.constant ratio": ("The ratios of the train are constant, so the angular accelerations have those of the "
@@ -114,8 +117,8 @@ PHRASES: Phrases = {
     "contacts.together, one": ("No order of ruler and triangle gives {unknowns} one after another. {equations} is "
                                "solved for them together:",
                                "{unknowns} 不能用作图法依次求得，须由{equations}联立求解："),
-    "contacts.closed in themselves": ("The links are closed in themselves: {unknowns} do not hang on how any point of "
-                                      "them moves. {equations} alone gives them:",
+    "contacts.closed in themselves": ("The links are closed in themselves: {unknowns} do not depend on how any point "
+                                      "of them moves. {equations} alone gives them:",
                                       "各构件自身封闭，{unknowns} 与其上任一点的运动无关，仅由{equations}即可求得："),
     "contacts.the loop": ("The vector equation of the loop {loops}", "封闭矢量方程 {loops} "),
     "contacts.the loops": ("The vector equations of the loops {loops}", "封闭矢量方程 {loops} "),
