@@ -171,8 +171,9 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
 def scales_to_use(problem: HandoutProblem) -> Label:
     """Those of the mechanism and of the polygons that are drawn, as a sentence."""
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    before = say("handouts.scales", problem.lang) + say("common.colon", problem.lang)
-    return (*plain(before), *joined([written(plane, problem.scales[plane]) for plane in planes], say("common.semicolon", problem.lang)))
+    before, between = (say(key, problem.lang) for key in ("common.colon", "common.semicolon"))
+    scales = joined([written(plane, problem.scales[plane]) for plane in planes], between)
+    return (*plain(say("handouts.scales", problem.lang) + before), *scales)
 
 
 def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[document.HandoutPicture, bool]:
