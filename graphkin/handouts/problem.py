@@ -36,7 +36,7 @@ from graphkin.say.explained import derivation
 from graphkin.say.marks import mistake
 from graphkin.say.numbers import number
 from graphkin.say.problems import posed_entries
-from graphkin.say.reading import Reading
+from graphkin.say.reading import Reading, capitalized
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
 from graphkin.sheet.lettering import Label, formula, plain
 from graphkin.sheet.paper import KEYS
@@ -224,7 +224,7 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
     texts = {entry.text for entry in key.entries}
     signs = respelled(name, lambda text: names.symbols(text) if text in texts else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
-    text = raised[:1].upper() + raised[1:] if raised[:2].islower() and raised[:2].isascii() else raised
+    text = capitalized(raised) if raised[1:2].isalpha() else raised
     given = say("common.and", problem.lang).join(shown)
     return lettered(say("handouts.gives", problem.lang, mistake=text, values=given), problem.points)
 

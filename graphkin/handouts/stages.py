@@ -241,7 +241,7 @@ def blocks_of(entries: Sequence[entry.Entry], lang: Lang, points: Collection[str
                 number = str(act.number) if act is not None and act.numbered else ""
                 yield document.Paragraph(lettered(text, points), number)
             case entry.Calculation():
-                note = f"  ({each.note})" if each.note else ""
+                note = say("common.note", lang, note=each.note) if each.note else ""
                 yield document.FormulaLine(lettered(each.text + note, points))
             case entry.VectorEquation():
                 yield rows(each, lang, points)
