@@ -137,8 +137,7 @@ def curve_lines(curves: Centrodes, lang: Lang) -> Iterator[str]:
     """A line for each piece, and under it one for each link that the curve lies in."""
     yield catalogue.say("about.curves", lang, centre=curves.name, count=len(curves.pieces))
     for count, piece in enumerate(curves.pieces, 1):
-        form = "about.piece closed" if piece.closed else "about.piece open"
-        yield f"  {count}. " + catalogue.say(form, lang, places=piece.t.size)
+        yield f"  {count}. " + catalogue.say("about.piece", lang, which=not piece.closed, places=piece.t.size)
         for link, places in zip(curves.axes, piece.places):
             yield "     " + _reach(curves, link, places, lang, lambda value: at_edge(value, "m"))
     yield catalogue.say("about.where curves", lang)

@@ -153,8 +153,8 @@ class LeverReader:
             case "levered":
                 outside = levers.omega(lever.base) * levers.omega(link) > 0
                 ends = listed([names.point(levers.found.name(FRAME, one)) for one in (lever.base, link)], lang)
-                key = "centres.sense outside" if outside else "centres.sense between"
-                return say(key, sense=sense(levers.omega(link), lang), centre=self._shared(lever), ends=ends)
+                words = {"sense": sense(levers.omega(link), lang), "centre": self._shared(lever), "ends": ends}
+                return say("centres.sense", which=not outside, **words)
             case "alike":
                 return say("centres.sense alike", sense=sense(levers.omega(link), lang), centre=self._shared(lever))
             case "pushed" | "triangle":

@@ -13,7 +13,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
-from graphkin.say.numbers import SentenceNumber
+from graphkin.say.numbers import SentenceNumber, sense
 from graphkin.studies.design import Design, Reason, Solution, linkage_of, proof
 from graphkin.studies.linkages import filed
 
@@ -107,7 +107,7 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
     facts += [f"H = {SentenceNumber(report.stroke):mm}"] if report.stroke is not None else []
     facts += [f"K = {SentenceNumber(report.k):n}"] if report.k is not None else []
     if one.pace is not None:
-        facts.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
+        facts.append(say("design.slow", lang, sense=sense(one.pace, lang)))
     yield f"  {say('design.proof', lang)}{say('common.and', lang).join(facts)}"
     yield from (f"  {phrased(reason, lang)}" for reason in one.notes if reason.key != "kind")
 

@@ -186,7 +186,7 @@ def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterat
     said = []
     if step.chains:
         loops = reading.listed([_loop(reading, chain) for chain in step.chains])
-        said.append(reading.say("contacts.the loop" if len(step.chains) == 1 else "contacts.the loops", loops=loops))
+        said.append(reading.say("contacts.the loops", which=len(step.chains) > 1, loops=loops))
     if step.contacts:
         relations = reading.listed([rate_relation(polygon, contact).text for contact in step.contacts])
         said.append(reading.say("contacts.the relations", relations=relations))

@@ -121,11 +121,11 @@ class Tangents:
             return reading.say("derivation.swing foot", **words)
         path = "→".join((names.point(step.pivot), foot, names.point(step.through)))
         ccw = float(cross(along, arm)) * float(dot(along, arm)) > 0
-        which = reading.say("common.way round", way=path, sense=reading.sense(1 if ccw else -1))
+        words["way"] = reading.say("common.way round", way=path, sense=reading.sense(1 if ccw else -1))
         pair = reading.method.structure.slides[step.slide]
         # the point may lie beside the guide line, on a block that turns with it: then a parallel line is drawn
         parallel = aside(along, reading.arm(pair.line.origin, step.through)) > reading.noise
-        return reading.say("derivation.swing beside" if parallel else "derivation.swing tangent", which=which, **words)
+        return reading.say("derivation.swing beside" if parallel else "derivation.swing tangent", **words)
 
     def _offset(self, step: Swing) -> float:
         """The distance at which the guide line passes the pivot [m]."""
@@ -199,10 +199,10 @@ class Tangents:
         if abs(tip - foot) <= reading.noise or not reading.distance(step.start, step.tip):
             return reading.say("derivation.at the foot", **words)
         ahead = float(dot(through - foot, tip - foot))
-        key = "derivation.on tangent" if ahead > 0 else "derivation.on tangent beyond"
         at_pivot = self._offset(swing) <= reading.noise
         name = reading.place(swing.pivot) if at_pivot else self._foot_name
-        return reading.say(key, foot=name, through=reading.place(swing.through), **words)
+        words |= {"foot": name, "through": reading.place(swing.through)}
+        return reading.say("derivation.on tangent", which=ahead <= 0, **words)
 
     @property
     def _foot_name(self) -> str:

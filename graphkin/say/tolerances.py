@@ -14,11 +14,12 @@ from graphkin.marking.power import MistakePower, Power
 from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.model.quantities import EDGE
 from graphkin.say import names
-from graphkin.say.catalogue import is_phrase, say
+from graphkin.say.catalogue import say
 from graphkin.say.marks import edge_value, marks_table, mistake_kind
 from graphkin.say.numbers import number
 
 _MOST_STEPS = 10  # steps that are printed
+_READ = ("reading", "link")  # lengths and angles of the mechanism
 _MOST_PAIRS = 10  # pairs of mistakes that are printed
 _SCALES = {"length": "μ_l = {} m/mm", "velocity": "μ_v = {} (m/s)/mm", "acceleration": "μ_a = {} (m/s²)/mm"}
 
@@ -70,8 +71,8 @@ def _step(cost: Cost, lang: Lang) -> str:
     of = (cost.name or mark.of[0], *mark.of[1:], "")
     signs = (names.vector(name) if re.match(r"[va](\^\w+)?_", name) else names.point(name) for name in of)
     words = {f"of{k}": sign for k, sign in enumerate(signs)}
-    step = f"tolerances.step {mark.plane} {what}"
-    return say(step if is_phrase(step) else f"tolerances.step {mark.plane} reading", lang, **words)
+    key = "tolerances.step length" if mark.plane == "position" and what in _READ else f"tolerances.step {what}"
+    return say(key, lang, which=mark.plane == "acceleration", **words)
 
 
 def power_lines(power: Power, lang: Lang) -> Iterator[str]:
@@ -122,8 +123,7 @@ def discriminability_lines(told: SetDiscriminability, lang: Lang) -> Iterator[st
     """A row a mistake, then what is always one set, what the numbers make one, and false alarms."""
 
     def problems(count: int) -> str:
-        one = "discriminability.problems one" if count == 1 else "discriminability.problems many"
-        return say(one, lang, count=count)
+        return say("discriminability.problems", lang, which=count > 1, count=count)
 
     length, angle = (f"{error:g}" for error in told.pencil)
     yield say("discriminability.head", lang, problems=problems(told.problems), length=length, angle=angle)

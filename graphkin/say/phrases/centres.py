@@ -60,9 +60,8 @@ PHRASES: Phrases = {
     "centres.no accelerations": ("Accelerations ({names}) cannot be found from instant centres.",
                                  "瞬心法不能用于加速度分析（{names}）。"),
     "centres.not told": ("{name}: the centres give no lever for it at this position.", "{name}：此位置不能直接由瞬心求出。"),
-    "centres.sense outside": ("{sense}; {centre} lies outside {ends}: same sense", "{sense}，{centre} 在 {ends} 之外，转向相同"),
-    "centres.sense between": ("{sense}; {centre} lies between {ends}: opposite sense",
-                              "{sense}，{centre} 在 {ends} 之间，转向相反"),
+    "centres.sense": ("{sense}; {centre} [does not lie|lies] between {ends}: [same|opposite] sense",
+                      "{sense}，{centre} 在 {ends} 之[外，转向相同|间，转向相反]"),
     "centres.sense alike": ("{sense}; {centre} → ∞, the links turn alike", "{sense}，{centre} → ∞，两构件角速度相同"),
     "centres.across": ("at right angles to {arm}, at {angle}", "⊥{arm}，方向 {angle}"),
     "centres.along": ("the link moves without turning, at {angle}", "构件作平动，方向 {angle}"),
@@ -87,8 +86,7 @@ PHRASES: Phrases = {
     # === a link about its pole (about)
     "about.pole title": ("Pole of a body from two velocities", "由两点速度求瞬心"),
     "about.curves": ("Curves of {centre}, in pieces: {count}", "{centre} 的曲线，共 {count} 段"),
-    "about.piece closed": ("closed, {places} places", "闭合，{places} 个位置"),
-    "about.piece open": ("open, {places} places", "不闭合，{places} 个位置"),
+    "about.piece": ("[closed|open], {places} places", "[闭合|不闭合]，{places} 个位置"),
     "about.reach": ("in the axes of link {link}: x {x}, y {y}", "在构件 {link} 的坐标系中：x {x}，y {y}"),
     "about.rolling": ("The moving centrode (dashed) rolls without slipping on the other; they touch at {centre} "
                       "{place}.",

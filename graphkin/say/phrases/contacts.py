@@ -120,8 +120,7 @@ PHRASES: Phrases = {
     "contacts.closed in themselves": ("The links are closed in themselves: {unknowns} do not depend on how any point "
                                       "of them moves. {equations} alone gives them:",
                                       "各构件自身封闭，{unknowns} 与其上任一点的运动无关，仅由{equations}即可求得："),
-    "contacts.the loop": ("The vector equation of the loop {loops}", "封闭矢量方程 {loops} "),
-    "contacts.the loops": ("The vector equations of the loops {loops}", "封闭矢量方程 {loops} "),
+    "contacts.the loops": ("The vector [equation of the loop|equations of the loops] {loops}", "封闭矢量方程 {loops} "),
     "contacts.the relations": ("the pure rolling {relations}", "纯滚动关系 {relations}"),
     "contacts.the rotations": ("{sums}", "相对转动 {sums}"),
     "contacts.and both": (" and ", "及"),

@@ -44,42 +44,35 @@ PHRASES: Phrases = {
     "derivation.line parallel": ("draw the line through {through} {direction}", "过 {through} 作{direction} 的直线"),
     "derivation.meet circles": ("{first}; {second}. They cross at {point}{where}.",
                                 "{first}；{second}；两者交于 {point}{where}。"),
-    "derivation.side above": ("{point} above {line}", "{point} 在 {line} 的上方"),
-    "derivation.side below": ("{point} below {line}", "{point} 在 {line} 的下方"),
-    "derivation.side left": ("{point} to the left of {line}", "{point} 在 {line} 的左侧"),
-    "derivation.side right": ("{point} to the right of {line}", "{point} 在 {line} 的右侧"),
-    "derivation.which above": ("the upper crossing", "取上方的交点"),
-    "derivation.which below": ("the lower crossing", "取下方的交点"),
-    "derivation.which left": ("the crossing on the left", "取左侧的交点"),
-    "derivation.which right": ("the crossing on the right", "取右侧的交点"),
+    "derivation.side": ("{point} [above|below|to the left of|to the right of] {line}",
+                        "{point} 在 {line} 的[上方|下方|左侧|右侧]"),
+    "derivation.which": ("the [upper crossing|lower crossing|crossing on the left|crossing on the right]",
+                         "取[上方|下方|左侧|右侧]的交点"),
     "derivation.meet lines": ("{first}; {second}. They cross at {point}.", "{first}；{second}；两者交于 {point}。"),
     "derivation.swing join": ("Link {link} turns about {pivot} until its guide line, which runs through {pivot}, "
                               "passes through {through}: join {pivot} and {through}.",
                               "构件 {link} 的导路通过其回转中心 {pivot}，又须通过 {through}：连接 {pivot}、{through}，即得导路方向。"),
     "derivation.swing tangent": ("The guide line of link {link} keeps the distance {length} from {pivot} and passes "
                                  "through {through}: draw the circle about {pivot} with this radius, and from "
-                                 "{through} the tangent that touches it at {foot} ({which}). It is the guide line.",
+                                 "{through} the tangent that touches it at {foot} ({way}). It is the guide line.",
                                  "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，且须通过 {through}：以 {pivot} 为圆心、以此距离为半径作圆，由 "
-                                 "{through} 作该圆的切线，切点为 {foot}（{which}），该切线即为导路。"),
+                                 "{through} 作该圆的切线，切点为 {foot}（{way}），该切线即为导路。"),
     "derivation.swing beside": ("{through} turns with link {link}, beside its guide line. The line through {through} "
                                 "parallel to the guide line keeps the distance {length} from {pivot}, as the given "
                                 "dimensions have it: draw the circle about {pivot} with this radius, and from "
-                                "{through} the tangent that touches it at {foot} ({which}). The guide line is "
+                                "{through} the tangent that touches it at {foot} ({way}). The guide line is "
                                 "parallel to it.",
                                 "{through} 随构件 {link} 一同转动，但不在其导路上；过 {through} 且平行于导路的直线与 {pivot} 的距离由已知尺寸恒为 "
-                                "{length}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，切点为 {foot}（{which}），导路与该切线平行。"),
+                                "{length}：以 {pivot} 为圆心、以此距离为半径作圆，由 {through} 作该圆的切线，切点为 {foot}（{way}），导路与该切线平行。"),
     "derivation.swing foot": ("The guide line of link {link} keeps the distance {length} from {pivot}, which is the "
                               "distance of {through} itself: it is at right angles to the join of {pivot} and "
                               "{through}, and {foot} falls on {through}.",
                               "构件 {link} 的导路与 {pivot} 的距离恒为 {length}，恰等于 {through} 到 {pivot} 的距离，故导路过 {through} 且垂直于 "
                               "{pivot}、{through} 的连线，切点 {foot} 与 {through} 重合。"),
     "derivation.on paper": (" (on paper {length})", "（图上 {length}）"),
-    "derivation.on tangent": ("On this line {tip} lies at {length} from {start}, on the side of {foot} towards "
-                              "{through}.",
-                              "在该线上取 {tip}，距 {start} 为 {length}，位于 {foot} 的靠 {through} 一侧。"),
-    "derivation.on tangent beyond": ("On this line {tip} lies at {length} from {start}, on the side of {foot} away "
-                                     "from {through}.",
-                                     "在该线上取 {tip}，距 {start} 为 {length}，位于 {foot} 的背离 {through} 一侧。"),
+    "derivation.on tangent": ("On this line {tip} lies at {length} from {start}, on the side of {foot} [towards|away "
+                              "from] {through}.",
+                              "在该线上取 {tip}，距 {start} 为 {length}，位于 {foot} 的[靠|背离] {through} 一侧。"),
     "derivation.at the foot": ("{tip} is the foot of the perpendicular from {start}: {length}.",
                                "{tip} 即由 {start} 所作垂线的垂足：{length}。"),
     "derivation.lay off parallel": ("From {start} lay off {length} parallel to this line ({heading}): {tip}.",
@@ -98,8 +91,7 @@ PHRASES: Phrases = {
                                "构件 {link} 上的 {point}：作 {angle}（{way}），取 {length}。"),
     "derivation.shape line": ("{point} on link {link} lies on the line {line}: {length}.",
                               "构件 {link} 上的 {point} 在直线 {line} 上：{length}。"),
-    "derivation.measured angles": ("Measured: {angles}.", "量得：{angles}。"),
-    "derivation.measured slide": ("Measured: {length}.", "量得：{length}。"),
+    "derivation.measured values": ("Measured: {values}.", "量得：{values}。"),
     "derivation.measured used": ("Measured, as needed below: {lengths}.", "由图量得下文所用长度：{lengths}。"),
     "derivation.ruled": ("{paper}, so {real}", "{paper}，故 {real}"),
     "derivation.angle of": ("{name} = {angle} ({arrow})", "{name} = {angle}（{arrow}）"),
@@ -109,30 +101,24 @@ PHRASES: Phrases = {
     "derivation.from anywhere": ("Take any point as {point} and lay off the known vector first.",
                                  "任取一点作为 {point}，先画出已知矢量。"),
     "derivation.pole": ("Take the pole {pole}.", "任取极点 {pole}。"),
-    "derivation.pole fixed": ("Take the pole {pole}; the fixed point {points} is at rest, so {nodes} lies on {pole}.",
+    "derivation.pole fixed": ("Take the pole {pole}; the fixed [point|points] {points} [is|are] at rest, so {nodes} "
+                              "[lies|lie] on {pole}.",
                               "任取极点 {pole}；固定点 {points} 不动，故 {nodes} 与 {pole} 重合。"),
-    "derivation.pole fixed, several": ("Take the pole {pole}; the fixed points {points} are at rest, so {nodes} lie "
-                                       "on {pole}.",
-                                       "任取极点 {pole}；固定点 {points} 不动，故 {nodes} 与 {pole} 重合。"),
     "derivation.renamed pole": ("{letter} is a point of the mechanism here, so the pole is called {pole}.",
                                 "本题中 {letter} 为机构上的点，故极点记为 {pole}。"),
     "derivation.renamed tips": ("{letter} is a point of the mechanism here, so the ends of {part} are called {tip}.",
                                 "本题中 {letter} 为机构上的点，故{part}的终点记为 {tip}。"),
     "derivation.tips n": ("normal components", "法向分量"),
     "derivation.tips k": ("Coriolis components", "科氏分量"),
-    "derivation.held still": ("The driver of link {links} is at rest, so the link stands still: {fixed}.",
-                              "构件 {links} 的原动件此时静止，故该构件不动：{fixed}。"),
-    "derivation.held still, several": ("The drivers of links {links} are at rest, so these links stand still: {fixed}.",
-                                       "构件 {links} 的原动件此时静止，故这些构件不动：{fixed}。"),
-    "derivation.as fixed": ("{points} is like a fixed point, and its image lies on {pole}",
-                            "{points} 相当于固定点，其影像与 {pole} 重合"),
-    "derivation.as fixed, several": ("{points} are like fixed points, and their images lie on {pole}",
-                                     "{points} 相当于固定点，其影像均与 {pole} 重合"),
-    "derivation.never turn": ("Link {links} can only translate: {rates}, and all its points move alike.",
-                              "构件 {links} 只能移动：{rates}，其上各点的速度、加速度均相同。"),
-    "derivation.never turn, several": ("Links {links} can only translate: {rates}, and all points of such a link move "
-                                       "alike.",
-                                       "构件 {links} 只能移动：{rates}，同一构件上各点的速度、加速度均相同。"),
+    "derivation.held still": ("The [driver|drivers] of [link|links] {links} [is|are] at rest, so [the link stands|these "
+                              "links stand] still: {fixed}.",
+                              "构件 {links} 的原动件此时静止，故[该|这些]构件不动：{fixed}。"),
+    "derivation.as fixed": ("{points} [is like a fixed point, and its image lies|are like fixed points, and their images "
+                            "lie] on {pole}",
+                            "{points} 相当于固定点，其影像[|均]与 {pole} 重合"),
+    "derivation.never turn": ("[Link|Links] {links} can only translate: {rates}, and all [its points|points of such a "
+                              "link] move alike.",
+                              "构件 {links} 只能移动：{rates}，[其|同一构件]上各点的速度、加速度均相同。"),
     "derivation.points of link": ("{of} and {seen_from} are points of link {link}",
                                   "构件 {link} 上 {of}、{seen_from} 两点之间"),
     "derivation.at point": ("{point} of the frame", "机架上的 {point} 点"),
@@ -149,8 +135,7 @@ PHRASES: Phrases = {
     "derivation.translates": ("Link {link} only translates: {of} = {seen_from}, so {node} falls on {base}.",
                               "构件 {link} 只作移动：{of} = {seen_from}，{node} 与 {base} 重合。"),
     "derivation.sense of": ("{direction} in the sense of {rate}", "{direction}，指向与 {rate} 的转向一致"),
-    "derivation.no turning": ("as {rate} = 0", "因 {rate} = 0"),
-    "derivation.no sliding": ("as {relative} = 0", "因 {relative} = 0"),
+    "derivation.no rate": ("as {rate} = 0", "因 {rate} = 0"),
     "derivation.path of the slot": ("The path of {point} is straight in link {link}, so the Coriolis term takes "
                                     "{rate}.",
                                     "{point} 相对构件 {link} 沿直线移动，故科氏加速度取 {rate}。"),
@@ -158,8 +143,8 @@ PHRASES: Phrases = {
                           "重合点取在 {point} 处，因该处 {known} 已知。"),
     "derivation.quarter turned": ("{relative} turned by 90° in the sense of {rate}: {direction}",
                                   "将 {relative} 沿 {rate} 的转向转过 90°：{direction}"),
-    "derivation.slide grows": ("{direction}, in the direction of increasing {s}", "{direction}，指向 {s} 增大的方向"),
-    "derivation.slide shrinks": ("{direction}, in the direction of decreasing {s}", "{direction}，指向 {s} 减小的方向"),
+    "derivation.slide way": ("{direction}, in the direction of [increasing|decreasing] {s}",
+                             "{direction}，指向 {s} [增大|减小]的方向"),
     "derivation.towards": ("{direction}, {heading}", "{direction}，{heading}"),
     "derivation.lay off": ("From {start} lay off {length}.", "由 {start} 作矢量 {length}。"),
     "derivation.lay off backwards": ("{name} has to end at {start}: lay it off backwards from there, {length}.",
@@ -180,9 +165,8 @@ PHRASES: Phrases = {
     "derivation.sense rule": ("{sense}: {stretch}, carried to {head} in the mechanism, turns {head} about {tail} in "
                               "the sense of {rate}",
                               "{sense}：将 {stretch} 平移至机构图上的 {head} 点，其绕 {tail} 点的转向即为 {rate} 的方向"),
-    "derivation.translation now": ("{name} = 0: at this instant link {link} is in translation.",
-                                   "{name} = 0，此瞬时构件 {link} 作瞬时平动。"),
-    "derivation.rest now": ("{name} = 0: at this instant link {link} is at rest.", "{name} = 0，此瞬时构件 {link} 静止。"),
+    "derivation.rest now": ("{name} = 0: at this instant link {link} is [in translation|at rest].",
+                            "{name} = 0，此瞬时构件 {link} [作瞬时平动|静止]。"),
     "derivation.held": ("Links {links} form a sliding pair, so they have no relative rotation:",
                         "构件 {links} 之间组成移动副，无相对转动："),
     "derivation.positive": ("positive: counter-clockwise", "正值，为逆时针"),
@@ -202,8 +186,8 @@ PHRASES: Phrases = {
     "derivation.image before": ("on {small} produced beyond {base}", "{small} 的反向延长线上（{base} 一侧）"),
     "derivation.image point": ("{image} of link {link}: {small} is a single point, so {point} falls on it too.",
                                "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。"),
-    "derivation.grows": ("So {stretch} increases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率增大。"),
-    "derivation.shrinks": ("So {stretch} decreases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率减小。"),
+    "derivation.grows": ("So {stretch} [increases|decreases] at {size} m/s.",
+                         "即 {stretch} 以 {size} m/s 的速率[增大|减小]。"),
     "derivation.driven wheel": ("wheel {link} turns", "轮 {link} 转动"),
     "derivation.driven roll": ("the rolling contact {slide} is at {place}", "滚动副 {slide} 的位移 {place}"),
     "derivation.driven slide free": ("slide {slide} is driven", "移动副 {slide} 为主动"),
@@ -238,7 +222,6 @@ PHRASES: Phrases = {
                              "销 {point}{guide} 在构件 {link} 的槽中移动，槽{where}。"),
     "solution.tilt": ("; the direction of {line} is the guide's turned by {angle} {sense}",
                       "；将导路方向{sense}转过 {angle} 即为 {line} 的方向"),
-    "solution.line of": ("the guide of link {link}", "构件 {link} 的导路"),
     "solution.tilt none": ("; {line} points along the guide", "；{line} 沿导路方向"),
     "solution.at angle": ("through {through} that makes {angle} with {arrow} ({sense})",
                           "过 {through} 点，与 {arrow} 成 {angle}（{sense}）"),
@@ -248,21 +231,17 @@ PHRASES: Phrases = {
     "solution.line": ("through {start} {heading}", "过 {start}，{heading}"),
     "solution.circular slot": ("Pin {pin} moves in a circular slot of link {link} about {centre} with radius {radius}.",
                                "销 {pin} 在构件 {link} 的圆弧槽中移动，圆心为 {centre}，半径为 {radius}。"),
-    "solution.gears": ("Gears {wheels} about {centres} are in external mesh: {radii}.",
-                       "齿轮 {wheels}（轮心 {centres}）外啮合：{radii}。"),
-    "solution.internal gears": ("Gears {wheels} about {centres} are in internal mesh: {radii}.",
-                                "齿轮 {wheels}（轮心 {centres}）内啮合：{radii}。"),
+    "solution.gears": ("Gears {wheels} about {centres} are in [external|internal] mesh: {radii}.",
+                       "齿轮 {wheels}（轮心 {centres}）[外|内]啮合：{radii}。"),
     "solution.rolls on circle": ("Wheel {wheel} about {centre}, {radius}, rolls without slip on the circle of link "
                                  "{track} about {about} with radius {other} ({where}).",
                                  "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 上以 {about} 为圆心、半径为 {other} "
                                  "的圆上作纯滚动（{where}）。"),
-    "solution.inside": ("one inside the other", "内切"),
-    "solution.outside": ("side by side", "外切"),
+    "solution.touch": ("[side by side|one inside the other]", "[外切|内切]"),
     "solution.rolls on line": ("Wheel {wheel} about {centre}, {radius}, rolls without slip on the line{line} of link "
                                "{track}{side}.",
                                "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 的直线{line} 上作纯滚动{side}。"),
-    "solution.wheel left": (" ({centre} on its left)", "（沿此方向看 {centre} 在其左侧）"),
-    "solution.wheel right": (" ({centre} on its right)", "（沿此方向看 {centre} 在其右侧）"),
+    "solution.wheel side": (" ({centre} on its [left|right])", "（沿此方向看 {centre} 在其[左|右]侧）"),
     "solution.displacement": ("displacement {s}", "位移 {s}"),
     "solution.cam": ("{first} and {second} touch and slide on each other{where}.", "{first}与{second}相接触{where}，组成高副。"),
     "solution.flat face": ("the flat face{line} of link {link}{side}", "构件 {link} 的平底{line}{side}"),

@@ -115,8 +115,7 @@ PHRASES: Phrases = {
     "structure.part line": ("the distance from the track in {pair}", "{pair} 中轮心到轨道的距离"),
     "structure.part angle": ("the angle kept by {pair}", "{pair} 所保持的角度"),
     "structure.part slip": ("no slip in {pair}", "{pair} 的无滑动条件"),
-    "structure.held": ("{what} ({held} hold the same already)", "{what}（其约束已由 {held} 给出）"),
-    "structure.held by one": ("{what} ({held} holds the same already)", "{what}（其约束已由 {held} 给出）"),
+    "structure.held": ("{what} ({held} [holds|hold] the same already)", "{what}（其约束已由 {held} 给出）"),
     "structure.distance": ("{what} (the points it joins keep their distance without it)", "{what}（它所连接的两点间的距离本来就保持不变）"),
     # === sweeps
     "sweeps.range": ("{driver} moves from {low} to {high}.", "{driver} 的运动范围为 {low} 至 {high}。"),
@@ -141,8 +140,7 @@ PHRASES: Phrases = {
     "sweeps.event two ways": ("the group of links {links} could move in two ways from there",
                               "构件 {links} 所成的杆组由此可有两种运动"),
     "sweeps.constant": ("{name} = {value} throughout", "{name} = {value}（处处相同）"),
-    "sweeps.extreme greatest": ("greatest of the rows: {name} = {value} at {at}", "表中最大值：{name} = {value}，在 {at} 处"),
-    "sweeps.extreme least": ("least of the rows: {name} = {value} at {at}", "表中最小值：{name} = {value}，在 {at} 处"),
+    "sweeps.extreme": ("[greatest|least] of the rows: {name} = {value} at {at}", "表中最[大|小]值：{name} = {value}，在 {at} 处"),
     # === positions with a property
     "finding.looked": ("searched from {driver} = {low} to {high}", "搜索范围：{driver} = {low} 至 {high}"),
     "finding.asked max": ("greatest {of}", "{of} 的最大值"),
