@@ -40,7 +40,8 @@ def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
         if {link, divisor, "d"} <= numbers.keys():
             frame, by = figures(numbers["d"] * 1e3, numbers[divisor])
             words[f"of_{divisor}"] = written(frame / by, numbers[link] * 1e3, _DIGITS)
-    return [say(f"design.stage {stage.say}", lang, **words) for stage in construction.stages]
+    stages = ((stage.say, any(step.name == "D" for step in stage.steps)) for stage in construction.stages)
+    return [say(f"design.stage {key}", lang, which=at_rocker, **words) for key, at_rocker in stages]
 
 
 def phrased(reason: Reason, lang: Lang) -> str:

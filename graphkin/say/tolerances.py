@@ -127,9 +127,10 @@ def discriminability_lines(told: SetDiscriminability, lang: Lang) -> Iterator[st
 
     length, angle = (f"{error:g}" for error in told.pencil)
     yield say("discriminability.head", lang, problems=problems(told.problems), length=length, angle=angle)
-    heads = [say(f"discriminability.column {name}", lang) for name in ("mistake", "places", "seen", "apart")]
+    heads = [say(f"tolerances.column {name}", lang) for name in ("mistake", "places")]
+    heads += [say(f"discriminability.column {told_by}", lang) for told_by in ("seen", "apart")]
     kinds = {_called(id, lang): each for id, each in told.kinds.items()}
-    counts = {**kinds, say("discriminability.all", lang): (told.places, told.seen, told.apart)}
+    counts = {**kinds, say("tolerances.all", lang): (told.places, told.seen, told.apart)}
     rows = [[name, number(places), f"{seen:.0%}", f"{apart:.0%}", ""] for name, (places, seen, apart) in counts.items()]
     yield from marks_table([[*heads, ""], *rows])
     yield say("discriminability.not applicable", lang, share=f"{1 - told.seen:.0%}")

@@ -4,19 +4,16 @@ from graphkin.say.catalogue import Phrases
 
 # fmt: off
 PHRASES: Phrases = {
-    "contacts.circles touch": ("Higher pair replaced by lower pairs, at this instant: the circles about {first} and "
-                               "{second} touch, so the distance of their centres is {length}. A link {link} with "
-                               "hinges at {first} and {second} stands for the contact.",
-                               "高副低代（瞬时）：以 {first}、{second} 为圆心的两圆弧相切，中心距为 {length}；故以两端铰接于 {first}、{second} 的构件 "
-                               "{link} 代替该高副。"),
+    "contacts.circles touch": (
+        "Higher pair replaced by lower pairs, at this instant: the [circles about {first} and {second} touch, so the "
+        "distance of their centres is|edge {second} lies on the circle about {first}, at the distance] {length}. A "
+        "link {link} with hinges at {first} and {second} stands for the contact.",
+        "高副低代（瞬时）：[以 {first}、{second} 为圆心的两圆弧相切，中心距|尖顶 {second} 在以 {first} 为圆心的圆上，距离]为 {length}；"
+        "故以两端铰接于 {first}、{second} 的构件 {link} 代替该高副。"),
     "contacts.wheel on circle": ("Wheel {wheel} rolls on the circle about {first}: the distance of the centres is "
                                  "{length}. A link {link} with hinges at {first} and {second} holds them.",
                                  "轮 {wheel} 在以 {first} 为圆心的圆上滚动，中心距为 {length}；以两端铰接于 {first}、{second} 的构件 {link} "
                                  "保持此距离。"),
-    "contacts.edge on circle": (
-        "Higher pair replaced by lower pairs, at this instant: the edge {second} lies on the circle about {first}, at "
-        "the distance {length}. A link {link} with hinges at {first} and {second} stands for the contact.",
-        "高副低代（瞬时）：尖顶 {second} 在以 {first} 为圆心的圆上，距离为 {length}；故以两端铰接于 {first}、{second} 的构件 {link} 代替该高副。"),
     "contacts.pin in arc": (
         "Higher pair replaced by lower pairs: pin {pin} moves in a circular slot of link {guide} about {centre}, at "
         "the distance {length}. A link {link} with hinges at {centre} and {pin} stands for the slot.",

@@ -205,20 +205,15 @@ PHRASES: Phrases = {
                                    "过 A 作 AB1 ⊥ Cm、AB2 ⊥ Cn。量得曲柄 l_AB = AB1 = {a:mm}，机架 l_AC = {d:mm}。"),
     "design.stage coupler laid": ("Draw the given positions of the coupler: B1C1, B2C2, .. of length {b1:mm}.",
                                   "作连杆的各给定位置 B1C1、B2C2……，长 {b1:mm}。"),
-    "design.stage centre A": ("The perpendicular bisectors of B1B2 and B2B3 meet at A.",
-                              "作 B1B2、B2B3 的中垂线，交点为固定铰链中心 A。"),
-    "design.stage centre D": ("The perpendicular bisectors of C1C2 and C2C3 meet at D.",
-                              "作 C1C2、C2C3 的中垂线，交点为固定铰链中心 D。"),
-    "design.stage A given": ("On the perpendicular bisector of B1B2 take the given A ({A_x:n}, {A_y:n}).",
-                             "作 B1B2 的中垂线，在其上取给定的 A ({A_x:n}, {A_y:n})。"),
-    "design.stage A chosen": ("A may be anywhere on the perpendicular bisector of B1B2; ({A_x:n}, {A_y:n}) is chosen, "
-                              "for a good transmission angle.",
-                              "A 可在 B1B2 的中垂线上任选；为使传动角较大，取 A ({A_x:n}, {A_y:n})。"),
-    "design.stage D given": ("On the perpendicular bisector of C1C2 take the given D ({D_x:n}, {D_y:n}).",
-                             "作 C1C2 的中垂线，在其上取给定的 D ({D_x:n}, {D_y:n})。"),
-    "design.stage D chosen": ("D may be anywhere on the perpendicular bisector of C1C2; ({D_x:n}, {D_y:n}) is chosen, "
-                              "for a good transmission angle.",
-                              "D 可在 C1C2 的中垂线上任选；为使传动角较大，取 D ({D_x:n}, {D_y:n})。"),
+    "design.stage centre": ("The perpendicular bisectors of [B1B2 and B2B3|C1C2 and C2C3] meet at [A|D].",
+                            "作[ B1B2、B2B3 | C1C2、C2C3 ]的中垂线，交点为固定铰链中心[ A| D]。"),
+    "design.stage given": ("On the perpendicular bisector of [B1B2|C1C2] take the given [A ({A_x:n}, {A_y:n})|D "
+                           "({D_x:n}, {D_y:n})].",
+                           "作[ B1B2 | C1C2 ]的中垂线，在其上取给定的[ A（{A_x:n}，{A_y:n}）| D（{D_x:n}，{D_y:n}）]。"),
+    "design.stage chosen": ("[A|D] may be anywhere on the perpendicular bisector of [B1B2; ({A_x:n}, {A_y:n})|C1C2; "
+                            "({D_x:n}, {D_y:n})] is chosen, for a good transmission angle.",
+                            "[A 可在 B1B2|D 可在 C1C2] 的中垂线上任选；为使传动角较大，取"
+                            "[ A（{A_x:n}，{A_y:n}）| D（{D_x:n}，{D_y:n}）]。"),
     "design.stage coupler lengths": ("Measure l_AB = AB1 = {a:mm}, l_BC = {b:mm}, l_CD = C1D = {c:mm}, l_AD = {d:mm}.",
                                      "量得 l_AB = AB1 = {a:mm}，l_BC = {b:mm}，l_CD = C1D = {c:mm}，l_AD = {d:mm}。"),
     "design.stage ratios": ("Freudenstein's equation cos(φ − ψ) = R1 cos ψ − R2 cos φ + R3 for the three pairs gives "
@@ -235,12 +230,12 @@ PHRASES: Phrases = {
                                     "量得 l_BC = B1C1 = {b:mm}；另两位置为 {b2:mm}、{b3:mm}。"),
     "design.stage crank laid": ("Lay off the crank AB = {a:mm} at φ = {phi1:deg}, {phi2:deg}, {phi3:deg} to AD.",
                                 "与 AD 成 φ = {phi1:deg}、{phi2:deg}、{phi3:deg} 作曲柄 AB1、AB2、AB3，长 {a:mm}。"),
-    "design.stage turned back": ("Inversion: turn B2 about D by ψ1 − ψ2 = {psi12:deg} to B2', B3 by ψ1 − ψ3 = "
-                                 "{psi13:deg} to B3'; the rocker then stands still at DC1.",
-                                 "反转法：将 B2 绕 D 转 ψ1 − ψ2 = {psi12:deg} 至 B2'，将 B3 绕 D 转 ψ1 − ψ3 = {psi13:deg} 至 "
-                                 "B3'，摇杆则相当于固定在 DC1 位置。"),
-    "design.stage inverted centre": ("The perpendicular bisectors of B1B2' and B2'B3' meet at C1.",
-                                     "作 B1B2'、B2'B3' 的中垂线，交点为 C1。"),
+    "design.stage turned back": ("Inversion: turn B2 about D by ψ1 − ψ2 = {psi12:deg} to B2′, B3 by ψ1 − ψ3 = "
+                                 "{psi13:deg} to B3′; the rocker then stands still at DC1.",
+                                 "反转法：将 B2 绕 D 转 ψ1 − ψ2 = {psi12:deg} 至 B2′，将 B3 绕 D 转 ψ1 − ψ3 = {psi13:deg} 至 "
+                                 "B3′，摇杆则相当于固定在 DC1 位置。"),
+    "design.stage inverted centre": ("The perpendicular bisectors of B1B2′ and B2′B3′ meet at C1.",
+                                     "作 B1B2′、B2′B3′ 的中垂线，交点为 C1。"),
     "design.stage inverted lengths": ("Measure l_BC = B1C1 = {b:mm}, l_CD = C1D = {c:mm}; DC1 makes an angle of "
                                       "{psi01:deg} with AD.",
                                       "量得 l_BC = B1C1 = {b:mm}，l_CD = C1D = {c:mm}；DC1 与 AD 成 {psi01:deg}。"),
@@ -295,9 +290,9 @@ PHRASES: Phrases = {
     "design.reason turned": ("{link} comes out negative ({mm:n} mm): the link would point the opposite way, at its "
                              "angle + 180°.",
                              "{link} 为负值（{mm:n} mm）：该杆实际指向相反方向，即所给角度加 180°。"),
-    "design.reason inverted in line": ("B1, B2', B3' lie in one line: C1 is at infinity. Change the crank's length, "
+    "design.reason inverted in line": ("B1, B2′, B3′ lie in one line: C1 is at infinity. Change the crank's length, "
                                        "or a pair.",
-                                       "B1、B2'、B3' 共线：C1 在无穷远处。请改变曲柄长度或其中一组角度。"),
+                                       "B1、B2′、B3′ 共线：C1 在无穷远处。请改变曲柄长度或其中一组角度。"),
     "design.heading rocker": ("Crank-rocker from swing and K", "按行程速度变化系数 K 设计曲柄摇杆机构"),
     "design.heading slider": ("Slider-crank from stroke and K", "按行程速度变化系数 K 设计曲柄滑块机构"),
     "design.heading guide-bar": ("Oscillating guide bar from K", "按行程速度变化系数 K 设计摆动导杆机构"),

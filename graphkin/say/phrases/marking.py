@@ -118,11 +118,8 @@ PHRASES: Phrases = {
                               "is asked for, drawn with a pencil that errs by {length} mm and {angle}°):",
                               "各题答案能区分哪些错误（{problems}；只交所求各量，作图误差 {length} mm、{angle}°）："),
     "discriminability.problems": ("{count} [problem|problems]", "{count} 题"),
-    "discriminability.column mistake": ("mistake", "错误"),
-    "discriminability.column places": ("places", "处数"),
     "discriminability.column seen": ("changes an answer", "改变答案"),
     "discriminability.column apart": ("told from all others", "可与其他错误区分"),
-    "discriminability.all": ("all", "合计"),
     "discriminability.not applicable": ("Not applicable (no answer changes by more than the tolerance): {share} of "
                                         "all places.",
                                         "不适用（没有答案的变化超过允差）：占全部处数的 {share}。"),

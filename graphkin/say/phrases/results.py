@@ -179,15 +179,10 @@ PHRASES: Phrases = {
     "finding.ratio": ("time ratio K = advance/return = {value}", "行程速度变化系数（行程速比系数）K = 工作行程转角/回程转角 = {value}"),
     "finding.interval": ("from {begin} to {end}", "{begin} 至 {end}"),
     "finding.peak": ("{what} {values} at {at}", "{what} {values}，位于 {at}"),
-    "finding.slow beyond": ("{at}: slowest point of line {line}: {along} from {first} towards {second}, beyond it, "
-                            "speed {speed}",
-                            "{at}：直线 {line} 上速度最小的点：距 {first} 为 {along}（沿 {second} 方向，在 {second} 之外），速度 {speed}"),
-    "finding.slow between": ("{at}: slowest point of line {line}: {along} from {first} towards {second}, between the "
-                             "two, speed {speed}",
-                             "{at}：直线 {line} 上速度最小的点：距 {first} 为 {along}（在 {first} 与 {second} 之间），速度 {speed}"),
-    "finding.slow behind": ("{at}: slowest point of line {line}: {along} from {first} away from {second}, speed "
-                            "{speed}",
-                            "{at}：直线 {line} 上速度最小的点：距 {first} 为 {along}（在 {second} 的反方向），速度 {speed}"),
+    "finding.slow": ("{at}: slowest point of line {line}: {along} from {first} [towards {second}, between the two|towards "
+                     "{second}, beyond it|away from {second}], speed {speed}",
+                     "{at}：直线 {line} 上速度最小的点：距 {first} 为 {along}"
+                     "（[在 {first} 与 {second} 之间|沿 {second} 方向，在 {second} 之外|在 {second} 的反方向]），速度 {speed}"),
     "finding.alike": ("{at}: link translates: all points of line {line} have the speed {speed}",
                       "{at}：构件作平动，直线 {line} 上各点速度均为 {speed}"),
     "finding.speeds": ("{at}: {quantity} = {value} requires {rates}", "{at}：要使 {quantity} = {value}，须 {rates}"),
