@@ -121,7 +121,7 @@ PHRASES: Phrases = {
                               "构件 {links} 只能移动：{rates}，[其|同一构件]上各点的速度、加速度均相同。"),
     "derivation.points of link": ("{of} and {seen_from} are points of link {link}",
                                   "构件 {link} 上 {of}、{seen_from} 两点之间"),
-    "derivation.at point": ("{point} of the frame", "机架上的 {point} 点"),
+    "derivation.at point": ("fixed, at {point}", "机架上的 {point} 点"),
     "derivation.coincident": ("{of} and {seen_from} are coincident points", "重合点 {of}、{seen_from} 之间"),
     "derivation.from relations, velocity": ("{relations}:", "由{relations}的速度关系，有"),
     "derivation.from relations, acceleration": ("{relations}:", "由{relations}的加速度关系，有"),
