@@ -81,9 +81,9 @@ class EquationPage:
     def head(self, key: str, level: int = 2, /, **words: str | int) -> None:
         self.blocks.append(DocumentHeading(say(key, self.lang, **words), level))
 
-    def say(self, key: str, /, **words: str | int | Node) -> None:
+    def say(self, key: str, /, which: int = 0, **words: str | int | Node) -> None:
         """A sentence, its words and formulas put in where the phrase names them."""
-        pieces = re.split(r"\{(\w+)\}", phrase(key, self.lang))
+        pieces = re.split(r"\{(\w+)\}", phrase(key, self.lang, which))
         parts = (words[piece] if k % 2 else piece for k, piece in enumerate(pieces) if piece)
         self.blocks.append(DocumentSentence(tuple(str(part) if isinstance(part, int) else part for part in parts)))
 
@@ -96,9 +96,9 @@ class EquationPage:
         pushes = (without_push(symbol) for of in sums for symbol in of.moving)
         zeros = [is_zero(push) for push in dict.fromkeys(pushes) if push is not None]
         if zeros:
-            self.say("equations.derived again steady" if again else "equations.derived steady", zero=listed(zeros))
+            self.say("equations.derived steady", again, zero=listed(zeros))
         else:
-            self.say("equations.derived again" if again else "equations.derived")
+            self.say("equations.derived", again)
 
 
 def motion_of(driver: Symbol) -> list[Node]:

@@ -31,8 +31,7 @@ class Pretty:
         if len(of.terms) < 2:
             return self.sum(of)
         sizes = {abs(term.factor) for term in of.terms}
-        powers = {s: min(dict(term.symbols).get(s, 0) for term in of.terms) for s, _ in of.terms[0].symbols}
-        shared = tuple((symbol, power) for symbol, power in powers.items() if power)
+        shared = _shared(of.terms)
         common = SymbolProduct(sizes.pop() if len(sizes) == 1 else 1.0, shared)
         if not shared and common.factor == 1.0:
             return self.sum(of)
@@ -65,6 +64,9 @@ class Pretty:
             return self.sum(top)
         if not top.terms:
             return ZERO
+        if common := _shared((*top.terms, *bottom.terms)):
+            divisor = SymbolProduct(1.0, common)
+            return self.quotient(*(Sum(tuple(_without(term, divisor) for term in of.terms)) for of in (top, bottom)))
         if all(term.factor < 0 for term in top.terms):
             return Minus(Frac(self.factored(-top), self.factored(bottom)))
         return Frac(self.factored(top), self.factored(bottom))
@@ -127,6 +129,12 @@ class Pretty:
         if size != 1 or not items:
             items.insert(0, Num(f"{size:.12g}"))
         return items[0] if len(items) == 1 else Row(tuple(items))
+
+
+def _shared(terms: Sequence[SymbolProduct]) -> tuple[tuple[Symbol, int], ...]:
+    """The symbols that all of these have, with their powers."""
+    powers = {symbol: min(dict(term.symbols).get(symbol, 0) for term in terms) for symbol, _ in terms[0].symbols}
+    return tuple((symbol, power) for symbol, power in powers.items() if power)
 
 
 def added(terms: Sequence[tuple[bool, Node]]) -> Node:

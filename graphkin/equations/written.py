@@ -61,7 +61,7 @@ def _write_drivers(model: Model, page: EquationPage) -> None:
     """The drivers, and the angles that follow others at once, with ω and α of links whose angle is a sum."""
     if model.drivers:
         motions = listed([node for driver in model.drivers for node in motion_of(driver)])
-        page.say("equations.driver" if len(model.drivers) == 1 else "equations.drivers", drivers=motions)
+        page.say("equations.drivers", len(model.drivers) > 1, drivers=motions)
     if model.legend.alias:
         pretty = Pretty({})
         page.say("equations.fixed angles")

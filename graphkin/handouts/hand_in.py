@@ -42,7 +42,8 @@ def _page(problem: HandoutProblem, workbook: str) -> Iterator[Block]:
     yield HandoutHeading(plain(say("handouts.files", lang)))
     yield Paragraph(plain(say("handouts.called", lang)))
     kinds = {"number": (".xlsx", ".csv", ".txt"), "drawing": DRAWINGS}
-    rows = [(plain(say(f"handouts.{what} file", lang)), plain(", ".join(_EXAMPLE + end for end in ends)))
+    between = say("common.list", lang)
+    rows = [(plain(say(f"handouts.{what} file", lang)), plain(between.join(_EXAMPLE + end for end in ends)))
             for what, ends in kinds.items()]  # fmt: skip
     if positions(problem.drawing.mechanism):
         rows.append((plain(say("handouts.further file", lang)), plain(f"{_EXAMPLE} #2{DRAWINGS[0]}")))

@@ -6,7 +6,7 @@ After it: the results of drawing and analysis beside each other, and the mistake
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -19,13 +19,13 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
-from graphkin.handouts.letters import lettered
 from graphkin.homework.grading.keys import key_drawn, paper_scales
 from graphkin.marking.key import Key, columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Centre, read
 from graphkin.model.quantities.reading import respelled
+from graphkin.outputs.letters import lettered
 from graphkin.planning.drawn_position import shown
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
@@ -36,7 +36,7 @@ from graphkin.say.explained import derivation
 from graphkin.say.marks import mistake
 from graphkin.say.numbers import number
 from graphkin.say.problems import posed_entries
-from graphkin.say.reading import Reading
+from graphkin.say.reading import Reading, capitalized
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
 from graphkin.sheet.lettering import Label, formula, plain
 from graphkin.sheet.paper import KEYS
@@ -109,6 +109,11 @@ class HandoutProblem:
     @property
     def title(self) -> str:
         return " · ".join(filter(None, (self.drawing.mechanism.headline(self.lang), self.whose)))
+
+    @property
+    def story(self) -> Sequence[entry.Entry]:
+        """The text that stands before what is given."""
+        return self._sections[0].entries
 
     @property
     def head(self) -> tuple[Section, ...]:
@@ -219,8 +224,9 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
     texts = {entry.text for entry in key.entries}
     signs = respelled(name, lambda text: names.symbols(text) if text in texts else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
-    text = raised[:1].upper() + raised[1:] if raised[:2].islower() and raised[:2].isascii() else raised
-    return lettered(say("handouts.gives", problem.lang, mistake=text, values=", ".join(shown)), problem.points)
+    text = capitalized(raised) if raised[1:2].isalpha() else raised
+    given = say("common.and", problem.lang).join(shown)
+    return lettered(say("handouts.gives", problem.lang, mistake=text, values=given), problem.points)
 
 
 _COMMON = (

@@ -274,7 +274,8 @@ def problem_set(template: Template, variants: Iterable[Variant], judge: SetMarke
         scales = "".join(sign.plain for sign in signs(scales_to_use(problem)))
         lines += (scales, say("platforms.answers", lang))
         text, figure = "\n".join(filter(None, lines)), inline(picture.sheet).encode()
-        questions.append(question_of(variant.student.id, marker.key, {lang: text}, figure, picture.words))
+        shown = (figure, picture.words, problem.points)
+        questions.append(question_of(variant.student.id, marker.key, {lang: text}, *shown))
     return ProblemSet(template.name, questions)
 
 

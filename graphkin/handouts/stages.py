@@ -13,14 +13,13 @@ from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
-from graphkin.handouts.letters import lettered
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
 from graphkin.handouts.worksheet import answer_boxes, empty_rows, measured, room, worth
 from graphkin.homework.problems.posed import shown_at
 from graphkin.model.mechanism import Mechanism
+from graphkin.outputs.letters import lettered
 from graphkin.say import entry
 from graphkin.say.catalogue import say
-from graphkin.say.problems import story
 from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
@@ -172,8 +171,9 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
 def scales_to_use(problem: HandoutProblem) -> Label:
     """Those of the mechanism and of the polygons that are drawn, as a sentence."""
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    before = say("handouts.scales", problem.lang) + say("common.colon", problem.lang)
-    return (*plain(before), *joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
+    before, between = (say(key, problem.lang) for key in ("common.colon", "common.semicolon"))
+    scales = joined([written(plane, problem.scales[plane]) for plane in planes], between)
+    return (*plain(say("handouts.scales", problem.lang) + before), *scales)
 
 
 def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[document.HandoutPicture, bool]:
@@ -209,7 +209,7 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
     yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
-    yield from blocks_of([*story(problem.drawing.mechanism, problem.lang)], problem.lang, problem.points)
+    yield from blocks_of(problem.story, problem.lang, problem.points)
     for section in problem.head:
         yield from _section(problem, section)
     figures = 0
@@ -241,7 +241,7 @@ def blocks_of(entries: Sequence[entry.Entry], lang: Lang, points: Collection[str
                 number = str(act.number) if act is not None and act.numbered else ""
                 yield document.Paragraph(lettered(text, points), number)
             case entry.Calculation():
-                note = f"  ({each.note})" if each.note else ""
+                note = say("common.note", lang, note=each.note) if each.note else ""
                 yield document.FormulaLine(lettered(each.text + note, points))
             case entry.VectorEquation():
                 yield rows(each, lang, points)

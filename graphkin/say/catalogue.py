@@ -36,6 +36,7 @@ _WORD, _SIGN = "[\u4e00-\u9fff]", "[（）；，。、：]"
 _START, _END = "\ue002", "\ue003"
 _LETTER = "[A-Za-z0-9\u0370-\u03ff\ue000]"
 _BESIDE = f"(?<={_WORD}){_START}+(?={_LETTER})|(?<=[A-Za-z0-9\u0370-\u03ff\u2032\ue001]){_END}+(?={_WORD})"
+_CHOICE = re.compile(r"\[([^\[\]]*\|[^\[\]]*)\]")
 _EDGE = f"[{_START}{_END}]"
 _ROOM = f"(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})"
 
@@ -46,10 +47,10 @@ def _subject(subject: str) -> Phrases:
     return phrases
 
 
-def phrase(name: str, lang: Lang) -> str:
-    """A phrase as it stands in the catalogue. name: `subject.key`."""
+def phrase(name: str, lang: Lang, which: int = 0) -> str:
+    """A phrase as it stands in the catalogue. name: `subject.key`; which: of the words in `[point lies|points lie]`."""
     en, zh = _subject(name.partition(".")[0])[name]
-    return zh if lang == "zh" else en
+    return _CHOICE.sub(lambda words: words[1].split("|")[which], zh if lang == "zh" else en)
 
 
 def is_phrase(name: str) -> bool:
@@ -58,8 +59,10 @@ def is_phrase(name: str) -> bool:
 
 
 def say(name: str, lang: Lang, /, **words: object) -> str:
-    """A phrase with these words put in."""
-    return phrase(name, lang).format(**words)
+    """A phrase with these words put in; `which`: the number of those that it leaves a choice of."""
+    which = words.get("which", 0)
+    assert isinstance(which, int), which
+    return phrase(name, lang, which).format(**words)
 
 
 def in_list(parts: Iterable[str], lang: Lang) -> str:

@@ -127,7 +127,7 @@ def curves_met(curves: Centrodes, centre: complex | None, lang: Lang) -> Iterato
     if centre is not None:
         x, y = (number(1e3 * part, 1e-6) for part in (centre.real, centre.imag))
         key = "about.hinge" if curves.is_point else "about.rolling" if len(curves.axes) > 1 else "about.centre now"
-        yield catalogue.say(key, lang, centre=curves.name, place=f"({x}, {y}) mm")
+        yield catalogue.say(key, lang, centre=curves.name, place=catalogue.say("common.place", lang, x=x, y=y) + " mm")
     for piece in () if curves.is_point else curves.pieces:
         for link, places in zip(curves.axes, piece.places):
             yield _reach(curves, link, places, lang, lambda value: f"{number(1e3 * value, 1e-6)} mm")
@@ -137,8 +137,7 @@ def curve_lines(curves: Centrodes, lang: Lang) -> Iterator[str]:
     """A line for each piece, and under it one for each link that the curve lies in."""
     yield catalogue.say("about.curves", lang, centre=curves.name, count=len(curves.pieces))
     for count, piece in enumerate(curves.pieces, 1):
-        form = "about.piece closed" if piece.closed else "about.piece open"
-        yield f"  {count}. " + catalogue.say(form, lang, places=piece.t.size)
+        yield f"  {count}. " + catalogue.say("about.piece", lang, which=not piece.closed, places=piece.t.size)
         for link, places in zip(curves.axes, piece.places):
             yield "     " + _reach(curves, link, places, lang, lambda value: at_edge(value, "m"))
     yield catalogue.say("about.where curves", lang)

@@ -64,7 +64,7 @@ class CentreReader:
         owners = self.mechanism.owners.get(step.point, ()) if isinstance(step, Pricked) else ()
         read = float if FRAME in owners else self.read  # the problem gives the places of fixed points
         x, y = (number(1000 * read(v), 1000 * noise) for v in (at.real, at.imag))
-        return self.say("centres.mm", x=x, y=y)
+        return self.say("centres.mm", place=self.say("common.place", x=x, y=y))
 
     def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
         """The number of centres, those by definition, the others in order; `together`: pairs of links without one."""
@@ -173,7 +173,7 @@ def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
     yield [say(f"centres.column {key}", lang) for key in ("centre", "links", "place", "by")]
     stages = {stage.last.name: stage for stage in found.centring.stages}
     for pair in found.pairs:
-        name, links = found.name(*pair), ", ".join(map(found.method.mechanism.called, pair))
+        name, links = found.name(*pair), say("common.list", lang).join(map(found.method.mechanism.called, pair))
         by = found.centring.found_by(stages[name]) if name in stages else "together"
         if isinstance(by, str):
             reason = say(f"centres.by {by}", lang)
@@ -187,7 +187,8 @@ def centre_place(entry: Mapping[str, object], lang: Lang) -> str:
     """`(66.404, 182.442)` in mm, or `at infinity, 90°`."""
     match entry:
         case {"at": [float(x), float(y)]}:
-            return f"({', '.join(exact(value * 1000) if abs(value) > 1e-12 else '0' for value in (x, y))})"
+            across, up = (exact(value * 1000) if abs(value) > 1e-12 else "0" for value in (x, y))
+            return say("common.place", lang, x=across, y=up)
         case {"direction": float(direction)}:
             return say("centres.place at infinity", lang, angle=exact(round(degrees(direction), 9) % 180))
         case _:

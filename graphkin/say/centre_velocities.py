@@ -125,7 +125,7 @@ class LeverReader:
         first, second = (letters.get(end, end) for end in ends)
         if letters.keys() >= {*ends}:
             return names.pair(first, second)
-        plain = all(names.point(end)[1:].isdigit() for end in ends if end not in letters)
+        plain = all(len(names.point(end)) == 1 or names.point(end)[1:].isdigit() for end in ends if end not in letters)
         return names.point(first) + ("" if plain else " ") + names.point(second)
 
     def _formulas(self, lever: Lever, result: Reckon) -> tuple[tuple[str, ...], Formula | str]:
@@ -152,9 +152,9 @@ class LeverReader:
         match lever.stage.say:
             case "levered":
                 outside = levers.omega(lever.base) * levers.omega(link) > 0
-                ends = self._stretch(*(levers.found.name(FRAME, one) for one in (lever.base, link)))
-                key = "centres.sense outside" if outside else "centres.sense between"
-                return say(key, sense=sense(levers.omega(link), lang), centre=self._shared(lever), ends=ends)
+                ends = listed([names.point(levers.found.name(FRAME, one)) for one in (lever.base, link)], lang)
+                words = {"sense": sense(levers.omega(link), lang), "centre": self._shared(lever), "ends": ends}
+                return say("centres.sense", which=not outside, **words)
             case "alike":
                 return say("centres.sense alike", sense=sense(levers.omega(link), lang), centre=self._shared(lever))
             case "pushed" | "triangle":

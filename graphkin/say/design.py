@@ -13,7 +13,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
-from graphkin.say.numbers import SentenceNumber
+from graphkin.say.numbers import SentenceNumber, sense
 from graphkin.studies.design import Design, Reason, Solution, linkage_of, proof
 from graphkin.studies.linkages import filed
 
@@ -40,7 +40,8 @@ def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
         if {link, divisor, "d"} <= numbers.keys():
             frame, by = figures(numbers["d"] * 1e3, numbers[divisor])
             words[f"of_{divisor}"] = written(frame / by, numbers[link] * 1e3, _DIGITS)
-    return [say(f"design.stage {stage.say}", lang, **words) for stage in construction.stages]
+    stages = ((stage.say, any(step.name == "D" for step in stage.steps)) for stage in construction.stages)
+    return [say(f"design.stage {key}", lang, which=at_rocker, **words) for key, at_rocker in stages]
 
 
 def phrased(reason: Reason, lang: Lang) -> str:
@@ -107,7 +108,7 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
     facts += [f"H = {SentenceNumber(report.stroke):mm}"] if report.stroke is not None else []
     facts += [f"K = {SentenceNumber(report.k):n}"] if report.k is not None else []
     if one.pace is not None:
-        facts.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
+        facts.append(say("design.slow", lang, sense=sense(one.pace, lang)))
     yield f"  {say('design.proof', lang)}{say('common.and', lang).join(facts)}"
     yield from (f"  {phrased(reason, lang)}" for reason in one.notes if reason.key != "kind")
 

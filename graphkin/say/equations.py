@@ -12,7 +12,7 @@ from graphkin.say.entry import Entry, Sentence, TermRow, VectorEquation
 from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading, size_calculation, size_row
 from graphkin.say.rolling import same_velocities
-from graphkin.say.simultaneous import instant_centre, special_introduction
+from graphkin.say.simultaneous import about_centre, instant_centre, special_introduction
 
 
 def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
@@ -31,6 +31,7 @@ def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
         yield Sentence(reading.say("derivation.chosen", point=names.point(met), known=polygon.vector(known[met])))
     yield from same_velocities(polygon, part)
+    yield from (Sentence(centre) for centre in [about_centre(polygon, part)] if centre)
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
     for term in both_sides:  # of the Coriolis term of a pin, the link whose rotation it has
@@ -77,7 +78,7 @@ def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
 
 def _alone(part: Equation, side: tuple[Term, ...]) -> bool:
     """True of a side that is nothing but the motion sought."""
-    return len(side) == 1 and side[0].of == part.of and not side[0].seen_from
+    return len(side) == 1 and side[0].of == part.of and not (side[0].seen_from or side[0].over)
 
 
 def _introduction(polygon: PolygonReading, part: Equation) -> str:

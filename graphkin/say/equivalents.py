@@ -30,9 +30,9 @@ def _cam(reading: Reading, cam: Cam) -> Iterator[Entry]:
             (one, other), ((_, _, radius), (_, _, more)) = map(names.point, rod.points), cam.circles
             length = f"{names.pair(*rod.points)} = {number(1000 * rod.length)} mm"
             length = _distance(rod.points, (radius, more), cam.internal) if radius and more else length
-            key = "contacts.circles touch" if radius and more else "contacts.edge on circle"
             one, other = (one, other) if radius else (other, one)
-            yield Sentence(reading.say(key, first=one, second=other, length=length, link=names.point(rod_name(cam))))
+            words = {"first": one, "second": other, "length": length, "link": names.point(rod_name(cam))}
+            yield Sentence(reading.say("contacts.circles touch", which=not (radius and more), **words))
         case Slot() as slot:
             words = {"centre": names.point(slot.point), "face": _face(reading, slot.line)}
             words["link"] = reading.link(slot.line.link)

@@ -158,7 +158,7 @@ class AnswerLines:
         place = complex(self._motions.position[quantity.site.point])
         noise, read = self.reading.noise * 1000, self.reading.measured
         x, y = (number(read(value) * 1000, noise) for value in (place.real, place.imag))
-        return f"({x}, {y})"
+        return self.reading.say("common.place", x=x, y=y)
 
 
 def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:

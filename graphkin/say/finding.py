@@ -115,9 +115,9 @@ def _lines(findings: Findings, lang: Lang) -> Iterator[str]:
             if entry.along is None:
                 yield "  " + say("finding.alike", lang, **data)
                 continue
-            key = "behind" if entry.along < 0 else "beyond" if entry.along > entry.length else "between"
+            where = 2 if entry.along < 0 else int(entry.along > entry.length)
             data |= {"first": first, "second": second, "along": quantity(abs(entry.along), "m")}
-            yield "  " + say(f"finding.slow {key}", lang, **data)
+            yield "  " + say("finding.slow", lang, which=where, **data)
     elif isinstance(condition, Scaling):
         yield from (f"  {line}" for line in _scaling(findings, condition, lang))
     else:

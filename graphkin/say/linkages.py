@@ -64,8 +64,7 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
     for full in (True, False):
         turns = [turn for turn in report.turns if turn.full == full]
         pairs = [f"{turn.first}–{frame if turn.second == FRAME else turn.second}" for turn in turns]
-        key = "linkages.full" if full else "linkages.rocks"
-        yield say(key, lang, pairs=in_list(pairs, lang) or say("linkages.nothing", lang))
+        yield say("linkages.pairs", lang, which=not full, pairs=in_list(pairs, lang) or say("structure.none", lang))
     yield from _limits(report, lang)
     yield from _ratio(report, lang)
     yield from _gamma(report, lang)

@@ -9,7 +9,7 @@ from graphkin.errors import Lang
 from graphkin.marking.key import Name
 from graphkin.marking.records import Departure, Graded, Judged, Marked
 from graphkin.model.quantities import EDGE
-from graphkin.say.catalogue import is_phrase, say
+from graphkin.say.catalogue import close, is_phrase, say
 from graphkin.say.names import in_signs
 from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
@@ -56,8 +56,8 @@ def _carried(marked: Marked, lang: Lang) -> Iterator[str]:
         useful = one.verdict == "carried" or one.text not in explained
         if one.own and one.carried is not None and useful and not one.of_mistake:
             own = between.join(f"{text} = {edge_value(value, units[text])}" for text, value in one.own.items())
-            yes, follows = "yes" if one.verdict == "carried" else "no", edge_value(one.carried, one.unit)
-            yield say(f"marks.judged with {yes}", lang, own=own, quantity=one.text, value=follows)
+            wrong, follows = one.verdict != "carried", edge_value(one.carried, one.unit)
+            yield say("marks.judged with", lang, which=wrong, own=own, quantity=one.text, value=follows)
     refused = dict.fromkeys(text for one in marked.judged if one.verdict == "wrong" for text in one.refused)
     if refused:
         yield say("marks.not carried", lang, own=between.join(refused))
@@ -135,10 +135,15 @@ def verdict(one: Judged, lang: Lang) -> str:
 def mistake(name: Name, lang: Lang) -> str:
     """A mistake as it was made, a noun phrase; one that is not known here by its id."""
     id, way, of, form = name
-    for made in (f"mistakes.made {id} {way}", f"mistakes.made {id}"):
-        if is_phrase(made):
-            return say(made, lang, of=of, form=form)
-    return id
+    if is_phrase(own := f"mistakes.made {id} {way}".rstrip()):
+        return say(own, lang, of=of, form=form)
+    made = f"mistakes.made {_LIKE.get(id, id)}"
+    text = say(made, lang, of=of, form=form) if is_phrase(made) else id
+    return say(f"mistakes.way {way}", lang, made=text) if is_phrase(f"mistakes.way {way}") else text
+
+
+_LIKE = {"tangential-along": "velocity-along-link"}
+"""Mistakes that are said as others are."""
 
 
 def mistakes_together(names: tuple[Name, ...], lang: Lang) -> str:
@@ -163,7 +168,10 @@ def joined(texts: Iterable[str], lang: Lang) -> str:
 
 def mistake_kind(id: str, lang: Lang) -> str:
     """A mistake by itself, whatever it was made with."""
-    return say(f"mistakes.kind {id}", lang) if is_phrase(f"mistakes.kind {id}") else id
+    if is_phrase(f"mistakes.kind {id}"):
+        return say(f"mistakes.kind {id}", lang)
+    made = " ".join(mistake((id, "", "", ""), lang).split())  # as it was made, without the names
+    return close(made) if lang == "zh" else made
 
 
 def mistake_hint(topic: str, lang: Lang) -> str:

@@ -26,6 +26,7 @@ DIGITS = 4  # of what is read off paper
 _COMPUTED = 6
 _DESIGNED = 5
 _PLAIN = range(-6, 9)  # powers of ten that are still written out
+_LEVEL = 0.5  # what rises by more than this part of its length is above, or below
 
 
 def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
@@ -80,6 +81,11 @@ def heading(angle: str, lang: Lang) -> str:
     """`at 153.4° to +x`, `along −x`: a direction with its angle from +x in words."""
     key = f"derivation.at direction {angle}"
     return say_close(key if is_phrase(key) else "derivation.at direction", lang, angle=angle)
+
+
+def side(away: complex) -> int:
+    """The side on which what is so far away lies: above, below, to the left, to the right."""
+    return int(away.imag <= 0) if abs(away.imag) > _LEVEL * abs(away) else 2 + (away.real > 0)
 
 
 _CIRCLED = ((1, 0x2460), (21, 0x3251), (36, 0x32B1), (51, 0))  # from which number on the signs begin at which code

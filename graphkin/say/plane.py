@@ -208,9 +208,9 @@ def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, 
     if not value and isinstance(term.size, terms.Coriolis):
         velocity, rate = PolygonReading(polygon.reading, "velocity"), polygon.reading.rate("ω", term.size.link)
         if velocity.size(term.size.tail, term.size.head):
-            note = polygon.reading.say("derivation.no turning", rate=rate)
+            note = polygon.reading.say("derivation.no rate", rate=rate)
         else:
-            note = polygon.reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
+            note = polygon.reading.say("derivation.no rate", rate=velocity.seen(term.of, term.seen_from))
     size, formulas = term.size, list[str]()
     if isinstance(size, terms.Turning | terms.Normal) and not term.seen_from:
         # `v_B2 = v_B1`: the hinge is a point of the driven link too; `a_B = aⁿ_BA`: without a tangential part
@@ -237,9 +237,9 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
             words = {"relative": relative, "rate": rate, "direction": direction}
             return KnownSize(f"2 {rate} {relative}", numbers, reading.say("derivation.quarter turned", **words))
         case terms.Driven(slide):
-            grows = (polygon.arrow(term.tail, term.head) * reading.guide(slide).conjugate()).real > 0
-            key = "derivation.slide grows" if grows else "derivation.slide shrinks"
-            along = reading.say(key, direction=direction, s=names.of_slide("s", slide))
+            shrinks = (polygon.arrow(term.tail, term.head) * reading.guide(slide).conjugate()).real <= 0
+            words = {"direction": direction, "s": names.of_slide("s", slide)}
+            along = reading.say("derivation.slide way", which=shrinks, **words)
             return KnownSize(f"|{names.of_slide(names.SLIDING[polygon.plane], slide)}|", "", along)
         case terms.Relative():
             facts, called = plot.facts, reading.mechanism.called  # of one link against another: ω21 l, ω21² l, α21 l

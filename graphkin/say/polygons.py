@@ -81,16 +81,16 @@ def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
     else:
         nodes = reading.listed([names.point(node) for node in step.also])
         fixed = reading.listed([_fixed_point(polygon, node) for node in step.also])
-        key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
-        yield Sentence(reading.say(key, pole=pole, points=fixed, nodes=nodes))
+        several = len(step.also) > 1
+        yield Sentence(reading.say("derivation.pole fixed", which=several, pole=pole, points=fixed, nodes=nodes))
     links = [link for link in reading.mechanism.moving if reading.stands(link)]
     if links:
         held = held_points(reading.method, polygon.plane, reading.rested)
         points = [names.point(p) for p in held if not all(map(reading.stands, owners.get(p, ())))]
-        key = "derivation.as fixed" if len(points) == 1 else "derivation.as fixed, several"
-        fixed = reading.say(key, points=reading.listed(points), pole=names.point(polygon.construction.pole))
-        key = "derivation.held still" if len(links) == 1 else "derivation.held still, several"
-        yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
+        words = {"points": reading.listed(points), "pole": names.point(polygon.construction.pole)}
+        words = {"fixed": reading.say("derivation.as fixed", which=len(points) > 1, **words)}
+        words["links"] = reading.links(links)
+        yield Sentence(reading.say("derivation.held still", which=len(links) > 1, **words))
 
 
 def _fixed_point(polygon: PolygonReading, node: str) -> str:
@@ -124,8 +124,8 @@ def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
         if len(contacts) == 1 and (check := checked(polygon, contacts[0])):
             yield Sentence(check)
         if polygon.plane == "velocity" and not polygon.arrow(*ends):
-            key = "derivation.rest now" if step.tail == polygon.construction.pole else "derivation.translation now"
-            yield Sentence(reading.say(key, name=name, link=reading.link(step.of)))
+            rests = step.tail == polygon.construction.pole
+            yield Sentence(reading.say("derivation.rest now", which=rests, name=name, link=reading.link(step.of)))
     others = reading.group(step.of)
     held = [other for other in others if not _driven_between(polygon, other, step.of)]
     if held and polygon.plane == "velocity":
@@ -163,8 +163,8 @@ def _driven_groups(polygon: PolygonReading) -> Iterator[Entry]:
     still = [link for link in reading.mechanism.moving if reading.translates(link)]
     if still and polygon.plane == "velocity":
         zero = [" = ".join([*(reading.rate(symbol, link) for link in still), "0"]) for symbol in ("ω", "α")]
-        key = "derivation.never turn" if len(still) == 1 else "derivation.never turn, several"
-        yield Sentence(reading.say(key, links=reading.links(still), rates=reading.joined(zero)))
+        words = {"links": reading.links(still), "rates": reading.joined(zero)}
+        yield Sentence(reading.say("derivation.never turn", which=len(still) > 1, **words))
     driven = dict.fromkeys(d.link for d in reading.mechanism.drivers if d.kind != "slide" and d.from_link == FRAME)
     for link in reading.mechanism.moving:
         if turns[link].base == FRAME and turns[link].drivers and link not in driven:
@@ -214,8 +214,8 @@ def _sliding(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
         yield Calculation(symbol, (formula,), "", value if size else 0.0, names.UNIT[plane])
     elif plane == "velocity" and size and pair.guide != FRAME and pair.line.named:
         stretch = names.pair(pair.line.origin, pair.point)
-        key = "derivation.grows" if value * float(reading.plot.s[step.of]) > 0 else "derivation.shrinks"
-        yield Sentence(reading.say(key, stretch=stretch, size=number(size)))
+        shrinks = value * float(reading.plot.s[step.of]) <= 0
+        yield Sentence(reading.say("derivation.grows", which=shrinks, stretch=stretch, size=number(size)))
 
 
 def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:

@@ -18,7 +18,7 @@ from graphkin.say import names
 from graphkin.say.dimensions import link_sizes
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
-from graphkin.say.numbers import degrees, given_figure, heading
+from graphkin.say.numbers import degrees, given_figure, heading, side
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.rolling import rolled, touched
 from graphkin.say.simultaneous import fitted, link_angle, special_point
@@ -26,7 +26,6 @@ from graphkin.say.sizes import Corner
 from graphkin.say.tangents import Tangents
 
 _SPARE = "WXYHJ"  # for points that nobody named
-_LEVEL = 0.5  # a line whose slope is above this part of its length is called upright
 
 
 @dataclass
@@ -105,7 +104,8 @@ class PositionReader(Tangents):
                 if self.reading.method.structure.slides[step.slide].named:
                     yield from self._slide(step.slide)
             case kinds.Image(link, corners, _, point):
-                if self.reading.named(point):  # the start of a line that has no name is told where it is needed
+                # the start of a line that has no name is told where it is needed
+                if self.reading.named(point) and point not in self.marked:
                     yield Sentence(self._corner(link, corners))
             case kinds.Measure("theta", of):
                 self.waiting.append(of)
@@ -202,9 +202,6 @@ class PositionReader(Tangents):
         words["where"] = reading.note(_crossing(reading, step, step.second))
         return reading.say("derivation.meet circles", **words)
 
-    def _circle(self, about: str, length: str) -> str:
-        return self.reading.say("derivation.circle", about=self.reading.place(about), length=length)
-
     def _locus(self, locus: kinds.Ray | kinds.Arc) -> str:
         reading = self.reading
         if isinstance(locus, kinds.Arc):
@@ -227,7 +224,7 @@ class PositionReader(Tangents):
         return ((k, driver) for k, driver in drivers if driver.kind == "angle" and driver.value is None)
 
     def _measured_angles(self, angles: Iterable[str]) -> Sentence:
-        return Sentence(self.reading.say("derivation.measured angles", angles=self.reading.joined(angles)))
+        return Sentence(self.reading.say("derivation.measured values", values=self.reading.joined(angles)))
 
     def _angles(self, last: bool = False) -> Iterator[Entry]:
         """Directions of links, and of those that turn with them, once their two points are there; `last`: of all."""
@@ -261,7 +258,7 @@ class PositionReader(Tangents):
             text = self._ruler(f"l_{line}", line, reading.distance(origin, point))
         else:
             return  # where it has come to lie is all there is of it
-        yield Sentence(reading.say("derivation.measured slide", length=text))
+        yield Sentence(reading.say("derivation.measured values", values=text))
 
 
 def _crossing(reading: Reading, step: kinds.Meet, circle: kinds.Arc) -> str:
@@ -271,17 +268,11 @@ def _crossing(reading: Reading, step: kinds.Meet, circle: kinds.Arc) -> str:
     if isinstance(step.first, kinds.Ray):
         along = complex(reading.plot.direction(step.first.direction))
         chord = 2 * float(dot(along, here - about)) * along
-        return reading.say(f"derivation.which {_side(chord)}") if abs(chord) > least else ""
+        return reading.say("derivation.which", which=side(chord)) if abs(chord) > least else ""
     other = reading.at(step.first.about)
     foot = other + float(dot(about - other, here - other)) / abs(about - other) ** 2 * (about - other)
     if abs(here - foot) <= least:
         return ""
     ends = (step.first.about, circle.about)
     line = names.pair(*ends) if all(map(reading.named, ends)) else "–".join(map(reading.place, ends))
-    return reading.say(f"derivation.side {_side(here - foot)}", point=names.point(step.point), line=line)
-
-
-def _side(away: complex) -> str:
-    if abs(away.imag) > _LEVEL * abs(away):
-        return "above" if away.imag > 0 else "below"
-    return "right" if away.real > 0 else "left"
+    return reading.say("derivation.side", which=side(here - foot), point=names.point(step.point), line=line)

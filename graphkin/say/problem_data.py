@@ -25,9 +25,10 @@ _SCALES = (("length", "μ_l", "m/mm"), ("velocity", "μ_v", "(m/s)/mm"), ("accel
 
 
 def problem_data(reading: Reading) -> Iterator[Entry]:
-    """The title, and what is given: links, pairs, drivers, the drawn position."""
+    """The title, the story of the file, and what is given: links, pairs, drivers, the drawn position."""
     between = reading.say("common.semicolon")
     yield Heading(reading.mechanism.headline(reading.lang))
+    yield from (Sentence(text) for text in [reading.mechanism.story(reading.lang)] if text)
     yield Heading(reading.say("solution.given"))
     yield from map(Sentence, _dimensions(reading))
     drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
@@ -125,7 +126,7 @@ def _place(reading: Reading, place: complex) -> str:
     values = (value if abs(value) > reading.noise else 0.0 for value in (place.real, place.imag))
     unit = length_unit(reading)
     x, y = (given_figure(in_unit(value, unit, "length")) for value in values)
-    return f"({x}, {y})"
+    return reading.say("common.place", x=x, y=y)
 
 
 def _slide(reading: Reading, pair: Slide) -> str:
@@ -154,7 +155,7 @@ def _axis(reading: Reading, pair: Slide) -> str:
     if (axis := reading.mechanism.links[pair.block].axis) is not None:
         return names.arrow(*axis)
     first = next(slide for slide in reading.mechanism.slides if slide.block == pair.block)
-    return "" if first.name == pair.name else reading.say("solution.line of", link=reading.link(first.guide))
+    return "" if first.name == pair.name else reading.say("derivation.guide of link", link=reading.link(first.guide))
 
 
 def _circular_slot(reading: Reading, pair: CircularSlot) -> str:
@@ -165,7 +166,7 @@ def _circular_slot(reading: Reading, pair: CircularSlot) -> str:
 def _gears(reading: Reading, pair: Gear) -> str:
     words = {"wheels": reading.links(pair.links), "centres": reading.listed([*map(names.point, pair.centres)])}
     words["radii"] = reading.joined(size.whole for size in radii(reading, pair))
-    return reading.say("solution.internal gears" if pair.internal else "solution.gears", **words)
+    return reading.say("solution.gears", which=pair.internal, **words)
 
 
 def _rolling(reading: Reading, pair: RollingContact) -> str:
@@ -175,9 +176,9 @@ def _rolling(reading: Reading, pair: RollingContact) -> str:
     if pair.line is None:
         about = names.point(pair.track_centre or "")
         other = tracks[0].whole
-        where = reading.say("solution.inside" if pair.internal else "solution.outside")
+        where = reading.say("solution.touch", which=pair.internal)
         return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
-    side = reading.say("solution.wheel left" if pair.left else "solution.wheel right", centre=words["centre"])
+    side = reading.say("solution.wheel side", which=not pair.left, centre=words["centre"])
     return reading.say("solution.rolls on line", line=_track(reading, pair.line), side=side, **words)
 
 
@@ -187,13 +188,13 @@ def _cam(reading: Reading, pair: Cam) -> str:
         link, centre = reading.link(member), names.point(profile.centre or "")
         if profile.line is not None:
             other = names.point(facing.centre or "")
-            side = reading.say("solution.wheel left" if profile.left else "solution.wheel right", centre=other)
+            side = reading.say("solution.wheel side", which=not profile.left, centre=other)
             texts.append(reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side))
         elif not profile.radius:
             texts.append(reading.say("solution.knife edge", link=link, point=centre))
         else:
             texts.append(reading.say("solution.circle", link=link, centre=centre, radius=next(sizes).whole))
-    where = reading.say("solution.inside" if pair.internal else "solution.outside")
+    where = reading.say("solution.touch", which=pair.internal)
     touch = reading.note(where) if all(profile.radius for profile in pair.profiles) else ""
     return reading.say("solution.cam", first=capitalized(texts[0]), second=texts[1], where=touch)
 

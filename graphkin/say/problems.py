@@ -13,6 +13,7 @@ from graphkin.running.drawn_sides import DrawnSides
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Entry, Sentence
+from graphkin.say.numbers import side
 from graphkin.say.problem_data import problem_data
 from graphkin.say.solution_goal import SolutionGoal
 
@@ -23,7 +24,6 @@ def posed_entries(goal: SolutionGoal, drawn: DrawnSides | None = None) -> Iterat
     """A problem without its title: its story, the data, with the assembly it is `drawn` in and further positions, and
     the question."""
     reading = goal.reading
-    yield from story(reading.mechanism, reading.lang)
     yield from islice(problem_data(reading), 1, None)
     if drawn is not None:
         lines = [assembly_sentence(drawn, reading.lang), *position_lines(reading.mechanism, reading.lang)]
@@ -33,11 +33,6 @@ def posed_entries(goal: SolutionGoal, drawn: DrawnSides | None = None) -> Iterat
     thetas = {half.link: half for half in halves if isinstance(half, Rotation) and half.word == "theta"}
     lines = [_angle_line(goal, theta) for theta in thetas.values()]
     yield from map(Sentence, filter(None, lines))
-
-
-def story(mechanism: Mechanism, lang: Lang) -> Iterator[Sentence]:
-    """The text of the file that stands before what is given, where it has one."""
-    yield from (Sentence(text) for text in [mechanism.story(lang)] if text)
 
 
 def position_lines(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
@@ -87,14 +82,11 @@ def assembly_sentence(sides: DrawnSides, lang: Lang) -> str:
     """`Assembly: C above BD.`, one side after another; nothing where there is no choice."""
     choices = []
     for lies in sides.lies:
-        line = "".join(map(names.point, lies.line))
+        words = {"point": names.point(lies.point), "line": "".join(map(names.point, lies.line))}
         if lies.by_distance:
-            side = "far" if lies.to.real > 0 else "near"
-        elif abs(lies.to.imag) >= abs(lies.to.real):
-            side = "above" if lies.to.imag > 0 else "below"
+            choices.append(say("assembly.distance", lang, which=lies.to.real <= 0, **words))
         else:
-            side = "right" if lies.to.real > 0 else "left"
-        choices.append(say(f"assembly.side {side}", lang, point=names.point(lies.point), line=line))
+            choices.append(say("derivation.side", lang, which=side(lies.to), **words))
     for point, place in sides.near:
         x, y = (f"{1000 * part + 0.0:.4g}" for part in (place.real, place.imag))
         choices.append(say("assembly.near", lang, point=names.point(point), x=x, y=y))

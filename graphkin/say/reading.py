@@ -252,7 +252,7 @@ class Reading:
 
     def place_on_paper(self, place: complex) -> str:
         """Coordinates on paper, in mm."""
-        return f"({self.on_paper(place.real)}, {self.on_paper(place.imag)})"
+        return self.say("common.place", x=self.on_paper(place.real), y=self.on_paper(place.imag))
 
     def slide_name(self, slide: str) -> str:
         """The name by which people call a named slide or roll."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from graphkin.base.geometry import dot
 from graphkin.check import RulerReport
 from graphkin.errors import Lang
 from graphkin.files.toml import Document
@@ -70,10 +69,8 @@ def _rows(mechanism: Mechanism, position: Document, lang: Lang) -> Iterator[list
     for point, motion in position["points"].items():
         for key, unit in (("v", "m/s"), ("a", "m/s^2")):
             arrow, other = complex(*motion[key]), complex(*analytic["points"][point][key])
-            quantity = read(mechanism, f"{key} {point}")
-            along = None if quantity is None else quantity.along  # a guide of the frame gives a size its sign
-            drawn, right = (abs(each) if along is None else float(dot(along, each)) for each in (arrow, other))
-            yield _row(f"{key} {point}", drawn, right, EDGE[unit], abs(arrow - other), degrees(arrow) if arrow else "")
+            way = degrees(arrow) if arrow else ""
+            yield _row(f"{key} {point}", abs(arrow), abs(other), EDGE[unit], abs(arrow - other), way)
     for slide, motion in position["slides"].items():
         if not mechanism.pair(slide).given:
             continue  # how far one point is along a line that has no name: its motion stands with the points

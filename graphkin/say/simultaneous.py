@@ -158,6 +158,22 @@ def instant_centre(polygon: PolygonReading, part: Equation) -> str:
     return polygon.reading.say("contacts.instant centre", name=polygon.seen(part.of, ""), **words)
 
 
+def about_centre(polygon: PolygonReading, part: Equation) -> str:
+    """A special point that is an instant centre, about which the motion sought turns; "" of any other equation."""
+    pole = polygon.construction.pole
+    for term in part.left + part.right if polygon.plane == "velocity" else ():
+        direction = term.direction
+        if not isinstance(direction, terms.Across) or term.tail != pole or term.seen_from or term.over:
+            continue
+        special = polygon.reading.method.special.intersection((direction.tail, direction.head))
+        for point, site in ((point, polygon.reading.method.position.nodes[point].site) for point in special):
+            assert site is not None
+            words = {"point": names.point(point), "link": polygon.reading.link(site.link)}
+            words |= {"name": polygon.vector(term), "direction": polygon.direction(direction)}
+            return polygon.reading.say("contacts.about centre", **words)
+    return ""
+
+
 def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterator[Entry]:
     """The equations, their unknowns, and what they come to."""
     reading, plane = polygon.reading, polygon.plane
@@ -170,7 +186,7 @@ def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterat
     said = []
     if step.chains:
         loops = reading.listed([_loop(reading, chain) for chain in step.chains])
-        said.append(reading.say("contacts.the loop" if len(step.chains) == 1 else "contacts.the loops", loops=loops))
+        said.append(reading.say("contacts.the loops", which=len(step.chains) > 1, loops=loops))
     if step.contacts:
         relations = reading.listed([rate_relation(polygon, contact).text for contact in step.contacts])
         said.append(reading.say("contacts.the relations", relations=relations))

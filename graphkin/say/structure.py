@@ -90,8 +90,7 @@ def redundant_constraints(method: Method, lang: Lang) -> Iterator[str]:
             yield say_close("structure.distance", lang, what=what)
         else:
             held = listed((called_pair(*named(method.mechanism, pair), lang) for pair in each.held), lang)
-            key = "structure.held" if len(each.held) > 1 else "structure.held by one"
-            yield say_close(key, lang, what=what, held=held)
+            yield say_close("structure.held", lang, which=len(each.held) > 1, what=what, held=held)
     if not any(each.part == "link" for each in method.aside):
         bodies = (stage.body for stage in method.stages if isinstance(stage, Bridge))
         links = (body for body in bodies if body in method.mechanism.links)

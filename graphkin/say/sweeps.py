@@ -76,10 +76,10 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
             value = _value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]]))
             yield say("sweeps.constant", lang, name=entry.name, value=value)
             continue
-        for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
+        for which, k in enumerate((int(np.nanargmax(values)), int(np.nanargmin(values)))):
             place = _named(sweep.course, float(sweep.driven[k]))
             name, value = in_signs(entry.name, lang), in_signs(_value(entry, float(values[k])), lang)
-            yield say(f"sweeps.extreme {key}", lang, name=name, value=value, at=place)
+            yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
 
 
 def _value(entry: Series, value: float) -> str:

@@ -12,12 +12,13 @@ from graphkin.construction import Arm, LayOff, Slid, Span, Swing
 from graphkin.model.pairs import Slide, Slot
 from graphkin.planning.position import touching
 from graphkin.say import names
-from graphkin.say.dimensions import guide_angle
+from graphkin.say.dimensions import guide_angle, link_sizes
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Formula, Operand, TrigFormula
 from graphkin.say.numbers import degrees as degrees_of
 from graphkin.say.numbers import heading, number
 from graphkin.say.reading import Reading, aside
+from graphkin.say.sizes import Corner
 
 
 @dataclass
@@ -27,7 +28,7 @@ class Tangents:
     moving   the reading by which the mechanism moves: with its drivers, where poses give the drawn position
     used     pairs of points whose distance the polygons need; those that nothing gives are measured at the end
     measured pairs of points whose distance has been told
-    swung    the last swing of each link
+    swung    the last swing of each link; marked: points on its line that were told with another
     """
 
     reading: Reading
@@ -35,6 +36,7 @@ class Tangents:
     used: tuple[tuple[str, str], ...] = ()
     measured: set[frozenset[str]] = field(default_factory=set)
     swung: dict[str, Swing] = field(default_factory=dict)
+    marked: set[str] = field(default_factory=set)
 
     def _length(self, name: str, symbol: str, metres: float) -> str:
         """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
@@ -46,6 +48,9 @@ class Tangents:
     def _arm(self, tail: str, head: str) -> str:
         pair = names.pair(tail, head)
         return self._length(pair, f"l_{pair}", self.reading.distance(tail, head))
+
+    def _circle(self, about: str, length: str) -> str:
+        return self.reading.say("derivation.circle", about=self.reading.place(about), length=length)
 
     def _reach(self, span: Span, name: str = "") -> str:
         """A radius or a stretch: an arm, a displacement, or several of them end to end."""
@@ -116,11 +121,11 @@ class Tangents:
             return reading.say("derivation.swing foot", **words)
         path = "→".join((names.point(step.pivot), foot, names.point(step.through)))
         ccw = float(cross(along, arm)) * float(dot(along, arm)) > 0
-        which = reading.say("common.way round", way=path, sense=reading.sense(1 if ccw else -1))
+        words["way"] = reading.say("common.way round", way=path, sense=reading.sense(1 if ccw else -1))
         pair = reading.method.structure.slides[step.slide]
         # the point may lie beside the guide line, on a block that turns with it: then a parallel line is drawn
         parallel = aside(along, reading.arm(pair.line.origin, step.through)) > reading.noise
-        return reading.say("derivation.swing beside" if parallel else "derivation.swing tangent", which=which, **words)
+        return reading.say("derivation.swing beside" if parallel else "derivation.swing tangent", **words)
 
     def _offset(self, step: Swing) -> float:
         """The distance at which the guide line passes the pivot [m]."""
@@ -165,12 +170,24 @@ class Tangents:
             return reading.say("derivation.lay off parallel", heading=heading(degrees_of(arm), reading.lang), **words)
         ahead = along * copysign(1.0, float(dot(along, arm)) or 1.0)
         turned = degrees(phase(arm / ahead))
-        # `∠CDE = ` where another point of the link lies on the guide line from D, at less than 90 deg to DC
         arms = ((p, reading.arm(step.start, p)) for p in reading.mechanism.named(part.link))
-        on_it = (p for p, arm in arms if aside(ahead, arm) <= reading.noise < float(dot(ahead, arm)))
-        corner = next((f"∠{''.join(map(names.point, (step.tip, step.start, p)))} = " for p in on_it), "")
+        on_it = next((p for p, arm in arms if aside(ahead, arm) <= reading.noise < abs(float(dot(ahead, arm)))), "")
+        if on_it and not self._angled(part.link, step.start):  # its triangle is given by its sides
+            words |= {"first": self._circle(step.start, words["length"]), "along": self._arm(step.start, on_it)}
+            words["heading"] = heading(degrees_of(reading.arm(step.start, on_it)), reading.lang)
+            self.marked.add(on_it)
+            words |= {"second": self._circle(on_it, self._arm(step.tip, on_it)), "mark": names.point(on_it)}
+            ccw = float(cross(arm, reading.arm(step.start, on_it))) > 0
+            order = reading.way_round((step.start, step.tip, on_it), ccw)
+            return reading.say("derivation.on line, by sides", way=order, **words)
+        corner = f"∠{''.join(map(names.point, (step.tip, step.start, on_it)))} = " if on_it else ""
         corner += f"{number(abs(turned))}°"
         return reading.say("derivation.lay off turned", sense=reading.sense(turned), turned=corner, **words)
+
+    def _angled(self, link: str, corner: str) -> bool:
+        """True of a corner of a link whose angle the file gives."""
+        shapes = (size.shape for size in link_sizes(self.reading, link))
+        return any(isinstance(shape, Corner) and shape.points[1] == corner for shape in shapes)
 
     def _on_tangent(self, step: LayOff, swing: Swing) -> str:
         """A point of the guide line itself: how far from the foot, and which way."""
@@ -182,10 +199,10 @@ class Tangents:
         if abs(tip - foot) <= reading.noise or not reading.distance(step.start, step.tip):
             return reading.say("derivation.at the foot", **words)
         ahead = float(dot(through - foot, tip - foot))
-        key = "derivation.on tangent" if ahead > 0 else "derivation.on tangent beyond"
         at_pivot = self._offset(swing) <= reading.noise
         name = reading.place(swing.pivot) if at_pivot else self._foot_name
-        return reading.say(key, foot=name, through=reading.place(swing.through), **words)
+        words |= {"foot": name, "through": reading.place(swing.through)}
+        return reading.say("derivation.on tangent", which=ahead <= 0, **words)
 
     @property
     def _foot_name(self) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
@@ -12,12 +13,13 @@ from graphkin.marking.key import TELLS
 from graphkin.marking.power import MistakePower, Power
 from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.model.quantities import EDGE
-from graphkin.say.catalogue import is_phrase, say
-from graphkin.say.marks import edge_value, marks_table
-from graphkin.say.names import in_signs
+from graphkin.say import names
+from graphkin.say.catalogue import say
+from graphkin.say.marks import edge_value, marks_table, mistake_kind
 from graphkin.say.numbers import number
 
 _MOST_STEPS = 10  # steps that are printed
+_READ = ("reading", "link")  # lengths and angles of the mechanism
 _MOST_PAIRS = 10  # pairs of mistakes that are printed
 _SCALES = {"length": "μ_l = {} m/mm", "velocity": "μ_v = {} (m/s)/mm", "acceleration": "μ_a = {} (m/s²)/mm"}
 
@@ -35,7 +37,7 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
              "tolerances.column part", "marks.column unit", "tolerances.column worst step")  # fmt: skip
     rows = [[say(name, lang) for name in heads]]
     for entry in sorted(tolerances.entries, key=lambda entry: entry.points == 0):
-        name = f"{in_signs(entry.text, lang)}{' *' if entry.points else ''}"
+        name = f"{names.in_signs(entry.text, lang)}{' *' if entry.points else ''}"
         right, scatter = edge_value(entry.right, entry.unit), edge_value(entry.scatter, entry.unit)
         unit = EDGE[entry.unit].sign
         if entry.doubt in ("dead point", "too small"):
@@ -50,7 +52,7 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     yield say("tolerances.asked", lang)
     for text, (off, scales) in tolerances.untold.items():
         larger = scales and say("tolerances.larger", lang, scales=_scales(scales, lang))
-        words = {"quantity": in_signs(text, lang), "part": f"{off:.1%}", "most": f"{TELLS:.0%}"}
+        words = {"quantity": names.in_signs(text, lang), "part": f"{off:.1%}", "most": f"{TELLS:.0%}"}
         yield say("tolerances.untold", lang, **words, advice=larger or say("tolerances.no larger", lang))
     yield ""
     yield say("tolerances.costs", lang)
@@ -67,9 +69,10 @@ def _step(cost: Cost, lang: Lang) -> str:
     point = "start" if cost.name else "frame" if mark.of[0] == "frame" else "point"
     what = point if mark.what == "point" else mark.what
     of = (cost.name or mark.of[0], *mark.of[1:], "")
-    words = {f"of{k}": name for k, name in enumerate(of)}
-    step = f"tolerances.step {mark.plane} {what}"
-    return say(step if is_phrase(step) else f"tolerances.step {mark.plane} reading", lang, **words)
+    signs = (names.vector(name) if re.match(r"[va](\^\w+)?_", name) else names.point(name) for name in of)
+    words = {f"of{k}": sign for k, sign in enumerate(signs)}
+    key = "tolerances.step length" if mark.plane == "position" and what in _READ else f"tolerances.step {what}"
+    return say(key, lang, which=mark.plane == "acceleration", **words)
 
 
 def power_lines(power: Power, lang: Lang) -> Iterator[str]:
@@ -77,7 +80,7 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     yield say("tolerances.power", lang, trials=power.trials)
     heads = ("mistake", "places", "applicable", "tellable", "seen", "named", "alone", "least")
     ids = list(dict.fromkeys(one.name[0] for one in power.found))
-    rows = [_power_row(id, [one for one in power.found if one.name[0] == id]) for id in ids]
+    rows = [_power_row(_called(id, lang), [one for one in power.found if one.name[0] == id]) for id in ids]
     head = [*(say(f"tolerances.column {key}", lang) for key in heads), ""]
     yield from marks_table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
     # the number of mistakes that are named as they should be; and of those that paper cannot tell
@@ -92,13 +95,18 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
         yield say("tolerances.not tellable", lang, count=len(rest), all=len(some), missed=missed, hidden=hidden,
                   share=f"{len(rest) / len(some):.0%}", named=well_of_rest, part=part)  # fmt: skip
     out = [one for one in power.found if not one.applicable]
-    names = dict.fromkeys(one.name[0] for one in out)
+    called = dict.fromkeys(_called(one.name[0], lang) for one in out)
     share = f"{len(out) / max(len(power.found), 1):.0%}"
     if out:
-        yield say("tolerances.not applicable", lang, share=share, what=say("common.list", lang).join(names))
+        yield say("tolerances.not applicable", lang, share=share, what=say("common.list", lang).join(called))
     wrong, named = (f"{part:.2%}" for part in power.alarms)
     yield say("tolerances.false alarms", lang, wrong=wrong, named=named)
     yield say("tolerances.random", lang, named=f"{power.random:.2%}")
+
+
+def _called(id: str, lang: Lang) -> str:
+    """A mistake: in English by its id, in Chinese in words."""
+    return mistake_kind(id, lang) if lang == "zh" else id
 
 
 def _power_row(name: str, powers: Sequence[MistakePower]) -> list[str]:
@@ -115,13 +123,14 @@ def discriminability_lines(told: SetDiscriminability, lang: Lang) -> Iterator[st
     """A row a mistake, then what is always one set, what the numbers make one, and false alarms."""
 
     def problems(count: int) -> str:
-        one = "discriminability.problems one" if count == 1 else "discriminability.problems many"
-        return say(one, lang, count=count)
+        return say("discriminability.problems", lang, which=count > 1, count=count)
 
     length, angle = (f"{error:g}" for error in told.pencil)
     yield say("discriminability.head", lang, problems=problems(told.problems), length=length, angle=angle)
-    heads = [say(f"discriminability.column {name}", lang) for name in ("mistake", "places", "seen", "apart")]
-    counts = {**told.kinds, say("discriminability.all", lang): (told.places, told.seen, told.apart)}
+    heads = [say(f"tolerances.column {name}", lang) for name in ("mistake", "places")]
+    heads += [say(f"discriminability.column {told_by}", lang) for told_by in ("seen", "apart")]
+    kinds = {_called(id, lang): each for id, each in told.kinds.items()}
+    counts = {**kinds, say("tolerances.all", lang): (told.places, told.seen, told.apart)}
     rows = [[name, number(places), f"{seen:.0%}", f"{apart:.0%}", ""] for name, (places, seen, apart) in counts.items()]
     yield from marks_table([[*heads, ""], *rows])
     yield say("discriminability.not applicable", lang, share=f"{1 - told.seen:.0%}")
@@ -139,6 +148,7 @@ def _pairs(what: str, pairs: Mapping[tuple[str, str], float], lang: Lang) -> Ite
         return
     yield say(f"discriminability.pairs {what}", lang)
     for (first, second), share in list(pairs.items())[:_MOST_PAIRS]:
-        yield "  " + say("discriminability.pair", lang, first=first, second=second, share=f"{share:.0%}")
+        words = {"first": _called(first, lang), "second": _called(second, lang)}
+        yield "  " + say("discriminability.pair", lang, share=f"{share:.0%}", **words)
     if len(pairs) > _MOST_PAIRS:
         yield "  " + say("discriminability.more", lang, count=len(pairs) - _MOST_PAIRS)

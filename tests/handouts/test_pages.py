@@ -13,11 +13,11 @@ from graphkin.cli import main
 from graphkin.files import library
 from graphkin.handouts import handout, in_languages, paging
 from graphkin.handouts.document import HandoutHeading, HandoutPicture, NameLine, Paragraph
-from graphkin.handouts.letters import lettered
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.typst import pdf
 from graphkin.outputs.diagram.fonts import chinese_font
+from graphkin.outputs.letters import lettered
 from graphkin.say.entry import text_lines
 from graphkin.sheet.lettering import plain
 

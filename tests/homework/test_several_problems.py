@@ -67,7 +67,7 @@ def results(homework: Path) -> Path:
     return homework / "out"
 
 
-HABIT = "In 3 of 4 problems: the Coriolis term points the wrong way."
+HABIT = "In 3 of 4 problems: the Coriolis acceleration pointing the other way."
 
 
 def told(results: Path, problem: str, student: str) -> str:
@@ -79,15 +79,15 @@ def test_feedback_tells_a_habit(results: Path):
         assert HABIT in told(results, f"p{k}", "habit")
         for student in ("once", "right"):
             assert "problems:" not in told(results, f"p{k}", student)
-    assert "In 2 of 4 problems: a normal acceleration points away from the centre." in told(results, "p1", "other")
-    assert "In 2 of 2 problems: the Coriolis term points the wrong way." in told(results, "p0", "absent")
+    assert "In 2 of 4 problems: the normal acceleration laid off outward." in told(results, "p1", "other")
+    assert "In 2 of 2 problems: the Coriolis acceleration pointing the other way." in told(results, "p0", "absent")
     with zipfile.ZipFile(results / "p0" / "moodle-feedback.zip") as archive:
         assert not archive.namelist()  # a class table has no names of Moodle's
 
 
 def test_the_class_report_tells_habits(results: Path):
     words = (results / "p0" / "class-report.txt").read_text("utf-8")
-    assert "in 3 of 4 problems the Coriolis term points the wrong way: 1" in words
+    assert "in 3 of 4 problems the Coriolis acceleration pointing the other way: 1" in words
     data = json.loads((results / "p0" / "class-report.json").read_text("utf-8"))
     assert {(*each["ids"], each["in_problems"], each["of_problems"], each["count"]) for each in data["habits"]} == {
         ("coriolis-reversed", 3, 4, 1), ("coriolis-reversed", 2, 2, 1), ("normal-outward", 2, 4, 1),
@@ -97,7 +97,7 @@ def test_the_class_report_tells_habits(results: Path):
 def test_the_class_table_has_a_column_of_habits(results: Path):
     with (results / "p0" / "class.csv").open(encoding="utf-8-sig", newline="") as file:
         rows = {row["student"]: row["in several problems"] for row in csv.DictReader(file)}
-    assert re.fullmatch(r"the Coriolis term points the wrong way \(3 of 4 problems, evidence \d+\.\d\)", rows["habit"])
+    assert re.fullmatch(r"the Coriolis acceleration pointing the other way \(3 of 4 problems, evidence \d+\.\d\)", rows["habit"])
     assert rows["once"] == rows["right"] == ""
 
 

@@ -166,7 +166,7 @@ def test_what_a_set_tells_in_chinese(template: Path):
     found = variants(read_template(template), roster("1"), "1")
     lines = list(discriminability_lines(set_discriminability([variant.told for variant in found], (0.25, 0.25)), "zh"))
     assert lines[0].startswith("各题答案能区分哪些错误（1 题")
-    assert any(re.fullmatch(r"coriolis-omitted +1 +100% +0%", line) for line in lines)
+    assert any(re.fullmatch(r"漏掉科氏加速度 +1 +100% +0%", line) for line in lines)
     assert not any("正确作图" in line for line in lines), "no problem was tried"
 
 

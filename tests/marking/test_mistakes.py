@@ -32,6 +32,7 @@ from graphkin.model.quantities import Moving, Quantity, read
 from graphkin.planning import Method, plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
+from graphkin.say.marks import mistake
 from graphkin.say.phrases.marking import PHRASES
 
 ASKED = {
@@ -363,8 +364,9 @@ def test_a_hand_that_errs():
 
 
 def test_every_way_has_its_words():
-    found = {f"mistakes.made {rewrite.id} {rewrite.way}".rstrip() for name in ASKED for (rewrite,) in led_to(name).columns}
-    assert found <= set(PHRASES)
+    found = {(rewrite.id, rewrite.way) for name in ASKED for (rewrite,) in led_to(name).columns}
+    assert not [way for id, way in found if way and not {f"mistakes.made {id} {way}", f"mistakes.way {way}"} & {*PHRASES}]
+    assert not [id for id, way in found if not way and mistake((id, way, "A", "B"), "zh") == id]
     made = {key.split(" ")[1] for key in PHRASES if key.startswith("mistakes.made ")}
     assert made == {*MISTAKES, SLIP}
     topics = {key.removeprefix("mistakes.look ") for key in PHRASES if key.startswith("mistakes.look ")}

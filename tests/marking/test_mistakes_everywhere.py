@@ -18,7 +18,8 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Quantity, read
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.say.phrases.marking import PHRASES
+from graphkin.say.catalogue import LANGUAGES
+from graphkin.say.marks import mistake
 
 COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 800)
 """Random mechanisms of each family; more of them with GRAPHKIN_RANDOM=8000 in the environment."""
@@ -68,10 +69,8 @@ def hold(mechanism: Mechanism, method: Method, plot: Plot) -> Consequences:
 def hold_sayable(found: Consequences) -> None:
     """Every sentence finds what it names."""
     for (rewrite,) in found.columns:
-        for sentence in PHRASES[f"mistakes.made {rewrite.id} {rewrite.way}".rstrip()]:
-            said = sentence.format(of=rewrite.of, form=rewrite.form)
-            assert rewrite.of or "{of}" not in sentence, said
-            assert rewrite.form or "{form}" not in sentence, said
+        for said in (mistake(rewrite.name, lang) for lang in LANGUAGES):
+            assert said == " ".join(said.split()) != rewrite.id, said
 
 
 def hold_planes(found: Consequences) -> None:

@@ -63,7 +63,7 @@ BOOK = {
     "fig3-1": (["v_C? = v_B + v_CB?"], ["a_C? = a_B + a^n_CB + a^t_CB?"]),
     "fig2-32": (["v_O2? = v_O1 + v_O2O1?"], ["a^n_O2B + a^t_O2B? = a_O1 + a^n_O2O1 + a^t_O2O1?"]),
     "ex3-2": (
-        ["v_EF+v_S4E? = v_DG+v_S4D?", "v_S4 + v_CS4? = v_B + v_CB?"],
+        ["v_E+v_S4E? = v_D+v_S4D?", "v_S4 + v_CS4? = v_B + v_CB?"],
         [
             "a^n_EF + a^n_S4E + a^t_EF+a^t_S4E? = a^n_DG + a^n_S4D + a^t_DG+a^t_S4D?",
             "a_S4 + a^n_CS4 + a^t_CS4? = a_B + a^n_CB + a^t_CB?",
@@ -83,7 +83,7 @@ BOOK = {
         ["a^n_F5E + a^t_F5E? = a_F1 + a^k_F5F1 + a^r_F5F1?", "a_B + a^n_CB + a^t_CB? = a_D + a^n_CD + a^t_CD?"],
     ),
     "p3-15": (
-        ["v_DE+v_S3D? = v_C+v_S3C?", "v_S3 + v_B3S3? = v_B2 + v_B3B2?"],
+        ["v_D+v_S3D? = v_C+v_S3C?", "v_S3 + v_B3S3? = v_B2 + v_B3B2?"],
         [
             "a^n_DE + a^n_S3D + a^t_DE+a^t_S3D? = a^n_S3C + a_C+a^t_S3C?",
             "a_S3 + a^n_B3S3 + a^t_B3S3? = a_B2 + a^k_B3B2 + a^r_B3B2?",

@@ -35,7 +35,6 @@ from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import names
 from graphkin.say.entry import Sentence
-from graphkin.say.numbers import number
 from graphkin.say.problem_data import problem_data
 from graphkin.say.reading import Reading
 
@@ -209,7 +208,7 @@ def test_every_point_of_a_pair_is_named_in_its_sentence(name: str, lang: Lang) -
 
 @pytest.mark.parametrize("seed", range(12))
 def test_no_angle_of_the_drawing_is_from_nowhere(seed: int) -> None:
-    """A corner of a link on its guide is called by its letters, or it is an angle that is given."""
+    """A corner of a link whose sides are given is drawn by them, not at an angle that nobody gave."""
     rng = random.Random(seed)
     place, beside = rng.uniform(20, 40), complex(rng.uniform(10, 50), rng.choice((-1, 1)) * rng.uniform(20, 50))
     text = (
@@ -219,5 +218,9 @@ def test_no_angle_of_the_drawing_is_from_nowhere(seed: int) -> None:
         f'[[driver]]\nvector = "AB"\nangle = {rng.uniform(0, 360)}\nomega = 10\n'
     )
     drawing = graphkin.Drawing.of(graphkin.loads(text))
-    corner = next(line for line in drawing.explain("en", everything=True) if "turned by" in line and "lay off" in line)
-    assert f"∠CDE = {number(math.degrees(abs(cmath.phase(beside))))}°" in corner
+    lines = list(drawing.explain("en", everything=True))
+    corner = next(line for line in lines if "They cross at C" in line)
+    sense = "clockwise" if beside.imag > 0 else "counter-clockwise"
+    assert "On this line lay off DE = l_DE/μ_l = " in corner
+    assert f"(D→C→E {sense})" in corner
+    assert not [line for line in lines if "∠" in line]

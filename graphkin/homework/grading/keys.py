@@ -27,8 +27,8 @@ from graphkin.results import driver_values
 from graphkin.running import replay_all
 
 _LARGEST = 64 << 20
-_PAGE = complex(130.0, 97.0)  # of any figure that is drawn as large as a page allows [mm]
-_ALONE = complex(140.0, 190.0)  # of one that is alone on its page
+_PAGE = complex(130.0, 97.0)  # of any figure that is drawn as large as a page allows, of every polygon [mm]
+_ALONE = complex(140.0, 190.0)  # of a mechanism that is alone on its page
 _SAME = 1e-6  # values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same
 
 
@@ -121,7 +121,8 @@ def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
 def page_scales(
     method: Method, plot: Plot, rooms: Sequence[complex] = (_PAGE, complex(_PAGE.imag, _PAGE.real))
 ) -> dict[str, float]:
-    """The file's own scales; others are the finest at which a figure has one of these rooms, lying or standing."""
+    """The file's own scales; others are the finest at which the mechanism has one of these rooms, lying or standing,
+    and a polygon a lying one: the paper that students draw on is as large for all."""
     from graphkin.sheet.composition import Planes
     from graphkin.sheet.paper import finest
     from graphkin.sheet.window import PLANES, corners
@@ -129,7 +130,8 @@ def page_scales(
     planes, scales = Planes(method, plot, PLANES, "construction", "en"), dict[str, float]()
     for plane, key in SCALES.items():
         low, high = corners(planes.values(plane))
-        scales[key] = method.mechanism.scales.get(key) or min(finest(high - low, room) for room in rooms)
+        fits = rooms if plane == "position" else (_PAGE,)
+        scales[key] = method.mechanism.scales.get(key) or min(finest(high - low, room) for room in fits)
     return scales
 
 

@@ -86,6 +86,7 @@ class Question:
     id      the student's or the variant's
     text    in lines, its quantities in the letters of the field
     figure  as SVG, `shows` in words; empty where there is none
+    points  the letters of the mechanism's points
     """
 
     id: str
@@ -93,6 +94,7 @@ class Question:
     parts: tuple[Part, ...]
     figure: bytes = b""
     shows: str = ""
+    points: Sequence[str] = ()
 
 
 @frozen
@@ -103,7 +105,9 @@ class ProblemSet:
     questions: Sequence[Question]
 
 
-def question_of(id: str, key: Key, text: Text, figure: bytes = b"", shows: str = "") -> Question:
+def question_of(
+    id: str, key: Key, text: Text, figure: bytes = b"", shows: str = "", points: Sequence[str] = ()
+) -> Question:
     """The questions of a key; the rest as Question has it."""
     parts = []
     for at, here in enumerate(key.positions, 1):
@@ -120,7 +124,7 @@ def question_of(id: str, key: Key, text: Text, figure: bytes = b"", shows: str =
                 at_position(symbols(entry.text), at),
                 has_sense=entry.sort == "sense" and entry.doubt in ("", "steep") and abs(entry.right) > entry.tolerance,
             ))  # fmt: skip
-    return Question(id, text, tuple(parts), figure, shows)
+    return Question(id, text, tuple(parts), figure, shows, points)
 
 
 _SURELY = ("theta ", "omega ", "alpha ", "a_n ", "a_k ", "a_t ", "a_r ")  # no other words begin so

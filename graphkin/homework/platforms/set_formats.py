@@ -29,9 +29,9 @@ from graphkin.homework.platforms.markup import ZIP_MARKS, broken, element, in_ht
 from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives, refuse, sentence
 from graphkin.homework.platforms.tables import BOM, exponentless, line, points, printed
 from graphkin.homework.platforms.xuexitong import excel_files, word_files
+from graphkin.outputs.letters import lettered
 from graphkin.outputs.typesetting import html_words
 from graphkin.say.catalogue import LANGUAGES, say
-from graphkin.sheet.lettering import formula
 
 _FIGURE = "figure.svg"
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
@@ -70,16 +70,16 @@ def _question(kind: str, name: str, question: Question, text: str) -> ET.Element
     return element("question", element("name", element("text", one_line(name))), body, type=kind)
 
 
-def _words(text: str) -> str:
-    """Lines whose quantities are set as the sheets set them."""
-    return "<br>".join(html_words(formula(line)) for line in broken(text))
+def _words(text: str, points: Sequence[str]) -> str:
+    """Lines whose quantities, and points of the mechanism, are set as the sheets set them."""
+    return "<br>".join(html_words(lettered(line, points)) for line in broken(text))
 
 
 def _posed(question: Question, lang: Lang, figure: str) -> str:
     """The text with its figure; figure: the file as the platform finds it."""
     shows = html.escape(one_line(question.shows))
     picture = f'<p><img src="{figure}" alt="{shows}"></p>' if question.figure else ""
-    return f"<p>{_words(question.text[lang])}</p>{picture}"
+    return f"<p>{_words(question.text[lang], question.points)}</p>{picture}"
 
 
 def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
@@ -91,14 +91,14 @@ def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
             said = html.escape(in_html(one_line(sentence(one, lang))), quote=False).translate(_SIGNS)
             fields.append(f"{share}{printed(one.number)}:{printed(one.tolerance)}#{said}")
         answers = "~".join(fields)
-        lines.append(f"<p>{_words(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{answers}}}</p>")
+        lines.append(f"<p>{_words(part.heading, ()).translate(_BRACES)} = {{{weight}:NUMERICAL:{answers}}}</p>")
     name = say("platforms.problem title", lang, set=problems.name, id=question.id)
     return _question("cloze", name, question, "\n".join(lines))
 
 
 def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang) -> ET.Element:
     title = say("platforms.problem title", lang, set=problems.name, id=question.id)
-    text = f"{_posed(question, lang, f'@@PLUGINFILE@@/{_FIGURE}')}\n<p>{_words(part.heading)} = ?</p>"
+    text = f"{_posed(question, lang, f'@@PLUGINFILE@@/{_FIGURE}')}\n<p>{_words(part.heading, ())} = ?</p>"
     whole = _question("numerical", f"{title}, {part.shown}", question, text)
     whole.append(element("defaultgrade", exponentless(points(part.points))))
     for one in alternatives(question, part):
@@ -161,7 +161,7 @@ def _item(name: str, problems: ProblemSet, question: Question, part: Part, lang:
         _field("points_possible", exponentless(points(part.points))),
     ))  # fmt: skip
     posed = _posed(question, lang, f"%24IMS-CC-FILEBASE%24/images/{name}.svg")
-    text = f"<div>{posed}<p>{_words(part.heading)} = ?</p></div>"
+    text = f"<div>{posed}<p>{_words(part.heading, ())} = ?</p></div>"
     blank = element("render_fib", element("response_label", ident="answer1"), fibtype="Decimal")
     presentation = element(
         "presentation", element("material", element("mattext", text, texttype="text/html")),

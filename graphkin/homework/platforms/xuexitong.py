@@ -15,9 +15,10 @@ from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import OFFICE, element, office_link, office_package, one_line, xml
 from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives
 from graphkin.homework.platforms.tables import exponentless, printed, workbook_files
+from graphkin.outputs.letters import lettered
 from graphkin.outputs.paged import raster
 from graphkin.say.catalogue import say
-from graphkin.sheet.lettering import Run, formula
+from graphkin.sheet.lettering import Run
 
 _WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
 _DRAWN, _WORD_DPI = "http://schemas.openxmlformats.org/drawingml/2006", 150
@@ -33,7 +34,7 @@ def word_files(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
     body = element("w:body")
     numbers = {question.id: number for number, question in enumerate(pictures, 1)}
     for text, of in word_paragraphs(problems, lang):
-        paragraph = element("w:p", *map(_word_run, formula(text)))
+        paragraph = element("w:p", *map(_word_run, lettered(text, of.points if of is not None else ())))
         if of is not None and of.id in numbers:
             paragraph.append(_word_picture(of, numbers[of.id]))
         body.append(paragraph)

@@ -4,19 +4,16 @@ from graphkin.say.catalogue import Phrases
 
 # fmt: off
 PHRASES: Phrases = {
-    "contacts.circles touch": ("Higher pair replaced by lower pairs, at this instant: the circles about {first} and "
-                               "{second} touch, so the distance of their centres is {length}. A link {link} with "
-                               "hinges at {first} and {second} stands for the contact.",
-                               "高副低代（瞬时）：以 {first}、{second} 为圆心的两圆弧相切，中心距为 {length}；故以两端铰接于 {first}、{second} 的构件 "
-                               "{link} 代替该高副。"),
+    "contacts.circles touch": (
+        "Higher pair replaced by lower pairs, at this instant: the [circles about {first} and {second} touch, so the "
+        "distance of their centres is|edge {second} lies on the circle about {first}, at the distance] {length}. A "
+        "link {link} with hinges at {first} and {second} stands for the contact.",
+        "高副低代（瞬时）：[以 {first}、{second} 为圆心的两圆弧相切，中心距|尖顶 {second} 在以 {first} 为圆心的圆上，距离]为 {length}；"
+        "故以两端铰接于 {first}、{second} 的构件 {link} 代替该高副。"),
     "contacts.wheel on circle": ("Wheel {wheel} rolls on the circle about {first}: the distance of the centres is "
                                  "{length}. A link {link} with hinges at {first} and {second} holds them.",
                                  "轮 {wheel} 在以 {first} 为圆心的圆上滚动，中心距为 {length}；以两端铰接于 {first}、{second} 的构件 {link} "
                                  "保持此距离。"),
-    "contacts.edge on circle": (
-        "Higher pair replaced by lower pairs, at this instant: the edge {second} lies on the circle about {first}, at "
-        "the distance {length}. A link {link} with hinges at {first} and {second} stands for the contact.",
-        "高副低代（瞬时）：尖顶 {second} 在以 {first} 为圆心的圆上，距离为 {length}；故以两端铰接于 {first}、{second} 的构件 {link} 代替该高副。"),
     "contacts.pin in arc": (
         "Higher pair replaced by lower pairs: pin {pin} moves in a circular slot of link {guide} about {centre}, at "
         "the distance {length}. A link {link} with hinges at {centre} and {pin} stands for the slot.",
@@ -102,6 +99,9 @@ PHRASES: Phrases = {
                                 "link {link}, so {name} = 0, and {node} falls on {pole}. (Its acceleration is not 0.)",
                                 "两支路均与机架相连，特殊点 {point} 即为构件 {link} 的绝对瞬心，故 {name} = 0，{node} 与 {pole} "
                                 "重合（但其加速度一般不为零）。"),
+    "contacts.about centre": ("Both legs are joined to the fixed link: {point} is the absolute instant centre of link "
+                              "{link}, so {name} {direction}.",
+                              "两支路均与机架相连，特殊点 {point} 即为构件 {link} 的绝对瞬心，故 {name} {direction}。"),
     "contacts.steady": ("Pure rolling: {relations} at all times, with {rates} constant; so {zero}.",
                         "纯滚动关系 {relations} 始终成立，其中 {rates} 为常量，故 {zero}。"),
     "contacts.constant ratio": ("The ratios of the train are constant, so the angular accelerations have those of the "
@@ -114,11 +114,10 @@ PHRASES: Phrases = {
     "contacts.together, one": ("No order of ruler and triangle gives {unknowns} one after another. {equations} is "
                                "solved for them together:",
                                "{unknowns} 不能用作图法依次求得，须由{equations}联立求解："),
-    "contacts.closed in themselves": ("The links are closed in themselves: {unknowns} do not hang on how any point of "
-                                      "them moves. {equations} alone gives them:",
+    "contacts.closed in themselves": ("The links are closed in themselves: {unknowns} do not depend on how any point "
+                                      "of them moves. {equations} alone gives them:",
                                       "各构件自身封闭，{unknowns} 与其上任一点的运动无关，仅由{equations}即可求得："),
-    "contacts.the loop": ("The vector equation of the loop {loops}", "封闭矢量方程 {loops} "),
-    "contacts.the loops": ("The vector equations of the loops {loops}", "封闭矢量方程 {loops} "),
+    "contacts.the loops": ("The vector [equation of the loop|equations of the loops] {loops}", "封闭矢量方程 {loops} "),
     "contacts.the relations": ("the pure rolling {relations}", "纯滚动关系 {relations}"),
     "contacts.the rotations": ("{sums}", "相对转动 {sums}"),
     "contacts.and both": (" and ", "及"),

@@ -21,15 +21,9 @@ PHRASES: Phrases = {
     "problems.removed": ("removed, of students who are on the list no more: {files}", "已删除不在名单上的学生的文件：{files}"),
     # === in which assembly a mechanism is drawn
     "assembly.drawn": ("Assembly: {told}.", "装配位置：{told}。"),
-    "assembly.side above": ("{point} above {line}", "{point} 在 {line} 上方"),
-    "assembly.side below": ("{point} below {line}", "{point} 在 {line} 下方"),
-    "assembly.side left": ("{point} to the left of {line}", "{point} 在 {line} 左侧"),
-    "assembly.side right": ("{point} to the right of {line}", "{point} 在 {line} 右侧"),
-    "assembly.side far": ("{point} at that of its two possible places which is farther from {line}",
-                          "{point} 取两个可能位置中离 {line} 较远者"),
-    "assembly.side near": ("{point} at that of its two possible places which is nearer to {line}",
-                           "{point} 取两个可能位置中离 {line} 较近者"),
-    "assembly.near": ("{point} near ({x}, {y})", "{point} 在 ({x}, {y}) 附近"),
+    "assembly.distance": ("{point} at that of its two possible places which is [farther from|nearer to] {line}",
+                          "{point} 取两个可能位置中离 {line} [较远|较近]者"),
+    "assembly.near": ("{point} near ({x}, {y})", "{point} 在（{x}，{y}）附近"),
     # === files of teaching platforms: columns, titles, what is left out
     "platforms.problem title": ("{set}, {id}", "{set} {id}"),
     "platforms.answers": ("Answer with three significant digits, in the units stated; counter-clockwise is positive.",

@@ -75,9 +75,7 @@ PHRASES: Phrases = {
                          "杆长条件：最短杆 + 最长杆 = {ends} = {first} {sign} {middle} = {second}"),
     "linkages.lengths": ("Lengths: {ends} = {first} {sign} {middle} = {second}",
                          "长度关系：{ends} = {first} {sign} {middle} = {second}"),
-    "linkages.full": ("Full turn relative to each other: {pairs}", "能相对整周转动：{pairs}"),
-    "linkages.rocks": ("Rock relative to each other: {pairs}", "只能相对摆动：{pairs}"),
-    "linkages.nothing": ("none", "无"),
+    "linkages.pairs": ("[Full turn|Rock] relative to each other: {pairs}", "[能相对整周转动|只能相对摆动]：{pairs}"),
     "linkages.range": ("{driver} goes from {low} to {high}", "{driver} 的活动范围：{low} 至 {high}"),
     "linkages.turns": ("{driver} turns fully", "{driver} 作整周转动"),
     "linkages.limit": ("limit {number}: {how}; {driver} at {value}, {output} at {place}",
@@ -207,20 +205,15 @@ PHRASES: Phrases = {
                                    "过 A 作 AB1 ⊥ Cm、AB2 ⊥ Cn。量得曲柄 l_AB = AB1 = {a:mm}，机架 l_AC = {d:mm}。"),
     "design.stage coupler laid": ("Draw the given positions of the coupler: B1C1, B2C2, .. of length {b1:mm}.",
                                   "作连杆的各给定位置 B1C1、B2C2……，长 {b1:mm}。"),
-    "design.stage centre A": ("The perpendicular bisectors of B1B2 and B2B3 meet at A.",
-                              "作 B1B2、B2B3 的中垂线，交点为固定铰链中心 A。"),
-    "design.stage centre D": ("The perpendicular bisectors of C1C2 and C2C3 meet at D.",
-                              "作 C1C2、C2C3 的中垂线，交点为固定铰链中心 D。"),
-    "design.stage A given": ("On the perpendicular bisector of B1B2 take the given A ({A_x:n}, {A_y:n}).",
-                             "作 B1B2 的中垂线，在其上取给定的 A ({A_x:n}, {A_y:n})。"),
-    "design.stage A chosen": ("A may be anywhere on the perpendicular bisector of B1B2; ({A_x:n}, {A_y:n}) is chosen, "
-                              "for a good transmission angle.",
-                              "A 可在 B1B2 的中垂线上任选；为使传动角较大，取 A ({A_x:n}, {A_y:n})。"),
-    "design.stage D given": ("On the perpendicular bisector of C1C2 take the given D ({D_x:n}, {D_y:n}).",
-                             "作 C1C2 的中垂线，在其上取给定的 D ({D_x:n}, {D_y:n})。"),
-    "design.stage D chosen": ("D may be anywhere on the perpendicular bisector of C1C2; ({D_x:n}, {D_y:n}) is chosen, "
-                              "for a good transmission angle.",
-                              "D 可在 C1C2 的中垂线上任选；为使传动角较大，取 D ({D_x:n}, {D_y:n})。"),
+    "design.stage centre": ("The perpendicular bisectors of [B1B2 and B2B3|C1C2 and C2C3] meet at [A|D].",
+                            "作[ B1B2、B2B3 | C1C2、C2C3 ]的中垂线，交点为固定铰链中心[ A| D]。"),
+    "design.stage given": ("On the perpendicular bisector of [B1B2|C1C2] take the given [A ({A_x:n}, {A_y:n})|D "
+                           "({D_x:n}, {D_y:n})].",
+                           "作[ B1B2 | C1C2 ]的中垂线，在其上取给定的[ A（{A_x:n}，{A_y:n}）| D（{D_x:n}，{D_y:n}）]。"),
+    "design.stage chosen": ("[A|D] may be anywhere on the perpendicular bisector of [B1B2; ({A_x:n}, {A_y:n})|C1C2; "
+                            "({D_x:n}, {D_y:n})] is chosen, for a good transmission angle.",
+                            "[A 可在 B1B2|D 可在 C1C2] 的中垂线上任选；为使传动角较大，取"
+                            "[ A（{A_x:n}，{A_y:n}）| D（{D_x:n}，{D_y:n}）]。"),
     "design.stage coupler lengths": ("Measure l_AB = AB1 = {a:mm}, l_BC = {b:mm}, l_CD = C1D = {c:mm}, l_AD = {d:mm}.",
                                      "量得 l_AB = AB1 = {a:mm}，l_BC = {b:mm}，l_CD = C1D = {c:mm}，l_AD = {d:mm}。"),
     "design.stage ratios": ("Freudenstein's equation cos(φ − ψ) = R1 cos ψ − R2 cos φ + R3 for the three pairs gives "
@@ -237,12 +230,12 @@ PHRASES: Phrases = {
                                     "量得 l_BC = B1C1 = {b:mm}；另两位置为 {b2:mm}、{b3:mm}。"),
     "design.stage crank laid": ("Lay off the crank AB = {a:mm} at φ = {phi1:deg}, {phi2:deg}, {phi3:deg} to AD.",
                                 "与 AD 成 φ = {phi1:deg}、{phi2:deg}、{phi3:deg} 作曲柄 AB1、AB2、AB3，长 {a:mm}。"),
-    "design.stage turned back": ("Inversion: turn B2 about D by ψ1 − ψ2 = {psi12:deg} to B2', B3 by ψ1 − ψ3 = "
-                                 "{psi13:deg} to B3'; the rocker then stands still at DC1.",
-                                 "反转法：将 B2 绕 D 转 ψ1 − ψ2 = {psi12:deg} 至 B2'，将 B3 绕 D 转 ψ1 − ψ3 = {psi13:deg} 至 "
-                                 "B3'，摇杆则相当于固定在 DC1 位置。"),
-    "design.stage inverted centre": ("The perpendicular bisectors of B1B2' and B2'B3' meet at C1.",
-                                     "作 B1B2'、B2'B3' 的中垂线，交点为 C1。"),
+    "design.stage turned back": ("Inversion: turn B2 about D by ψ1 − ψ2 = {psi12:deg} to B2′, B3 by ψ1 − ψ3 = "
+                                 "{psi13:deg} to B3′; the rocker then stands still at DC1.",
+                                 "反转法：将 B2 绕 D 转 ψ1 − ψ2 = {psi12:deg} 至 B2′，将 B3 绕 D 转 ψ1 − ψ3 = {psi13:deg} 至 "
+                                 "B3′，摇杆则相当于固定在 DC1 位置。"),
+    "design.stage inverted centre": ("The perpendicular bisectors of B1B2′ and B2′B3′ meet at C1.",
+                                     "作 B1B2′、B2′B3′ 的中垂线，交点为 C1。"),
     "design.stage inverted lengths": ("Measure l_BC = B1C1 = {b:mm}, l_CD = C1D = {c:mm}; DC1 makes an angle of "
                                       "{psi01:deg} with AD.",
                                       "量得 l_BC = B1C1 = {b:mm}，l_CD = C1D = {c:mm}；DC1 与 AD 成 {psi01:deg}。"),
@@ -297,9 +290,9 @@ PHRASES: Phrases = {
     "design.reason turned": ("{link} comes out negative ({mm:n} mm): the link would point the opposite way, at its "
                              "angle + 180°.",
                              "{link} 为负值（{mm:n} mm）：该杆实际指向相反方向，即所给角度加 180°。"),
-    "design.reason inverted in line": ("B1, B2', B3' lie in one line: C1 is at infinity. Change the crank's length, "
+    "design.reason inverted in line": ("B1, B2′, B3′ lie in one line: C1 is at infinity. Change the crank's length, "
                                        "or a pair.",
-                                       "B1、B2'、B3' 共线：C1 在无穷远处。请改变曲柄长度或其中一组角度。"),
+                                       "B1、B2′、B3′ 共线：C1 在无穷远处。请改变曲柄长度或其中一组角度。"),
     "design.heading rocker": ("Crank-rocker from swing and K", "按行程速度变化系数 K 设计曲柄摇杆机构"),
     "design.heading slider": ("Slider-crank from stroke and K", "按行程速度变化系数 K 设计曲柄滑块机构"),
     "design.heading guide-bar": ("Oscillating guide bar from K", "按行程速度变化系数 K 设计摆动导杆机构"),
@@ -321,12 +314,11 @@ PHRASES: Phrases = {
     "design.proof": ("Analysed back from its lengths: ", "由杆长分析验证："),
     "design.family": ("Admissible A on the circle of centre ({x:n}, {y:n}) mm, radius {radius:mm} ({axes}): {arcs}; "
                       "least transmission angle at most {best:deg}.",
-                      "许用的 A 点在圆心 ({x:n}, {y:n}) mm、半径 {radius:mm} 的圆上（{axes}）：{arcs}；最小传动角最大可达 {best:deg}。"),
+                      "许用的 A 点在圆心（{x:n}，{y:n}）mm、半径 {radius:mm} 的圆上（{axes}）：{arcs}；最小传动角最大可达 {best:deg}。"),
     "design.axes rocker": ("D is the origin, the y axis bisects ∠C1DC2", "以 D 为原点，y 轴为 ∠C1DC2 的平分线"),
     "design.axes slider": ("C1 is the origin, the x axis points to C2", "以 C1 为原点，x 轴由 C1 指向 C2"),
     "design.arcs": ("from {start:deg} to {end:deg}", "{start:deg} 至 {end:deg}"),
-    "design.slow ccw": ("slow stroke C1 to C2 with the crank counter-clockwise", "曲柄逆时针转动时 C1 至 C2 为慢行程"),
-    "design.slow cw": ("slow stroke C1 to C2 with the crank clockwise", "曲柄顺时针转动时 C1 至 C2 为慢行程"),
+    "design.slow": ("slow stroke C1 to C2 with the crank {sense}", "曲柄{sense}转动时 C1 至 C2 为慢行程"),
     "design.title rocker": ("Crank-rocker from K", "曲柄摇杆机构设计"),
     "design.title slider": ("Slider-crank from K", "曲柄滑块机构设计"),
     "design.title guide-bar": ("Oscillating guide bar from K", "摆动导杆机构设计"),

@@ -115,8 +115,7 @@ PHRASES: Phrases = {
     "structure.part line": ("the distance from the track in {pair}", "{pair} 中轮心到轨道的距离"),
     "structure.part angle": ("the angle kept by {pair}", "{pair} 所保持的角度"),
     "structure.part slip": ("no slip in {pair}", "{pair} 的无滑动条件"),
-    "structure.held": ("{what} ({held} hold the same already)", "{what}（其约束已由 {held} 给出）"),
-    "structure.held by one": ("{what} ({held} holds the same already)", "{what}（其约束已由 {held} 给出）"),
+    "structure.held": ("{what} ({held} [holds|hold] the same already)", "{what}（其约束已由 {held} 给出）"),
     "structure.distance": ("{what} (the points it joins keep their distance without it)", "{what}（它所连接的两点间的距离本来就保持不变）"),
     # === sweeps
     "sweeps.range": ("{driver} moves from {low} to {high}.", "{driver} 的运动范围为 {low} 至 {high}。"),
@@ -141,8 +140,7 @@ PHRASES: Phrases = {
     "sweeps.event two ways": ("the group of links {links} could move in two ways from there",
                               "构件 {links} 所成的杆组由此可有两种运动"),
     "sweeps.constant": ("{name} = {value} throughout", "{name} = {value}（处处相同）"),
-    "sweeps.extreme greatest": ("greatest of the rows: {name} = {value} at {at}", "表中最大值：{name} = {value}，在 {at} 处"),
-    "sweeps.extreme least": ("least of the rows: {name} = {value} at {at}", "表中最小值：{name} = {value}，在 {at} 处"),
+    "sweeps.extreme": ("[greatest|least] of the rows: {name} = {value} at {at}", "表中最[大|小]值：{name} = {value}，在 {at} 处"),
     # === positions with a property
     "finding.looked": ("searched from {driver} = {low} to {high}", "搜索范围：{driver} = {low} 至 {high}"),
     "finding.asked max": ("greatest {of}", "{of} 的最大值"),
@@ -181,15 +179,10 @@ PHRASES: Phrases = {
     "finding.ratio": ("time ratio K = advance/return = {value}", "行程速度变化系数（行程速比系数）K = 工作行程转角/回程转角 = {value}"),
     "finding.interval": ("from {begin} to {end}", "{begin} 至 {end}"),
     "finding.peak": ("{what} {values} at {at}", "{what} {values}，位于 {at}"),
-    "finding.slow beyond": ("{at}: slowest point of line {line}: {along} from {first} towards {second}, beyond it, "
-                            "speed {speed}",
-                            "{at}：直线 {line} 上速度最小的点：距 {first} 为 {along}（沿 {second} 方向，在 {second} 之外），速度 {speed}"),
-    "finding.slow between": ("{at}: slowest point of line {line}: {along} from {first} towards {second}, between the "
-                             "two, speed {speed}",
-                             "{at}：直线 {line} 上速度最小的点：距 {first} 为 {along}（在 {first} 与 {second} 之间），速度 {speed}"),
-    "finding.slow behind": ("{at}: slowest point of line {line}: {along} from {first} away from {second}, speed "
-                            "{speed}",
-                            "{at}：直线 {line} 上速度最小的点：距 {first} 为 {along}（在 {second} 的反方向），速度 {speed}"),
+    "finding.slow": ("{at}: slowest point of line {line}: {along} from {first} [towards {second}, between the two|towards "
+                     "{second}, beyond it|away from {second}], speed {speed}",
+                     "{at}：直线 {line} 上速度最小的点：距 {first} 为 {along}"
+                     "（[在 {first} 与 {second} 之间|沿 {second} 方向，在 {second} 之外|在 {second} 的反方向]），速度 {speed}"),
     "finding.alike": ("{at}: link translates: all points of line {line} have the speed {speed}",
                       "{at}：构件作平动，直线 {line} 上各点速度均为 {speed}"),
     "finding.speeds": ("{at}: {quantity} = {value} requires {rates}", "{at}：要使 {quantity} = {value}，须 {rates}"),

@@ -121,10 +121,9 @@ PHRASES: Phrases = {
                                "from the x axis; a displacement s is the length of a vector that changes. i is the "
                                "imaginary unit; {euler}.",
                                "将各构件表示为杆矢量，其长度为 l，方位角为 θ，由 x 轴起逆时针方向计量为正；滑块位移 s 为长度变化的矢量。i 为虚数单位，{euler}。"),
-    "equations.drivers": ("Given: the motions of the drivers, {drivers}.", "已知：原动件的运动 {drivers}。"),
-    "equations.driver": ("Given: the motion of the driver, {drivers}.", "已知：原动件的运动 {drivers}。"),
+    "equations.drivers": ("Given: the [motion of the driver|motions of the drivers], {drivers}.", "已知：原动件的运动 {drivers}。"),
     "equations.auxiliary fixed": ("{letter} is an auxiliary fixed point, at ({x}, {y}) mm.",
-                                  "{letter} 为机架上的辅助点，坐标为 ({x}, {y}) mm。"),
+                                  "{letter} 为机架上的辅助点，坐标为（{x}，{y}）mm。"),
     "equations.auxiliary": ("{letter} is an auxiliary point of link {link}: there the line begins on which {point} "
                             "moves.",
                             "{letter} 为构件 {link} 上的辅助点，即 {point} 所沿直线的起点。"),
@@ -135,11 +134,9 @@ PHRASES: Phrases = {
     "equations.unknown": ("Unknown: {unknowns}.", "未知量：{unknowns}。"),
     "equations.closure": ("The vectors of the polygon close:", "封闭矢量方程写成复数矢量形式："),
     "equations.parts": ("Real and imaginary parts, by Euler's formula:", "应用欧拉公式将实部和虚部分离，得"),
-    "equations.derived": ("Differentiated with respect to time:", "对时间求导，可得"),
-    "equations.derived steady": ("Differentiated with respect to time, with {zero}:", "对时间求导（{zero}），可得"),
-    "equations.derived again": ("Differentiated with respect to time once more:", "再对时间求导，可得"),
-    "equations.derived again steady": ("Differentiated with respect to time once more, with {zero}:",
-                                       "再对时间求导（{zero}），可得"),
+    "equations.derived": ("Differentiated with respect to time[| once more]:", "[|再]对时间求导，可得"),
+    "equations.derived steady": ("Differentiated with respect to time[| once more], with {zero}:",
+                                 "[|再]对时间求导（{zero}），可得"),
     "equations.eliminate angle": ("To eliminate {other}, its vectors are left alone on one side, both sides are "
                                   "squared and added. This gives an equation for {angle}:",
                                   "将含 {other} 的项单独留在等式一端，两端平方后相加，消去 {other}，得关于 {angle} 的方程"),

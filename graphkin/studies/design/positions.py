@@ -61,7 +61,7 @@ def coupler_positions(points: Hinges, *, pivot_a: complex | None = None, pivot_d
     else:
         pivots = []
         for pivot, at, known in zip("AD", _free_pivots(points, pivot_a, pivot_d), (pivot_a, pivot_d)):
-            hinge, say = _HINGE[pivot], f"{pivot} chosen" if known is None else f"{pivot} given"
+            hinge, say = _HINGE[pivot], "chosen" if known is None else "given"
             bisector = Bisector(f"{hinge}12", f"{hinge}1", f"{hinge}2")
             pivots.append(Stage(say, (bisector, ChosenPoint(pivot, at))))
     measured = (
@@ -108,7 +108,7 @@ def _centre(pivot: str, hinge: str) -> Stage:
         Bisector(first, f"{hinge}1", f"{hinge}2"), Bisector(second, f"{hinge}2", f"{hinge}3"),
         DraftMeet(pivot, first, second), CircleThrough(f"path{hinge}", (f"{hinge}1", f"{hinge}2", f"{hinge}3"), pivot),
     )  # fmt: skip
-    return Stage(f"centre {pivot}", steps)
+    return Stage("centre", steps)
 
 
 def _free_pivots(points: Hinges, a: complex | None, d: complex | None) -> tuple[complex, complex]:

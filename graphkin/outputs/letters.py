@@ -12,7 +12,7 @@ _NODE = r"a(?=[,.;:)、，。；）]|$| ?[⊥∥\u4e00-\u9fff]| lies| and [a-z]�
 _SUBJECT = r"A(?! [a-z])|A(?= (?:and|is|lies|has|moves|stays|as|at|to|on|in|of|or|from|about|with)\b)"
 _LETTER = re.compile(
     rf"(?<![A-Za-z'’.])(?:{_UNIT}[ms](?!/)|(?<!\d)[b-ln-rt-zB-ZΑ-Ωα-ω]|{_NODE}|(?<=[^.] )A|{_SUBJECT})′*"
-    r"(?![A-Za-z0-9'’-]|\.[A-Za-z]|[\u5f62\u578b])"
+    r"(?![A-Za-z0-9'’-]|/min|\.[A-Za-z]|[\u5f62\u578b])"
 )
 _STRETCH = re.compile(r"(?<![A-Za-z0-9])[a-z]\d+[a-z]\d*′*(?![A-Za-z0-9])")
 _NODES = re.compile(r"(?<![A-Za-z0-9'’\-])(?<!\d )[a-z]{2}(?![A-Za-z0-9'’\-])")
