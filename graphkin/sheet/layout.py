@@ -18,6 +18,8 @@ from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
+from graphkin.sheet.corners import Standing, standing
+from graphkin.sheet.marks import Place
 from graphkin.sheet.page import HEAD_WIDTH
 from graphkin.sheet.paper import KEYS, UNITS, Paper, Room, Rooms, TooLargeForPaper, finer, papers_for
 from graphkin.sheet.window import Extent, Window
@@ -28,7 +30,8 @@ _SECOND = 5.5  # its additional height where the scale stands under it, in a nar
 _NARROWEST = 46.0  # a heading wants at least so much [mm]
 _MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
 _INK = 1.0  # the worth of paper that is used
-_FAIR, _MOST, _DEAR = 0.28, 0.41, 40.0
+_COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations and tables beside it
+_FAIR, _MOST, _DEAR = 0.26, 0.41, 40.0
 """So much of the field each of three figures has at least, and the mechanism at most; the cost of what is not so."""
 
 Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
@@ -38,27 +41,31 @@ Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
 
 @frozen
 class Layout:
-    """A paper divided: a room and a scale for each plane, and the strip for tables and title.
-
-    headed  the planes whose equations have a room of their own over their figure or beside it
-    """
+    """A paper divided: a room and a scale for each plane, and the strip for tables and title."""
 
     paper: Paper
     rooms: Mapping[Plane, Room]
     scales: Mapping[Plane, float]
     strip: Room
-    headed: tuple[Plane, ...] = ()
 
     def window(self, plane: Plane, extent: Extent) -> Window:
-        """The figure with all its signs in the middle of its room, under its heading."""
-        times = self.paper.times
-        free, *_ = _for_figure(_one(self.rooms[plane]), extent.reduced(times))
-        return extent.reduced(times).window(Room(*map(float, free)), self.scales[plane], times)
+        """The figure with all its signs in the middle of what its blocks leave, under its heading."""
+        return self.standing(plane, extent).window(self._own(plane, extent), self.free(plane), self.paper.times)
 
-    def shape(self, plane: Plane, extent: Extent) -> int:
-        """The number of the shape in which its equations stand with a figure."""
-        *_, best = _for_figure(_one(self.rooms[plane]), extent.reduced(self.paper.times))
-        return int(best) // 2
+    def corners(self, plane: Plane, extent: Extent) -> list[tuple[int, Place]]:
+        """The number of each of its blocks' shapes, and its upper left corner."""
+        return self.standing(plane, extent).corners(self.free(plane))
+
+    def standing(self, plane: Plane, extent: Extent) -> Standing:
+        """A figure and its blocks under its heading."""
+        return standing(_one(self.free(plane)), self._own(plane, extent))
+
+    def free(self, plane: Plane) -> Room:
+        """The part of its room in which a figure and its blocks stand."""
+        return under_heading(self.rooms[plane])
+
+    def _own(self, plane: Plane, extent: Extent) -> Extent:
+        return replace(extent.reduced(self.paper.times), given=self.scales[plane])
 
 
 def under_heading(room: Room) -> Room:
@@ -72,37 +79,6 @@ def _one(room: Room) -> Rooms:
 
 def _under_heading(room: Rooms) -> Rooms:
     return room._replace(top=room.top + np.where(room.right - room.left < HEAD_WIDTH, HEAD + _SECOND, HEAD))
-
-
-def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array, Array]:
-    """The parts of rooms that heading, tables and equations leave, the scales there, and which of its places the
-    equations take: over the figure or on its left, in each of their shapes, wherever they leave it largest."""
-    under = _over_tables(_under_heading(room), extent.tables)
-    free = [under]
-    for pair in extent.beside:
-        first, other = (size + complex(2 * HEAD_LEFT, HEAD_LEFT) for size in pair)
-        wide, high = room.right - room.left >= first.real, under.bottom - under.top >= other.imag
-        free.append(under._replace(top=np.where(wide, under.top + first.imag, under.bottom)))
-        free.append(under._replace(left=np.where(high, under.left + other.real, under.right)))
-    free = free[1:] or free
-    scales = np.array([np.broadcast_to(extent.scales_in(each), np.shape(room.left)) for each in free])
-    best = np.where(np.isnan(scales), np.inf, scales).argmin(axis=0)
-
-    def chosen(values: Sequence[Array]) -> Array:
-        every = np.array([np.broadcast_to(value, best.shape) for value in values])
-        return np.asarray(np.take_along_axis(every, best[None], axis=0)[0])
-
-    return Rooms(*map(chosen, zip(*free, strict=True))), chosen([*scales]), best
-
-
-def _over_tables(room: Rooms, shapes: Sequence[complex]) -> Rooms:
-    """The parts of rooms that tables at their foot leave: in the lowest of their shapes [mm] for which they are wide
-    enough."""
-    if not shapes:
-        return room
-    wide = room.right - room.left - 2 * HEAD_LEFT
-    high = np.min([np.where(wide >= shape.real, shape.imag, np.inf) for shape in shapes], axis=0)
-    return room._replace(bottom=np.maximum(room.top, room.bottom - high - HEAD_LEFT))
 
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:
@@ -122,14 +98,8 @@ def alone(extent: Extent, strip_height: Height, paper: str | None) -> Layout:
 
 def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
-    paper, extent = layout.paper, extent.reduced(layout.paper.times)
-    need = extent.size / layout.scales[plane] + extent.reach
-    strip, room = layout.strip.size.imag, layout.rooms[plane]
-    (left, top, _, bottom), _, best = _for_figure(_one(room), extent)
-    taken = float(top) - under_heading(room).top + room.bottom - float(bottom)
-    need += complex(float(left) - room.left, taken)  # what its equations and tables take
-    least = [size for pair in extent.beside for size in pair][int(best)] if extent.beside else 0j
-    need = complex(max(need.real, least.real + 2 * HEAD_LEFT), max(need.imag, least.imag + HEAD_LEFT))
+    paper, strip = layout.paper, layout.strip.size.imag
+    need = layout.standing(plane, extent).least
     wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(need.real)))
 
     def high(wide: float) -> float:
@@ -139,7 +109,7 @@ def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     wide = wide if high(wide) <= paper.height else paper.width  # in less width the heading may need more lines
     cut = replace(paper, width=wide, height=min(paper.height, high(wide)))
     field, foot = divided(cut, strip)
-    return Layout(cut, {plane: field}, layout.scales, foot, layout.headed)
+    return Layout(cut, {plane: field}, layout.scales, foot)
 
 
 def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: Sequence[Paper]) -> Layout:
@@ -149,30 +119,22 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: S
     """
     for size in dict.fromkeys(paper.width * paper.height for paper in candidates):
         papers = [paper for paper in candidates if paper.width * paper.height == size]
-        for divisions in (_divisions, _other_divisions):
-            if (best := _best(papers, extents, strip_height, divisions)) is not None:
-                return best
+        if (best := division(papers, extents, strip_height)) is not None:
+            return best
     raise _too_large(extents, strip_height, candidates)
 
 
-def headed(
-    layout: Layout, extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper], coarser: float
-) -> Layout:
-    """As the layout, with what stands over figures for as many as have room for it: on paper of the same size, none
-    drawn more than so much coarser."""
-    over = [plane for plane, extent in extents.items() if extent.beside]
-    area = layout.paper.enlarged.width * layout.paper.enlarged.height
-    same = [paper for paper in papers if paper.width * paper.height == area]
-    for planes in (over, *([plane] for plane in over if len(over) > 1)):
-        own = {plane: e if plane in planes else replace(e, beside=()) for plane, e in extents.items()}
-        best = _best(same, own, strip_height, _divisions) if planes else None
-        if best is not None and all(best.scales[p] <= layout.scales[p] * coarser for p in extents):
-            return replace(best, headed=tuple(planes))
-    return layout
+def division(
+    papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height, bare: Layout | None = None
+) -> Layout | None:
+    """The best on papers of one size, in which no figure is much coarser than in a bare one; None where none fits."""
+    usual = _best(papers, extents, strip_height, _divisions, bare)
+    return usual or _best(papers, extents, strip_height, _other_divisions, bare)
 
 
 def _best(
-    papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions
+    papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions,
+    bare: Layout | None = None,
 ) -> Layout | None:
     """The first of the best divisions, None where nothing fits."""
     best, layout = -math.inf, None
@@ -180,12 +142,13 @@ def _best(
         extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         field, strip = divided(paper, strip_height(paper))
         rooms, ends = _rooms(divisions, field, tuple(extents))
-        figures = {plane: _for_figure(room, extents[plane])[:2] for plane, room in rooms.items()}
-        free = {plane: room for plane, (room, _) in figures.items()}
+        free = {plane: _under_heading(room) for plane, room in rooms.items()}
         wide = {plane: room.right - room.left >= _NARROWEST for plane, room in rooms.items()}
-        scales = {plane: np.where(wide[plane], scale, math.nan) for plane, (_, scale) in figures.items()}
+        scales = {p: np.where(wide[p], standing(room, extents[p]).scales, math.nan) for p, room in free.items()}
         score = _score(extents, scales, free, field.size.real * field.size.imag)
         score = np.where(np.isnan(score), -math.inf, score - _DEAR * _unfair(rooms, field.size))
+        for plane, scale in bare.scales.items() if bare is not None else ():
+            score[scales[plane] > _COARSER * scale] = -math.inf
         for first, end in pairwise(ends):
             share = first + int(np.argmax(score[first:end]))
             if score[share] > best + 1e-9:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from functools import cached_property
 
 from graphkin.base.value import frozen
@@ -43,7 +43,6 @@ _MANY, _BAD, _WORST = 8.0, 24.0, 80.0
 """At a higher price a larger paper is tried, before it up to the second the same one turned, from the third on either
 way of a large one."""
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
-_TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
 def mechanism_sheet(
@@ -108,22 +107,30 @@ class Arrangement:
     stages   over the lines of the pencil, for single steps
     """
 
-    contents: SheetContents
+    wanted: SheetContents
     papers: Sequence[Paper]
-    weights: Mapping[Plane, int] | None = None
+    weights: Mapping[Plane, int] = field(default_factory=dict)
     details: bool = False
     cut: bool = False
     stages: bool = False
 
     @cached_property
-    def layout(self) -> Layout:
-        """Raises TooLargeForPaper."""
-        contents = self.contents
+    def laid_out(self) -> tuple[SheetContents, Layout]:
+        """With blocks in the strip for which figures leave no room. Raises TooLargeForPaper."""
         try:
-            layout = contents.layout(self.papers, self.weights or {})
+            contents, layout = self.wanted.laid_out(self.papers, self.weights)
         except TooLargeForPaper as error:
-            raise error.at(contents.drawing.method.mechanism.where("scales", error.key)) from None
-        return cut_to(layout, contents.planes[0], contents.extent(layout, contents.planes[0])) if self.cut else layout
+            raise error.at(self.wanted.drawing.method.mechanism.where("scales", error.key)) from None
+        only = contents.planes[0]
+        return contents, cut_to(layout, only, contents.extents({})[only]) if self.cut else layout
+
+    @property
+    def contents(self) -> SheetContents:
+        return self.laid_out[0]
+
+    @property
+    def layout(self) -> Layout:
+        return self.laid_out[1]
 
     @property
     def sold(self) -> Paper:
@@ -151,14 +158,14 @@ class Arrangement:
     def overfull(self) -> float:
         """The part of its room for letters that the labels of the fullest figure take; above 1 some cannot
         but lie on others, and no care helps."""
-        rooms = {plane: self.layout.rooms[plane].size for plane in self.contents.planes}
-        return max(self.contents.extents[p].lettering / (CRAMMED * room.real * room.imag) for p, room in rooms.items())
+        rooms, extents = self.layout.rooms, self.contents.drawing.extents
+        return max(extents[p].lettering / (CRAMMED * room.size.real * room.size.imag) for p, room in rooms.items())
 
     @cached_property
     def cost(self) -> tuple[float, float]:
         """Labels that find no place near by, and the burden of all; of an overfull one all labels, and by how much."""
         if self.overfull > 1:
-            return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
+            return sum(extent.labels for extent in self.contents.drawing.extents.values()), self.overfull
         above = self.layout.strip.size.imag - FOOT  # what stands over the footer takes room, and stands off its figure
         return self.near.lost, self.near.burden + max(0.0, above) / _STRIP
 
@@ -179,24 +186,6 @@ class Arrangement:
         lettered = self.page.lettered(far=True)
         return lettered.trimmed if self.contents.tight else lettered
 
-    @property
-    def settled(self) -> Arrangement:
-        """With equations and tables elsewhere for which figures, and then their letters, leave no room."""
-        arrangement = self
-        for _ in range(0 if self.contents.tight else _TRIALS):
-            contents, layout = arrangement.contents, arrangement.layout
-            if out := contents.tableless(layout):
-                low = {*contents.low, *(plane for plane in out if plane in contents.footed)}
-                contents = replace(contents, footed={*contents.footed, *out} - low, low=low)
-            elif out := contents.without_room(layout) or (
-                contents.without_head(layout) if arrangement.cost[0] else []
-            ):
-                contents = replace(contents, in_strip={*contents.in_strip, *out})
-            else:
-                break
-            arrangement = replace(arrangement, contents=contents)
-        return arrangement
-
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
@@ -208,21 +197,21 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
         if papers and least < best.price < most and papers != [best.sold]:
             best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.price)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
-    return replace(best, cut=True).settled if cut else best
+    return replace(best, cut=True) if cut else best
 
 
 def _on(first: Arrangement) -> Arrangement:
     """The cheapest on the papers of an arrangement."""
-    best = first.settled
+    best = first
     if knots := best.knotted:
-        first = replace(first, details=True, contents=replace(first.contents, lensed=knots))
-        best = min(best, first.settled, key=lambda each: each.price)
+        first = replace(first, details=True, wanted=replace(first.wanted, lensed=knots))
+        best = min(best, first, key=lambda each: each.price)
     for weight in _WEIGHTS:
         if not best.cost[0] or best.overfull > 1:
             break
         crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
         other = replace(first, weights=dict.fromkeys(crowded, weight))
-        best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.price)
+        best = min(best, other if other.layout != best.layout else best, key=lambda each: each.price)
     return best
 
 
@@ -247,7 +236,8 @@ def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] =
     stage = replace(best, stages=True)
     if not contents.tight:  # the sentences stand over the footer, and all is drawn to the scales of the whole sheet
         said = pitch * max(map(len, lines.values()))
-        stage = replace(stage, contents=replace(best.contents, said=said, scales=scales), papers=[best.sold])
+        contents = replace(best.contents, said=said, scales=scales, tables={})
+        stage = replace(stage, wanted=contents, papers=[best.sold])
         stage = stage if stage.fits else replace(best, stages=True)
     strip, whole = stage.layout.strip, stage.lettered.sheet
     for act in acts if not numbers else [acts[number - 1] for number in numbers]:

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
+from typing import Protocol
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -15,6 +16,18 @@ from graphkin.planning.method import Act
 from graphkin.say.entry import Entry, Sentence, VectorEquation
 from graphkin.sheet.lettering import LABEL, LEAST, Label, box, formula, joined, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
+
+
+class Block(Protocol):
+    """What may stand beside a figure."""
+
+    @property
+    def size(self) -> complex:
+        """Width and height [mm]."""
+
+    def marks(self, corner: Place) -> Iterable[Mark]:
+        """From its upper left corner."""
+
 
 _PITCH = 1.45  # from base line to base line, as a part of the letters' size
 

@@ -176,11 +176,15 @@ class TableBlock:
 
     @classmethod
     def shapes(cls, tables: Sequence[Table]) -> list[TableBlock]:
-        """All of them in one tier or two, each in a tier of its own, and cut to some widths."""
+        """All of them in one tier or two, each in a tier of its own, and cut to some widths; none that takes more room
+        both ways than another."""
         own = [*tables]
         tiers = [[own], *([own[:k], own[k:]] for k in range(1, len(own))), [[table] for table in own]]
         blocks = [cls(each) for each in (*tiers, *(arranged(own, wide) for wide in _WIDTHS))]
-        return [block for block in blocks if block.rows == blocks[0].rows]
+        sizes = {block.size: block for block in blocks if block.rows == blocks[0].rows}
+        least = [size for size in sizes
+                 if not any(s != size and s.real <= size.real and s.imag <= size.imag for s in sizes)]  # fmt: skip
+        return [sizes[size] for size in least]
 
     @property
     def rows(self) -> int:
