@@ -10,7 +10,6 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -30,6 +29,7 @@ _SECOND = 5.5  # its additional height where the scale stands under it, in a nar
 _NARROWEST = 46.0  # a heading wants at least so much [mm]
 _MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
 _INK = 1.0  # the worth of paper that is used
+_AT_ONCE = 128  # so many divisions are held against blocks at once
 _COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations and tables beside it
 _FAIR, _MOST, _DEAR = 0.26, 0.41, 40.0
 """So much of the field each of three figures has at least, and the mechanism at most; the cost of what is not so."""
@@ -135,40 +135,49 @@ def division(
 def _best(
     papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions,
     bare: Layout | None = None,
-) -> Layout | None:
-    """The first of the best divisions, None where nothing fits."""
+) -> Layout | None:  # fmt: skip
+    """The best division, None where nothing fits. Blocks are held against those alone that would be better without."""
     best, layout = -math.inf, None
     for paper in (each.reduced for each in papers):
         extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         field, strip = divided(paper, strip_height(paper))
-        rooms, ends = _rooms(divisions, field, tuple(extents))
-        free = {plane: _under_heading(room) for plane, room in rooms.items()}
-        wide = {plane: room.right - room.left >= _NARROWEST for plane, room in rooms.items()}
-        scales = {p: np.where(wide[p], standing(room, extents[p]).scales, math.nan) for p, room in free.items()}
-        score = _score(extents, scales, free, field.size.real * field.size.imag)
-        score = np.where(np.isnan(score), -math.inf, score - _DEAR * _unfair(rooms, field.size))
-        for plane, scale in bare.scales.items() if bare is not None else ():
-            score[scales[plane] > _COARSER * scale] = -math.inf
-        for first, end in pairwise(ends):
-            share = first + int(np.argmax(score[first:end]))
-            if score[share] > best + 1e-9:
-                each = {plane: Room(*(float(side[share]) for side in room)) for plane, room in rooms.items()}
-                own = {plane: float(scale[share]) for plane, scale in scales.items()}
-                best, layout = float(score[share]), Layout(paper, each, own, strip)
+        rooms = _rooms(divisions, field, tuple(extents))
+        most, _ = _values(rooms, {plane: replace(extent, blocks=()) for plane, extent in extents.items()}, field, bare)
+        order = np.argsort(-most, kind="stable")
+        for some in np.array_split(order, range(_AT_ONCE, len(order), _AT_ONCE)):
+            if most[some[0]] <= best:
+                break
+            own = {plane: Rooms(*(side[some] for side in room)) for plane, room in rooms.items()}
+            values, scales = _values(own, extents, field, bare)
+            share = int(np.argmax(values))
+            if values[share] > best:
+                each = {plane: Room(*(float(side[share]) for side in room)) for plane, room in own.items()}
+                chosen = {plane: float(scale[share]) for plane, scale in scales.items()}
+                best, layout = values[share], Layout(paper, each, chosen, strip)
     return layout
 
 
+def _values(
+    rooms: Mapping[Plane, Rooms], extents: Mapping[Plane, Extent], field: Room, bare: Layout | None
+) -> tuple[Array, dict[Plane, Array]]:
+    """The values of many divisions, and the scales there."""
+    free, scales = {plane: _under_heading(room) for plane, room in rooms.items()}, dict[Plane, Array]()
+    for plane, room in rooms.items():
+        own = standing(free[plane], extents[plane]).scales
+        most = math.inf if bare is None else _COARSER * bare.scales[plane]
+        scales[plane] = np.where((room.right - room.left >= _NARROWEST) & (own <= most), own, math.nan)
+    score = _score(extents, scales, free, field.size.real * field.size.imag)
+    return np.where(np.isnan(score), -math.inf, np.round(score - _DEAR * _unfair(rooms, field.size), 9)), scales
+
+
 @lru_cache(16)
-def _rooms(divisions: Divisions, field: Room, planes: tuple[Plane, ...]) -> tuple[dict[Plane, Rooms], list[int]]:
-    """All divisions of a field as one: many rooms of each plane, and the ends of those of each division."""
+def _rooms(divisions: Divisions, field: Room, planes: tuple[Plane, ...]) -> dict[Plane, Rooms]:
+    """All divisions of a field as one: many rooms of each plane."""
     every = [*divisions(Rooms(*map(np.asarray, (field.left, field.top, field.right, field.bottom))), planes)]
-    ends = [0, *accumulate(max(side.size for room in division.values() for side in room) for division in every)]
-    sides = {plane: np.empty((4, ends[-1])) for plane in planes}
-    for division, first, end in zip(every, ends, ends[1:]):
-        for plane in planes:
-            for side, value in zip(sides[plane], division[plane]):
-                side[first:end] = value
-    return {plane: Rooms(*each) for plane, each in sides.items()}, ends
+    sizes = [max(side.size for room in division.values() for side in room) for division in every]
+    sides = {plane: [[np.broadcast_to(side, (count,)) for side in division[plane]]
+                     for division, count in zip(every, sizes, strict=True)] for plane in planes}  # fmt: skip
+    return {plane: Rooms(*map(np.concatenate, zip(*each, strict=True))) for plane, each in sides.items()}
 
 
 def _score(

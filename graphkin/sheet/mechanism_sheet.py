@@ -8,7 +8,6 @@ smallest paper that holds all, other divisions of it, details, the same paper tu
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
@@ -38,10 +37,8 @@ from graphkin.sheet.text_blocks import LINE, broken
 from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
-_MANY, _BAD, _WORST = 8.0, 24.0, 80.0
-"""At a higher price a larger paper is tried, before it up to the second the same one turned, from the third on either
-way of a large one."""
+_WEIGHT = 3  # so many times its labels count for a plane where some found no place, in another division
+_MANY, _WORST = 8.0, 80.0  # at a higher price a larger paper is tried; either way of one
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 
 
@@ -191,26 +188,23 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
     usual = papers_for(paper)
     best = _on(Arrangement(contents, usual))
-    turned = [each for each in usual[:2] if each.landscape != best.layout.paper.landscape]
-    large = ((_MANY, usual[2:]), (_WORST, usual[2:3]), (_WORST, usual[3:]))
-    for least, most, papers in ((_MANY, _BAD, turned), *((least, math.inf, papers) for least, papers in large)):
-        if papers and least < best.price < most and papers != [best.sold]:
-            best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.price)
+    for least, papers in ((_MANY, usual[2:]), (_WORST, usual[2:3]), (_WORST, usual[3:])):
+        if best.price > least and papers and papers != [best.sold]:
+            best = min(best, _on(replace(best, papers=papers, weights={})), key=lambda each: each.price)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True) if cut else best
 
 
-def _on(first: Arrangement) -> Arrangement:
-    """The cheapest on the papers of an arrangement."""
-    best = first
-    if knots := best.knotted:
-        first = replace(first, details=True, wanted=replace(first.wanted, lensed=knots))
-        best = min(best, first, key=lambda each: each.price)
-    for weight in _WEIGHTS:
-        if not best.cost[0] or best.overfull > 1:
-            break
+def _on(best: Arrangement) -> Arrangement:
+    """The cheapest on the papers of an arrangement: with details, and with more room for what is crowded."""
+    if best.overfull > 1:
+        return best
+    if not best.details and (knots := best.knotted):
+        lensed = replace(best, details=True, wanted=replace(best.wanted, lensed=knots))
+        best = min(best, lensed, key=lambda each: each.price)
+    if best.cost[0]:
         crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
-        other = replace(first, weights=dict.fromkeys(crowded, weight))
+        other = replace(best, weights=dict.fromkeys(crowded, _WEIGHT))
         best = min(best, other if other.layout != best.layout else best, key=lambda each: each.price)
     return best
 

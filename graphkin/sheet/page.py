@@ -40,6 +40,7 @@ HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm
 
 _AIR = 2.0  # of labels to rows of equations and tables: nearer they would read as one more [mm]
 _TANGLED = 1.4  # the burden of a short arrow's label among others, where one on a leader is 1
+_FEW = 24  # labels that are no crowd
 _EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
@@ -148,8 +149,9 @@ class Panel:
 
     @cached_property
     def near(self) -> Settled:
-        """Its labels near what they name; at once off the lines of what is drawn last where all find places so."""
-        easy = None if self.scene.crammed else self.off
+        """Its labels near what they name; of a few at once off the lines of what is drawn last, where they find places
+        so."""
+        easy = self.off if len(self.figure.wanted) <= _FEW else None
         return _settled(self.scene) if easy is None or easy.clashes or easy.led else easy
 
     @cached_property
