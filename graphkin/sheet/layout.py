@@ -24,10 +24,9 @@ from graphkin.sheet.paper import KEYS, UNITS, Paper, Room, Rooms, TooLargeForPap
 from graphkin.sheet.window import Extent, Window
 
 HEAD = 7.5  # height of a figure's heading [mm]
-HEAD_LEFT = 3.0  # from the side of a room to its heading [mm]
 _SECOND = 5.5  # its additional height where the scale stands under it, in a narrow room [mm]
 _NARROWEST = 46.0  # a heading wants at least so much [mm]
-_MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
+_MECHANISM = 2.2  # the weight of the mechanism: its signs keep their size and need room between them
 _INK = 1.0  # the worth of paper that is used
 _AT_ONCE = 128  # so many divisions are held against blocks at once
 _COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations and tables beside it
@@ -35,8 +34,6 @@ _FAIR, _MOST, _DEAR = 0.26, 0.41, 40.0
 """So much of the field each of three figures has at least, and the mechanism at most; the cost of what is not so."""
 
 Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
-Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
-"""Divisions of a field, each with all its shares."""
 
 
 @frozen
@@ -125,23 +122,15 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: S
 
 
 def division(
-    papers: Sequence[Paper], extents: Mapping[Plane, Extent], strip_height: Height, bare: Layout | None = None
+    papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, bare: Layout | None = None
 ) -> Layout | None:
-    """The best on papers of one size, in which no figure is much coarser than in a bare one; None where none fits."""
-    usual = _best(papers, extents, strip_height, _divisions, bare)
-    return usual or _best(papers, extents, strip_height, _other_divisions, bare)
-
-
-def _best(
-    papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions,
-    bare: Layout | None = None,
-) -> Layout | None:  # fmt: skip
-    """The best division, None where nothing fits. Blocks are held against those alone that would be better without."""
+    """The best division, in which no figure is much coarser than in a bare one; None where nothing fits. Blocks are
+    held against those alone that would be better without."""
     best, layout = -math.inf, None
     for paper in (each.reduced for each in papers):
         extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         field, strip = divided(paper, strip_height(paper))
-        rooms = _rooms(divisions, field, tuple(extents))
+        rooms = _rooms(field, tuple(extents))
         most, _ = _values(rooms, {plane: replace(extent, blocks=()) for plane, extent in extents.items()}, field, bare)
         order = np.argsort(-most, kind="stable")
         for some in np.array_split(order, range(_AT_ONCE, len(order), _AT_ONCE)):
@@ -171,9 +160,9 @@ def _values(
 
 
 @lru_cache(16)
-def _rooms(divisions: Divisions, field: Room, planes: tuple[Plane, ...]) -> dict[Plane, Rooms]:
+def _rooms(field: Room, planes: tuple[Plane, ...]) -> dict[Plane, Rooms]:
     """All divisions of a field as one: many rooms of each plane."""
-    every = [*divisions(Rooms(*map(np.asarray, (field.left, field.top, field.right, field.bottom))), planes)]
+    every = [*_divisions(_one(field), planes)]
     sizes = [max(side.size for room in division.values() for side in room) for division in every]
     sides = {plane: [[np.broadcast_to(side, (count,)) for side in division[plane]]
                      for division, count in zip(every, sizes, strict=True)] for plane in planes}  # fmt: skip
@@ -217,13 +206,10 @@ def _too_large(extents: Mapping[Plane, Extent], strip_height: Height, papers: Se
     large = [paper for paper in papers if paper.width * paper.height == area]
     for freed in (*([plane] for plane in given), given):
         loose = {plane: replace(e, given=None) if plane in freed else e for plane, e in extents.items()}
-        layout = _best(large, loose, strip_height, _other_divisions)
-        if layout is not None:
+        if (layout := division(large, loose, strip_height)) is not None:
             plane = freed[0]
             scale, fits = extents[plane].given, layout.scales[plane]
-            while _best(
-                large, {**loose, plane: replace(loose[plane], given=finer(fits))}, strip_height, _other_divisions
-            ):
+            while division(large, {**loose, plane: replace(loose[plane], given=finer(fits))}, strip_height):
                 fits = finer(fits)
             assert scale is not None
             return TooLargeForPaper(NOWHERE, KEYS[plane], scale, fits, large[0].name[:2], UNITS[plane])
@@ -237,7 +223,7 @@ _SHARE, _OTHER = np.repeat(_SHARES, len(_SHARES)), np.tile(_SHARES, len(_SHARES)
 
 
 def _divisions(field: Rooms, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Rooms]]:
-    """Rooms in the order of drawing: one after the other, or the first beside or over the others."""
+    """Rooms in the order of drawing: one after the other, or the first or the last beside or over the others."""
     if len(planes) == 1:
         yield {planes[0]: field}
         return
@@ -245,29 +231,10 @@ def _divisions(field: Rooms, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, 
         if len(planes) == 2:
             yield dict(zip(planes, _cut(field, _SHARES, across), strict=True))
             continue
-        yield _row_and_two(field, planes, planes[0], across)
-        first, rest = _cut(field, _SHARE, across)
-        yield dict(zip(planes, (first, *_cut(rest, _OTHER, across)), strict=True))
-
-
-def _other_divisions(field: Rooms, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Rooms]]:
-    """Those, and any of three figures beside or over the others: for given scales."""
-    yield from _divisions(field, planes)
-    if len(planes) == 3:
-        for across in (True, False):
-            for plane in planes[1:]:
-                yield _row_and_two(field, planes, plane, across)
-
-
-def _row_and_two(field: Rooms, planes: tuple[Plane, ...], whole: Plane, across: bool) -> dict[Plane, Rooms]:
-    """One figure has a whole row (or column, `across`), the other two share the rest."""
-    if whole == planes[0]:
-        big, rest = _cut(field, _SHARE, across)
-    else:
-        rest, big = _cut(field, 1 - _SHARE, across)
-    one, two = (plane for plane in planes if plane != whole)
-    first, second = _cut(rest, _OTHER, not across)
-    return {whole: big, one: first, two: second}
+        one, rest = _cut(field, _SHARE, across)
+        yield dict(zip(planes, (one, *_cut(rest, _OTHER, across)), strict=True))
+        yield dict(zip(planes, (one, *_cut(rest, _OTHER, not across)), strict=True))
+        yield dict(zip(planes, (*_cut(one, _OTHER, not across), rest), strict=True))
 
 
 def _cut(room: Rooms, share: Array, across: bool) -> tuple[Rooms, Rooms]:

@@ -15,7 +15,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import Paper, Room, written
-from graphkin.sheet.text_blocks import Ladder, Paragraphs, flowed, laid_out, line_size
+from graphkin.sheet.text_blocks import Ladder, WrittenLines, flowed, laid_out, line_size
 
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
@@ -213,7 +213,7 @@ def strip_height(
 ) -> float:  # fmt: skip
     """The height that the footer needs on a paper with what stands over it; least: room for that [mm]."""
     lines = sum(line_size(line).imag for line in _lines(equations, paper))
-    words = Paragraphs.of(told, tables_room(paper), LABEL).height
+    words = WrittenLines.sentences(told, tables_room(paper), LABEL).size.imag
     above = max(least, height_of(arranged([*found], tables_room(paper))) + words + lines)
     return FOOT + (above + 2.5 if above else 0.0)
 
@@ -256,9 +256,9 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
     marks += drawn_tables(tiers, corner)
     corner += 1j * height_of(tiers)
-    words = Paragraphs.of(asked.told, tables_room(paper), LABEL)
+    words = WrittenLines.sentences(asked.told, tables_room(paper), LABEL)
     marks += words.marks(corner)
-    corner += 1j * words.height
+    corner += 1j * words.size.imag
     for line in _lines(asked.equations, paper):
         marks += laid_out(line, corner)
         corner += 1j * line_size(line).imag
