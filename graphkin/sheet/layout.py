@@ -223,7 +223,7 @@ _SHARE, _OTHER = np.repeat(_SHARES, len(_SHARES)), np.tile(_SHARES, len(_SHARES)
 
 
 def _divisions(field: Rooms, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Rooms]]:
-    """Rooms in the order of drawing: one after the other, or the first or the last beside or over the others."""
+    """Rooms in the order of drawing: one after the other, or one beside or over the two others."""
     if len(planes) == 1:
         yield {planes[0]: field}
         return
@@ -234,7 +234,8 @@ def _divisions(field: Rooms, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, 
         one, rest = _cut(field, _SHARE, across)
         yield dict(zip(planes, (one, *_cut(rest, _OTHER, across)), strict=True))
         yield dict(zip(planes, (one, *_cut(rest, _OTHER, not across)), strict=True))
-        yield dict(zip(planes, (*_cut(one, _OTHER, not across), rest), strict=True))
+        for other, last in (planes[1:], planes[:0:-1]):
+            yield {**dict(zip((planes[0], other), _cut(one, _OTHER, not across), strict=True)), last: rest}
 
 
 def _cut(room: Rooms, share: Array, across: bool) -> tuple[Rooms, Rooms]:

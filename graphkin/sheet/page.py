@@ -152,19 +152,19 @@ class Panel:
         """Its labels near what they name; of a few at once off the lines of what is drawn last, where they find places
         so."""
         easy = self.off if len(self.figure.wanted) <= _FEW else None
-        return settle(self.scene) if easy is None or easy.clashes or easy.led else easy
+        return _settled(self.scene) if easy is None or easy.clashes or easy.led else easy
 
     @cached_property
     def far(self) -> Settled:
         """Its labels in a crowd, where some find no good place otherwise."""
         crowd = self.scene.crammed or self.near.clashes or self.near.unclear
-        return settle(self.scene, crowd=True) if crowd else self.near
+        return _settled(self.scene, crowd=True) if crowd else self.near
 
     @cached_property
     def off(self) -> Settled | None:
         """Near, and off the lines of what is drawn last, where there are such."""
         lines = self.more.lines() if self.more is not None else ()
-        return settle(self.scene.under(lines)) if lines else None
+        return _settled(self.scene.under(lines)) if lines else None
 
     @cached_property
     def burdens(self) -> Array:
@@ -299,6 +299,10 @@ class Lettered:
         accented = [replace(mark, accent=mark.accent or plane) for plane, mark in each]
         yield Layer("leaders", tuple(mark for mark in accented if isinstance(mark, Stroke)))
         yield Layer("labels", tuple(mark for mark in accented if isinstance(mark, Text)))
+
+
+def _settled(scene: LabelScene, crowd: bool = False) -> Settled:
+    return settle(scene, crowd)
 
 
 def _worth(settled: Settled) -> tuple[int, int, int]:

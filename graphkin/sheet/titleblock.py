@@ -20,8 +20,6 @@ from graphkin.sheet.text_blocks import Ladder, WrittenLines, flowed, laid_out, l
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _MOST_ROWS = 12
-Cell = tuple[float | None, float]
-"""Widths of a number up to its point, None where it is no number, and of the whole of what is written [mm]."""
 _PLANES: dict[str, Plane] = {
     "ω": "velocity", "v": "velocity", "ds/dt": "velocity", "α": "acceleration", "a": "acceleration",
     "d²s/dt²": "acceleration",
@@ -35,11 +33,18 @@ class Table:
 
     head: tuple[Label, ...]
     rows: tuple[tuple[Label, ...], ...]
+    steps: tuple[int, ...] = ()  # of rows that come one after the other
 
     @cached_property
     def widths(self) -> list[float]:
         """Width of each column [mm]."""
-        return self._widths(0, len(self.rows))
+        wide = [[self.before(row[k], k) + width(row[k], LABEL) for row in self.rows] for k in range(len(self.head))]
+        return [max([width(head, LABEL), *own]) for head, own in zip(self.head, wide, strict=True)]
+
+    @cached_property
+    def _points(self) -> list[float]:
+        """The width of each column's widest number before its point [mm]."""
+        return [max([_whole(row[k]) or 0.0 for row in self.rows], default=0.0) for k in range(len(self.head))]
 
     @cached_property
     def wide(self) -> float:
@@ -54,7 +59,7 @@ class Table:
     def before(self, cell: Label, column: int) -> float:
         """The room before a number, so that its point stands under the others' [mm]."""
         own = _whole(cell)
-        return _point(self._cells[column][1]) - own if own is not None else 0.0
+        return 0.0 if own is None else self._points[column] - own
 
     def of(self, plane: Plane) -> Table | None:
         """Its first column and those of one plane's values; None where there are none."""
@@ -65,39 +70,15 @@ class Table:
         return Table(tuple(self.head[k] for k in shown), rows) if rows else None
 
     def cut(self, count: int) -> list[Table]:
-        """In parts of so many rows."""
-        return [Table(self.head, self.rows[k : k + count]) for k in range(0, len(self.rows), count)]
-
-    def wides(self, count: int) -> list[float]:
-        """The widths of the parts into which it would be cut [mm]; it is tried on many papers."""
-        if count not in self._wides:
-            parts, gaps = range(0, len(self.rows), count), sum(self.gaps)
-            self._wides[count] = [sum(self._widths(k, k + count)) + gaps for k in parts]
-        return self._wides[count]
+        """In parts of so many rows; it is tried on many papers."""
+        if count not in self._parts:
+            spans = [slice(k, k + count) for k in range(0, len(self.rows), count)]
+            self._parts[count] = [Table(self.head, self.rows[span], self.steps[span]) for span in spans]
+        return self._parts[count]
 
     @cached_property
-    def _wides(self) -> dict[int, list[float]]:
+    def _parts(self) -> dict[int, list[Table]]:
         return {}
-
-    def _widths(self, first: int, last: int) -> list[float]:
-        """Width of each column, were there only some of the rows [mm]."""
-        widths = []
-        for head, cells in self._cells:
-            some = cells[first:last]
-            point = _point(some)
-            widths.append(max([head, *((point - own if own is not None else 0.0) + whole for own, whole in some)]))
-        return widths
-
-    @cached_property
-    def _cells(self) -> list[tuple[float, list[Cell]]]:
-        """Of each column: the width of its heading, and its cells."""
-        cells = [[(_whole(cell), width(cell, LABEL)) for cell in row] for row in self.rows]
-        return [(width(head, LABEL), [row[k] for row in cells]) for k, head in enumerate(self.head)]
-
-
-def _point(cells: list[Cell]) -> float:
-    """The width of the widest number before its point [mm]."""
-    return max((own or 0.0 for own, _ in cells), default=0.0)
 
 
 @lru_cache(4096)
@@ -128,12 +109,13 @@ def arranged(tables: list[Table], room: float) -> list[list[Table]]:
 def _cut(tier: list[Table], room: float) -> list[Table]:
     """Tables cut to as few rows as their room allows."""
     for rows in range(3, _MOST_ROWS + 1):
-        if _across([wide for table in tier for wide in table.wides(rows)]) <= room:
-            return [part for table in tier for part in table.cut(rows)]
+        parts = [part for table in tier for part in table.cut(rows)]
+        if across(parts) <= room:
+            return parts
     kept: list[Table] = []
     for table in tier:
         part = table.cut(_MOST_ROWS)[0]
-        if _across([each.wide for each in (*kept, part)]) <= room:
+        if across([*kept, part]) <= room:
             kept.append(part)
     return kept
 
@@ -143,8 +125,9 @@ def height_of(tiers: list[list[Table]]) -> float:
     return sum(PITCH * (1 + max((len(table.rows) for table in tier), default=0)) + 2.5 for tier in tiers)
 
 
-def _across(wides: list[float]) -> float:
-    return sum(wides) + _BETWEEN * max(0, len(wides) - 1)
+def across(tables: Sequence[Table]) -> float:
+    """The width of tables side by side [mm]."""
+    return sum(table.wide for table in tables) + _BETWEEN * max(0, len(tables) - 1)
 
 
 def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
@@ -159,7 +142,9 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
                     if cell:
                         head = part.head[column]
                         accent = _PLANES.get(head[0].text) if k and head and "[" in head[-1].text else None
-                        marks.append(Text(cell, at + (part.before(cell, column) if k else 0), LABEL, accent=accent))
+                        step = part.steps[k - 1] if k and part.steps else None
+                        before = part.before(cell, column) if k else 0.0
+                        marks.append(Text(cell, at + before, LABEL, step, accent=accent))
                     at += wide + gap
             under = pen + 1j * (PITCH * 1.05)
             marks.append(Stroke((under, under + part.wide), "thin"))
@@ -193,8 +178,7 @@ class TableBlock:
     @property
     def size(self) -> complex:
         """[mm]"""
-        wide = max(_across([table.wide for table in tier]) for tier in self.tiers)
-        return complex(wide, height_of(self.tiers))
+        return complex(max(map(across, self.tiers)), height_of(self.tiers))
 
     def marks(self, corner: Place) -> list[Mark]:
         return drawn_tables(self.tiers, corner)
