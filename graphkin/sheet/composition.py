@@ -179,8 +179,10 @@ class SheetContents:
 
     tight   without frame, tables and title
     given   tables of the strip; tables: of the planes, in the shapes that they may have
-    low     the blocks that stand in the strip, not with their figures; lensed: the planes with room for a detail
-    said    room in the strip for the sentence of a single step [mm]; scales: that are kept then
+    low     the blocks that stand in the strip, not with their figures
+    detailed  the planes in which what lies too close together is drawn once more, magnified
+    stages  over the lines of the pencil, for single steps; said: room in the strip for the sentence of one [mm];
+            scales: that are kept then
     """
 
     drawing: Planes
@@ -188,9 +190,10 @@ class SheetContents:
     given: Sequence[Table] = ()
     tight: bool = False
     low: frozenset[tuple[Plane, BlockName]] = frozenset()
+    detailed: Collection[Plane] = ()
+    stages: bool = False
     said: float = 0.0
     scales: Mapping[Plane, float] = field(default_factory=dict)
-    lensed: Collection[Plane] = ()
 
     @property
     def planes(self) -> tuple[Plane, ...]:
@@ -206,19 +209,19 @@ class SheetContents:
             every: dict[BlockName, Sequence[Block]] = {
                 "paths": [WrittenLines(tuple(lines), LEAST)] if lines else [],
                 "equations": [] if own is None else [*dict.fromkeys((own, own.within(_NARROW)))],
-                "detail": [_DetailRoom()] if plane in self.lensed else [],
+                "detail": [_DetailRoom()] if plane in self.detailed else [],
                 "tables": self.tables.get(plane, ()),
             }
             blocks[plane] = {name: every[name] for name in _FEET if every[name] and (plane, name) not in self.low}
         return blocks
 
-    def extents(self, weights: Mapping[Plane, int]) -> dict[Plane, Extent]:
-        """With what stands beside each figure; a plane counts by its labels times its weight."""
+    @cached_property
+    def extents(self) -> dict[Plane, Extent]:
+        """With what stands beside each figure."""
         extents = dict[Plane, Extent]()
         for plane, extent in self.drawing.extents.items():
             blocks = tuple((tuple(s.size for s in shapes), _FEET[name]) for name, shapes in self.blocks[plane].items())
-            given, labels = self.scales.get(plane, extent.given), extent.labels * weights.get(plane, 1)
-            extents[plane] = replace(extent, blocks=blocks, given=given, labels=labels)
+            extents[plane] = replace(extent, blocks=blocks, given=self.scales.get(plane, extent.given))
         return extents
 
     @cached_property
@@ -240,32 +243,35 @@ class SheetContents:
     def ladders_in_foot(self) -> list[Ladder]:
         return [self.drawing.ladders[plane] for plane in self.planes if (plane, "equations") in self.low]
 
-    def laid_out(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> tuple[SheetContents, Layout]:
-        """The best division of the smallest paper that holds all figures; blocks for which figures would be drawn much
-        coarser stand in the strip, one more at a time."""
+    def laid_out(self, papers: Sequence[Paper]) -> tuple[SheetContents, Layout]:
+        """The best division of the smallest paper that holds all figures; blocks for which they would be drawn much
+        coarser than bare stand in the strip, one more at a time."""
         papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
-        bare = lay_out({p: replace(e, blocks=()) for p, e in self.extents(weights).items()}, self.height, papers)
-        area = bare.paper.enlarged.width * bare.paper.enlarged.height
-        same = [paper for paper in papers if paper.width * paper.height == area]
+        bare = lay_out({p: replace(e, blocks=()) for p, e in self.extents.items()}, self.height, papers)
         tries = [self]
-        while True:
-            contents = tries[-1]
-            if layout := division(same, contents.extents(weights), contents.height, bare):
-                return contents, layout
-            standing = [(_FEET[name], len(own[name]), plane, name) for plane, own in contents.blocks.items()
-                        for name in _IN_STRIP & own.keys()]  # fmt: skip
-            if not standing or self.tight:
-                break
-            tries.append(replace(contents, low=contents.low | {max(standing)[2:]}))
-        for contents in reversed(tries):
-            if layout := division(same, contents.extents(weights), contents.height):
-                return contents, layout
-        return contents, lay_out(contents.extents(weights), contents.height, papers)
+        while standing := tries[-1].movable:
+            tries.append(replace(tries[-1], low=tries[-1].low | {max(standing)[2:]}))
+        sizes = sorted({paper.width * paper.height for paper in papers})
+        for size, most in (*((size, bare) for size in sizes), *((size, None) for size in sizes[::-1])):
+            same = [paper for paper in papers if paper.width * paper.height == size]
+            for contents in tries:
+                if layout := division(same, contents.extents, contents.height, most):
+                    return contents, layout
+        return tries[-1], lay_out(tries[-1].extents, tries[-1].height, papers)
 
-    def page(self, layout: Layout, stages: bool, details: bool) -> Page:
-        """Everything on a divided paper; with `stages`, over the lines of the pencil and without results."""
+    @property
+    def movable(self) -> list[tuple[bool, float, Plane, BlockName]]:
+        """Blocks that may stand in the strip, too: tables rather than equations, large ones rather than small ones."""
+        every = ((plane, name, own[name]) for plane, own in self.blocks.items() for name in _IN_STRIP & own.keys())
+        return [] if self.tight else [
+            (_FEET[name], min(shape.size.real * shape.size.imag for shape in shapes), plane, name)
+            for plane, name, shapes in every
+        ]  # fmt: skip
+
+    def page(self, layout: Layout) -> Page:
+        """Everything on a divided paper."""
         drawing = self.drawing
-        panels = [self._panel(layout, plane, stages, details) for plane in self.planes]
+        panels = [self._panel(layout, plane) for plane in self.planes]
         notes: dict[Plane, Label] = {}  # how that was found which ruler and compass do not give
         for plane in self.planes if drawing.style != "given" else ():
             steps = drawing.construction(plane).steps
@@ -277,22 +283,21 @@ class SheetContents:
         strip = None if self.tight else Strip(layout.strip, tables, notes, equations=equations)
         return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
 
-    def _panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
-        """Lettered once, with details and without, for all divisions that show it alike."""
-        panels, detail, extent = self.drawing.panels, details and plane != "position", self.extents({})[plane]
+    def _panel(self, layout: Layout, plane: Plane) -> Panel:
+        """One plane's figure; lettered once for all divisions that show it alike."""
+        panels, extent = self.drawing.panels, self.extents[plane]
         window, corners = layout.window(plane, extent), layout.corners(plane, extent)
         place = (
-            detail, stages, plane, layout.rooms[plane], window, *corners, *self.blocks[plane], *layout.scales.items()
+            self.stages, plane, layout.rooms[plane], window, *corners, *self.blocks[plane], *layout.scales.items()
         )  # fmt: skip
-        if place not in panels and detail:
-            plain_one = self._panel(layout, plane, stages, details=False)
-            panels[place] = detailed(plain_one, partial(self.drawing.figure, plane), plane)
-        elif place not in panels:
-            panels[place] = self._plain_panel(layout, plane, stages, window, corners)
+        if place not in panels:
+            panel = self._plain_panel(layout, plane, window, corners)
+            draw = partial(self.drawing.figure, plane)
+            panels[place] = detailed(panel, draw, plane) if plane in self.detailed else panel
         return panels[place]
 
     def _plain_panel(
-        self, layout: Layout, plane: Plane, stages: bool, window: Window, corners: Sequence[tuple[int, Place]]
+        self, layout: Layout, plane: Plane, window: Window, corners: Sequence[tuple[int, Place]]
     ) -> Panel:
         """One plane's figure under its heading, with its blocks."""
         drawing, room = self.drawing, layout.rooms[plane]
@@ -303,7 +308,7 @@ class SheetContents:
             before += (marks := [*block.marks(at)])
             end = at + block.size
             taken += [Room(at.real, at.imag, end.real, end.imag)] * bool(marks)
-        if stages and plane == "position":
+        if self.stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         return Panel(
             drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane,

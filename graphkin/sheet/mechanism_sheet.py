@@ -9,7 +9,8 @@ smallest paper that holds all, other divisions of it, details, the same paper tu
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import field, replace
+from contextlib import suppress
+from dataclasses import replace
 from functools import cached_property
 
 from graphkin.base.value import frozen
@@ -37,7 +38,6 @@ from graphkin.sheet.text_blocks import LINE, broken
 from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_WEIGHT = 3  # so many times its labels count for a plane where some found no place, in another division
 _MANY, _WORST = 8.0, 80.0  # at a higher price a larger paper is tried; either way of one
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 
@@ -98,28 +98,23 @@ def scales_of(method: Method, plot: Plot, lang: Lang = "en") -> Mapping[Plane, f
 class Arrangement:
     """The contents of a sheet on one divided paper.
 
-    papers   the smallest of these that holds all is taken; weights: of planes in its division
-    details  what lies too close together is drawn once more, magnified
-    cut      the paper is cut to its only figure
-    stages   over the lines of the pencil, for single steps
+    papers  the smallest of these that holds all is taken
+    cut     it is cut to its only figure
     """
 
-    wanted: SheetContents
+    asked: SheetContents
     papers: Sequence[Paper]
-    weights: Mapping[Plane, int] = field(default_factory=dict)
-    details: bool = False
     cut: bool = False
-    stages: bool = False
 
     @cached_property
     def laid_out(self) -> tuple[SheetContents, Layout]:
         """With blocks in the strip for which figures leave no room. Raises TooLargeForPaper."""
         try:
-            contents, layout = self.wanted.laid_out(self.papers, self.weights)
+            contents, layout = self.asked.laid_out(self.papers)
         except TooLargeForPaper as error:
-            raise error.at(self.wanted.drawing.method.mechanism.where("scales", error.key)) from None
+            raise error.at(self.asked.drawing.method.mechanism.where("scales", error.key)) from None
         only = contents.planes[0]
-        return contents, cut_to(layout, only, contents.extents({})[only]) if self.cut else layout
+        return contents, cut_to(layout, only, contents.extents[only]) if self.cut else layout
 
     @property
     def contents(self) -> SheetContents:
@@ -130,26 +125,13 @@ class Arrangement:
         return self.laid_out[1]
 
     @property
-    def sold(self) -> Paper:
+    def sold(self) -> list[Paper]:
         """Its paper in the size in which it can be asked for."""
-        return PAPERS[self.layout.paper.name]
-
-    @property
-    def fits(self) -> bool:
-        """True where the paper holds all at the scales that are given."""
-        try:
-            return bool(self.layout.rooms)
-        except TooLargeForPaper:
-            return False
+        return [PAPERS[self.layout.paper.name]]
 
     @cached_property
     def page(self) -> Page:
-        return self.contents.page(self.layout, self.stages, self.details)
-
-    @cached_property
-    def near(self) -> Lettered:
-        """Each label near what it names."""
-        return self.page.lettered(far=False)
+        return self.contents.page(self.layout)
 
     @cached_property
     def overfull(self) -> float:
@@ -159,22 +141,18 @@ class Arrangement:
         return max(extents[p].lettering / (CRAMMED * room.size.real * room.size.imag) for p, room in rooms.items())
 
     @cached_property
-    def cost(self) -> tuple[float, float]:
-        """Labels that find no place near by, and the burden of all; of an overfull one all labels, and by how much."""
-        if self.overfull > 1:
-            return sum(extent.labels for extent in self.contents.drawing.extents.values()), self.overfull
-        above = self.layout.strip.size.imag - FOOT  # what stands over the footer takes room, and stands off its figure
-        return self.near.lost, self.near.burden + max(0.0, above) / _STRIP
-
-    @property
     def price(self) -> float:
-        """Both in one, by which arrangements are compared."""
-        return _LOST * self.cost[0] + self.cost[1]
+        """Labels that find no place near by, the burden of the others, and what stands over the footer, off its figure:
+        by this arrangements are compared. Of an overfull one all labels have no place."""
+        if self.overfull > 1:
+            return _LOST * sum(extent.labels for extent in self.contents.drawing.extents.values()) + self.overfull
+        near, above = self.page.lettered(far=False), self.layout.strip.size.imag - FOOT
+        return _LOST * near.lost + near.burden + max(0.0, above) / _STRIP
 
     @property
     def knotted(self) -> list[Plane]:
         """Planes whose labels would be worth a detail."""
-        panels = zip(self.contents.planes, self.page.panels, strict=True)
+        panels = zip(self.contents.planes, self.page.panels, strict=True) if self.overfull <= 1 else ()
         return [plane for plane, panel in panels if plane != "position" and burden(panel.burdens) >= SAVED]
 
     @cached_property
@@ -189,24 +167,17 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     usual = papers_for(paper)
     best = _on(Arrangement(contents, usual))
     for least, papers in ((_MANY, usual[2:]), (_WORST, usual[2:3]), (_WORST, usual[3:])):
-        if best.price > least and papers and papers != [best.sold]:
-            best = min(best, _on(replace(best, papers=papers, weights={})), key=lambda each: each.price)
+        if best.price > least and papers and papers != best.sold:
+            best = min(best, _on(replace(best, papers=papers)), key=lambda each: each.price)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
     return replace(best, cut=True) if cut else best
 
 
-def _on(best: Arrangement) -> Arrangement:
-    """The cheapest on the papers of an arrangement: with details, and with more room for what is crowded."""
-    if best.overfull > 1:
-        return best
-    if not best.details and (knots := best.knotted):
-        lensed = replace(best, details=True, wanted=replace(best.wanted, lensed=knots))
-        best = min(best, lensed, key=lambda each: each.price)
-    if best.cost[0]:
-        crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
-        other = replace(best, weights=dict.fromkeys(crowded, _WEIGHT))
-        best = min(best, other if other.layout != best.layout else best, key=lambda each: each.price)
-    return best
+def _on(first: Arrangement) -> Arrangement:
+    """The cheaper on the papers of an arrangement, as it is or with details."""
+    knots = [] if first.asked.detailed else first.knotted
+    other = replace(first, asked=replace(first.asked, detailed=knots)) if knots else first
+    return min(first, other, key=lambda each: each.price)
 
 
 # --- single steps -----------------------------------------------------------------------------------------------------
@@ -227,12 +198,13 @@ def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] =
         sign = f"{circled(act.number)} " if act.numbered else ""
         lines[act] = [head, *map(formula, broken(sign + texts.get(act, ""), wide, LABEL))]
     pitch = LINE * LABEL
-    stage = replace(best, stages=True)
+    stage = replace(best, asked=replace(best.contents, stages=True))
     if not contents.tight:  # the sentences stand over the footer, and all is drawn to the scales of the whole sheet
         said = pitch * max(map(len, lines.values()))
-        contents = replace(best.contents, said=said, scales=scales, tables={})
-        stage = replace(stage, wanted=contents, papers=[best.sold])
-        stage = stage if stage.fits else replace(best, stages=True)
+        asked = replace(stage.asked, said=said, scales=scales, tables={})
+        with suppress(TooLargeForPaper):  # where there is no room for that, they are cut
+            spoken = replace(stage, asked=asked, papers=best.sold)
+            stage = spoken if spoken.layout else stage
     strip, whole = stage.layout.strip, stage.lettered.sheet
     for act in acts if not numbers else [acts[number - 1] for number in numbers]:
         sheet = whole.upto(act.page)

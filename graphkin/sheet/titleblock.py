@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property, lru_cache
-from itertools import accumulate
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -186,7 +185,6 @@ class TableBlock:
 
 _WIDTHS = (110.0, 75.0, 50.0, 32.0)  # of blocks of tables [mm]
 FOOT = 14.0  # height of the footer [mm]
-_SHARE = 0.3  # so much of a paper's height equations may take at most
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 _RULER, _NAME = 100.0, "graphkin"
 
@@ -196,17 +194,10 @@ def strip_height(
     least: float = 0.0,
 ) -> float:  # fmt: skip
     """The height that the footer needs on a paper with what stands over it; least: room for that [mm]."""
-    lines = sum(line_size(line).imag for line in _lines(equations, paper))
+    lines = sum(line_size(line).imag for line in flowed(equations, tables_room(paper)))
     words = WrittenLines.sentences(told, tables_room(paper), LABEL).size.imag
     above = max(least, height_of(arranged([*found], tables_room(paper))) + words + lines)
     return FOOT + (above + 2.5 if above else 0.0)
-
-
-def _lines(equations: Sequence[Ladder], paper: Paper) -> list[list[Ladder]]:
-    """Line by line the equations for which there is room; the others are in the written solution alone."""
-    lines = flowed(equations, tables_room(paper))
-    reach = accumulate(line_size(line).imag for line in lines)
-    return [line for line, end in zip(lines, reach, strict=True) if end <= _SHARE * paper.height]
 
 
 def tables_room(paper: Paper) -> float:
@@ -243,7 +234,7 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     words = WrittenLines.sentences(asked.told, tables_room(paper), LABEL)
     marks += words.marks(corner)
     corner += 1j * words.size.imag
-    for line in _lines(asked.equations, paper):
+    for line in flowed(asked.equations, tables_room(paper)):
         marks += laid_out(line, corner)
         corner += 1j * line_size(line).imag
     foot = Room(room.left + 3, room.bottom - FOOT, room.right - 3, room.bottom)
