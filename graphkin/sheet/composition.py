@@ -251,9 +251,9 @@ class SheetContents:
         tries = [self]
         while standing := tries[-1].movable:
             tries.append(replace(tries[-1], low=tries[-1].low | {max(standing)[2:]}))
-        sizes = sorted({paper.width * paper.height for paper in papers})
+        sizes = sorted({paper.area for paper in papers})
         for size, most in (*((size, bare) for size in sizes), *((size, None) for size in sizes[::-1])):
-            same = [paper for paper in papers if paper.width * paper.height == size]
+            same = [paper for paper in papers if paper.area == size]
             for contents in tries:
                 if layout := division(same, contents.extents, contents.height, most):
                     return contents, layout

@@ -114,8 +114,8 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: S
 
     Raises TooLargeForPaper where a given scale is too fine for every paper.
     """
-    for size in dict.fromkeys(paper.width * paper.height for paper in candidates):
-        papers = [paper for paper in candidates if paper.width * paper.height == size]
+    for size in dict.fromkeys(paper.area for paper in candidates):
+        papers = [paper for paper in candidates if paper.area == size]
         if (best := division(papers, extents, strip_height)) is not None:
             return best
     raise _too_large(extents, strip_height, candidates)
@@ -202,8 +202,8 @@ def _unfair(rooms: Mapping[Plane, Rooms], whole: complex) -> Array:
 def _too_large(extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]) -> TooLargeForPaper:
     """The given scale that does not fit, and the finest one that would."""
     given = [plane for plane, extent in extents.items() if extent.given is not None]
-    area = max(paper.width * paper.height for paper in papers)
-    large = [paper for paper in papers if paper.width * paper.height == area]
+    area = max(paper.area for paper in papers)
+    large = [paper for paper in papers if paper.area == area]
     for freed in (*([plane] for plane in given), given):
         loose = {plane: replace(e, given=None) if plane in freed else e for plane, e in extents.items()}
         if (layout := division(large, loose, strip_height)) is not None:

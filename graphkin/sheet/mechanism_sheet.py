@@ -185,34 +185,41 @@ def _on(first: Arrangement) -> Arrangement:
 
 def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    best, drawing = cheapest(contents, paper), contents.drawing
-    scales, wide = best.layout.scales, tables_room(best.layout.paper)
-    others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
-    reading = drawing.reading({**others, **scales})
-    entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
-    texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
-    acts = [act for act in drawing.method.acts if act.plane in contents.planes]
-    lines = dict[Act, list[Label]]()
-    for number, act in enumerate(acts, 1):
-        head = plain(say("sheet.step", drawing.lang, number=number, count=len(acts)))
-        sign = f"{circled(act.number)} " if act.numbered else ""
-        lines[act] = [head, *map(formula, broken(sign + texts.get(act, ""), wide, LABEL))]
-    pitch = LINE * LABEL
-    stage = replace(best, asked=replace(best.contents, stages=True))
-    if not contents.tight:  # the sentences stand over the footer, and all is drawn to the scales of the whole sheet
-        said = pitch * max(map(len, lines.values()))
+    best, pitch = cheapest(contents, paper), LINE * LABEL
+    lines, stage = _spoken(best), replace(best, asked=replace(best.contents, stages=True))
+    area = best.sold[0].area
+    same = [each for each in papers_for(paper) if each.area == area]
+    for scales in () if contents.tight else (best.layout.scales, {}):  # those of the whole sheet, where there is room
+        said = pitch * max(map(len, lines.values()))  # the sentences stand over the footer
         asked = replace(stage.asked, said=said, scales=scales, tables={})
-        with suppress(TooLargeForPaper):  # where there is no room for that, they are cut
-            spoken = replace(stage, asked=asked, papers=best.sold)
-            stage = spoken if spoken.layout else stage
+        with suppress(TooLargeForPaper):
+            stage = replace(stage, asked=asked, papers=same)
+            lines = _spoken(stage)
+            break
     strip, whole = stage.layout.strip, stage.lettered.sheet
-    for act in acts if not numbers else [acts[number - 1] for number in numbers]:
+    for act in [[*lines][number - 1] for number in numbers] or lines:
         sheet = whole.upto(act.page)
         if not contents.tight:
             below, *above = sheet.layers
             at = [complex(strip.left + 3, strip.top + 1 + pitch * (k + 0.8)) for k in range(len(lines[act]))]
-            marks = [Text(line, place, LABEL) for line, place in zip(lines[act], at, strict=True)
-                     if place.imag < strip.bottom - FOOT]  # fmt: skip
+            marks = [Text(line, place, LABEL) for line, place in zip(lines[act], at, strict=True)]
             larger = [enlarged(mark, stage.layout.paper.times) for mark in marks]
             sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *larger)), *above))
         yield sheet
+
+
+def _spoken(stage: Arrangement) -> dict[Act, list[Label]]:
+    """The lines of each act's sentence, at the scales that are drawn. Raises TooLargeForPaper."""
+    drawing, planes = stage.contents.drawing, stage.contents.planes
+    others = {} if planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
+    reading = drawing.reading({**others, **stage.layout.scales})
+    entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
+    texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
+    acts = [act for act in drawing.method.acts if act.plane in planes]
+    lines = dict[Act, list[Label]]()
+    for number, act in enumerate(acts, 1):
+        head = plain(say("sheet.step", drawing.lang, number=number, count=len(acts)))
+        sign = f"{circled(act.number)} " if act.numbered else ""
+        wide = tables_room(stage.layout.paper)
+        lines[act] = [head, *map(formula, broken(sign + texts.get(act, ""), wide, LABEL))]
+    return lines

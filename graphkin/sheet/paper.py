@@ -85,9 +85,14 @@ class Paper:
         return self.width > self.height
 
     @property
+    def area(self) -> float:
+        """[mm^2]"""
+        return self.width * self.height
+
+    @property
     def reduced(self) -> Paper:
         """The paper on which its sheets are composed: one larger than A4 may be printed as A4."""
-        times = _READ if self.width * self.height > 1.1 * _A4 else 1.0
+        times = _READ if self.area > 1.1 * _A4 else 1.0
         return self._sized(1 / times, times)
 
     @property
