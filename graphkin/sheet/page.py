@@ -231,13 +231,9 @@ class Lettered:
     labels: list[Settled]
 
     @property
-    def clashes(self) -> list[int]:
-        """The number of labels of each panel that found no place of their own."""
-        return [settled.clashes for settled in self.labels]
-
-    @property
     def lost(self) -> int:
-        return sum(self.clashes)
+        """The number of labels that found no place of their own."""
+        return sum(settled.clashes for settled in self.labels)
 
     @cached_property
     def crowded(self) -> int:

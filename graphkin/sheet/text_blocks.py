@@ -115,7 +115,7 @@ def ring_width(numbers: str) -> float:
 
 
 _LINES = tuple(k * LABEL for k in (1, 2.2, 3.4))  # base lines of terms and of the rows under them [mm]
-_HIGH, _GAP, _BETWEEN = 4.0 * LABEL, 2.2, 8.0
+_HIGH, _GAP = 4.0 * LABEL, 2.2
 
 
 @frozen
@@ -212,27 +212,3 @@ def ladder(entries: Iterable[Entry], rows: tuple[str, str], acts: Sequence[Act])
 def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:
     for name, direction, size in equation.columns:
         yield formula(name), formula(direction), formula(size)
-
-
-def flowed(ladders: Sequence[Ladder], room: float) -> list[list[Ladder]]:
-    """Side by side as many as a width holds [mm], the others under them."""
-    lines: list[list[Ladder]] = []
-    for each in (each.within(room) for each in ladders):
-        if lines and line_size([*lines[-1], each]).real <= room:
-            lines[-1].append(each)
-        else:
-            lines.append([each])
-    return lines
-
-
-def line_size(ladders: Sequence[Ladder]) -> complex:
-    """Width and height of ladders side by side [mm]."""
-    sizes = [each.size for each in ladders]
-    return complex(sum(size.real + _BETWEEN for size in sizes) - _BETWEEN, max(size.imag for size in sizes))
-
-
-def laid_out(ladders: Sequence[Ladder], corner: Place) -> Iterator[Mark]:
-    """Side by side from their upper left corner, in the colours of their planes."""
-    for each in ladders:
-        yield from (replace(m, accent=each.plane) if isinstance(m, Text) else m for m in each.marks(corner))
-        corner += each.size.real + _BETWEEN

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from functools import cached_property, lru_cache
 
 from graphkin.base.value import frozen
@@ -14,7 +14,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import Paper, Room, written
-from graphkin.sheet.text_blocks import Ladder, WrittenLines, flowed, laid_out, line_size
+from graphkin.sheet.text_blocks import Ladder, WrittenLines
 
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
@@ -177,7 +177,7 @@ class TableBlock:
     @property
     def size(self) -> complex:
         """[mm]"""
-        return complex(max(map(across, self.tiers)), height_of(self.tiers))
+        return complex(max(map(across, self.tiers), default=0.0), height_of(self.tiers))
 
     def marks(self, corner: Place) -> list[Mark]:
         return drawn_tables(self.tiers, corner)
@@ -194,10 +194,17 @@ def strip_height(
     least: float = 0.0,
 ) -> float:  # fmt: skip
     """The height that the footer needs on a paper with what stands over it; least: room for that [mm]."""
-    lines = sum(line_size(line).imag for line in flowed(equations, tables_room(paper)))
-    words = WrittenLines.sentences(told, tables_room(paper), LABEL).size.imag
-    above = max(least, height_of(arranged([*found], tables_room(paper))) + words + lines)
+    above = max(least, sum(block.size.imag for block in _above(paper, found, equations, told)))
     return FOOT + (above + 2.5 if above else 0.0)
+
+
+def _above(
+    paper: Paper, found: Sequence[Table], equations: Sequence[Ladder], told: Sequence[str]
+) -> list[TableBlock | WrittenLines | Ladder]:
+    """What stands over the footer, one under the other."""
+    wide = tables_room(paper)
+    words = WrittenLines.sentences(told, wide, LABEL)
+    return [TableBlock(arranged([*found], wide)), words, *(each.within(wide) for each in equations)]
 
 
 def tables_room(paper: Paper) -> float:
@@ -228,15 +235,11 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     marks: list[Mark] = [frame(paper)]
     for top in dict.fromkeys((room.top, room.bottom - FOOT)):
         marks.append(Stroke((complex(room.left, top), complex(room.right, top)), "outline"))
-    tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
-    marks += drawn_tables(tiers, corner)
-    corner += 1j * height_of(tiers)
-    words = WrittenLines.sentences(asked.told, tables_room(paper), LABEL)
-    marks += words.marks(corner)
-    corner += 1j * words.size.imag
-    for line in flowed(asked.equations, tables_room(paper)):
-        marks += laid_out(line, corner)
-        corner += 1j * line_size(line).imag
+    corner = complex(room.left + 3, room.top + 1.5)
+    for block in _above(paper, asked.found, asked.equations, asked.told):
+        own = block.plane if isinstance(block, Ladder) else None
+        marks += (replace(m, accent=own) if own and isinstance(m, Text) else m for m in block.marks(corner))
+        corner += 1j * block.size.imag
     foot = Room(room.left + 3, room.bottom - FOOT, room.right - 3, room.bottom)
     return [*marks, *_footer(machine, foot, {**scales, **asked.further}, asked.notes, lang, _RULER / paper.times)]
 
