@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 from math import degrees
 
@@ -17,7 +17,7 @@ from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, numbe
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.skeleton import off_stretch
-from graphkin.sheet.titleblock import PITCH, Table, height_of
+from graphkin.sheet.titleblock import PITCH, Table, across, drawn_tables, height_of
 from graphkin.studies.centres import Centres
 
 _PENS: dict[str, PenName] = {
@@ -34,7 +34,6 @@ _HEAD, _LINE = 8.0, 4.6
 """Height of the heading, and of a line of the key [mm]."""
 _SHARES = tuple(0.5 + sign * k / 40 for k in range(15) for sign in (1, -1))
 """Places along its chord at which a number may stand."""
-_GAP, _BETWEEN = 2.6, 6.0
 _WORDS: dict[Lang, dict[str, str]] = {
     "en": {
         "number": "No.", "centre": "centre", "place": "x, y [mm]", "by": "found by",
@@ -135,32 +134,19 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
 
 @frozen
 class CentreTable:
-    """The table cut into parts that stand side by side; `lost` rows found no room on the paper."""
+    """The table cut into parts that stand side by side; `lost` rows have no room on the paper."""
 
-    parts: tuple[Table, ...]
-    steps: int
+    parts: list[Table]
     lost: int = 0
 
     @property
     def height(self) -> float:
         """[mm]"""
-        return height_of([list(self.parts)])
+        return height_of([self.parts])
 
-    def drawn(self, corner: Place) -> Iterator[Mark]:
+    def drawn(self, corner: Place) -> list[Mark]:
         """Each row comes with its own step."""
-        step = 0
-        for part in self.parts:
-            for k, row in enumerate((part.head, *part.rows)):
-                step += k > 0
-                pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
-                for cell, wide in zip(row, part.widths, strict=True):
-                    if cell:
-                        yield Text(cell, pen, LABEL, min(step, self.steps) if k else None)
-                    pen += wide + _GAP
-                if not k:
-                    under = corner + 1j * (PITCH * 1.05)
-                    yield Stroke((under, under + part.wide), "thin")
-            corner += part.wide + _BETWEEN
+        return drawn_tables([self.parts], corner)
 
 
 def centre_table(found: Centres, lang: Lang, room: float, most: float) -> CentreTable:
@@ -177,19 +163,17 @@ def centre_table(found: Centres, lang: Lang, room: float, most: float) -> Centre
         rows.append((plain(str(spot.number)), centre_label(spot.name), place, _by(found, spot, words)))
     for pair in found.centring.together:
         rows.append((plain("–"), centre_label(found.name(*pair)), plain("–"), plain(words["none"])))
-    for count in range(3, max(4, int(most / PITCH))):
-        parts = tuple(Table(head, tuple(rows)).cut(count))
-        if sum(part.wide for part in parts) + _BETWEEN * (len(parts) - 1) <= room:
-            return CentreTable(parts, len(found.centring.stages))
-    kept: list[Table] = []  # as many parts as there is room for; the last line tells how many rows are left out
-    for part in Table(head, tuple(rows)).cut(max(4, int(most / PITCH)) - 1):
-        if kept and sum(p.wide for p in kept) + part.wide + _BETWEEN * len(kept) > room:
-            break
-        kept.append(part)
+    last = len(found.centring.stages)
+    whole = Table(head, tuple(rows), tuple(min(k + 1, last) for k in range(len(rows))))
+    most_rows = max(4, int(most / PITCH))
+    for count in range(3, most_rows):
+        if across(parts := whole.cut(count)) <= room:
+            return CentreTable(parts)
+    parts = whole.cut(most_rows - 1)  # as many as there is room for; the last line tells how many rows are left out
+    kept = parts[: max(1, sum(across(parts[: k + 1]) <= room for k in range(len(parts))))]
     lost = len(rows) - sum(len(part.rows) for part in kept) + 1
     rest = plain("…"), plain(f"{lost}"), plain(words["more"]), plain("")
-    kept[-1] = Table(head, (*kept[-1].rows[:-1], rest))
-    return CentreTable(tuple(kept), len(found.centring.stages), lost)
+    return CentreTable([*kept[:-1], replace(kept[-1], rows=(*kept[-1].rows[:-1], rest))], lost)
 
 
 def _by(found: Centres, spot: Spot, words: dict[str, str]) -> Label:

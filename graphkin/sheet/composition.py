@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cache, cached_property, partial
 from typing import Literal
@@ -24,26 +24,23 @@ from graphkin.sheet.arrows import heads_apart, named_apart
 from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.dimension_lines import angles
-from graphkin.sheet.free_room import FreeRoom
-from graphkin.sheet.label_candidates import LabelScene
-from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
-from graphkin.sheet.lettering import Label, plain
-from graphkin.sheet.marks import Mark
+from graphkin.sheet.layout import Height, Layout, division, lay_out
+from graphkin.sheet.lettering import LEAST, Label, plain
+from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
-from graphkin.sheet.paper import KEYS, Paper
+from graphkin.sheet.paper import KEYS, Paper, Room
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.text_blocks import AIR, Ladder, ladder
+from graphkin.sheet.text_blocks import Block, Ladder, WrittenLines, ladder
 from graphkin.sheet.titleblock import Strip, Table, TableBlock, strip_height
 from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
-_COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations over it
+BlockName = Literal["paths", "equations", "detail", "tables"]
 _NARROW = 84.0  # half of a sheet: equations that are longer may be broken [mm]
-_LENS = 60 + 68j  # the room for a detail [mm]
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
@@ -107,11 +104,6 @@ class Planes:
         """Panels, by all they hang on: they are lettered once, with details and without."""
         return {}
 
-    @cached_property
-    def tables(self) -> dict[tuple[object, ...], list[Mark] | None]:
-        """The tables of planes, by all that their place hangs on; None where there is none."""
-        return {}
-
     def skeleton(self, window: Window) -> Skeleton:
         return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
 
@@ -123,6 +115,17 @@ class Planes:
             self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held
         )
 
+    def last(self, plane: Plane, window: Window, scales: Mapping[Plane, float]) -> Last | None:
+        """What is drawn last on a figure."""
+        reading = self.reading(scales)
+        if plane == "position" and self.style != "result":  # annotations, of what is used for the polygons too
+            polygons = self.planes if self.style == "construction" else ()
+            return MechanismNotes(self.skeleton(window), reading, self.sizes, polygons)
+        if self.style != "construction":
+            return None
+        acts = [act for act in self.method.acts if act.plane == plane]
+        return PolygonConstruction(self.polygon(plane, window), PolygonReading(reading, plane), acts)
+
     @cached_property
     def rested(self) -> frozenset[Fact]:
         """The motions that drivers at rest hold still."""
@@ -131,12 +134,9 @@ class Planes:
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
         """The size of each plane's points, and the reach of its signs beyond them."""
-        given, extents = self.method.mechanism.scales, dict[Plane, Extent]()
-        for plane in self.planes:
-            extent = Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane]))
-            over = self.paths.height if plane == "position" else 0.0
-            extents[plane] = replace(extent, top=extent.top + over)
-        return extents
+        given = self.method.mechanism.scales
+        return {plane: Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane]))
+                for plane in self.planes}  # fmt: skip
 
     @cached_property
     def ladders(self) -> dict[Plane, Ladder]:
@@ -159,143 +159,119 @@ class Planes:
         return Reading(self.method, self.plot, {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}, self.lang)
 
 
+class _DetailRoom:
+    """The room for a detail, which finds its place in it when all is lettered."""
+
+    size = 60 + 68j
+
+    def marks(self, corner: Place) -> Iterator[Mark]:
+        yield from ()
+
+
+_FEET: Mapping[BlockName, bool] = {"paths": False, "equations": False, "detail": True, "tables": True}
+"""The order in which blocks find their corners; True for those that are meant for the foot of a room."""
+_IN_STRIP: frozenset[BlockName] = frozenset(("equations", "tables"))  # those that may stand there, too
+
+
 @frozen
 class SheetContents:
     """All that a mechanism's sheet shows, whatever its paper.
 
-    tight     without frame, tables and title
-    given     tables of the strip; tables: with their planes, in the shapes that they may have
-    in_strip  the planes whose equations stand there, not with their polygons; lensed: those with room for a detail
-    footed    the planes whose tables have a room of their own under the figure; low: those whose tables go to the strip
-    said      room in the strip for the sentence of a single step, in place of tables [mm]; scales: that are kept then
+    tight   without frame, tables and title
+    given   tables of the strip; tables: of the planes, in the shapes that they may have
+    low     the blocks that stand in the strip, not with their figures
+    detailed  the planes in which what lies too close together is drawn once more, magnified
+    stages  over the lines of the pencil, for single steps; said: room in the strip for the sentence of one [mm];
+            scales: that are kept then
     """
 
     drawing: Planes
     tables: Mapping[Plane, Sequence[TableBlock]]
     given: Sequence[Table] = ()
     tight: bool = False
-    in_strip: Collection[Plane] = ()
-    footed: Collection[Plane] = ()
-    low: Collection[Plane] = ()
+    low: frozenset[tuple[Plane, BlockName]] = frozenset()
+    detailed: Collection[Plane] = ()
+    stages: bool = False
     said: float = 0.0
     scales: Mapping[Plane, float] = field(default_factory=dict)
-    lensed: Collection[Plane] = ()
 
     @property
     def planes(self) -> tuple[Plane, ...]:
         return self.drawing.planes
 
     @cached_property
-    def extents(self) -> dict[Plane, Extent]:
-        """With what stands beside each figure: its equations, a detail, its tables."""
-        extents = dict[Plane, Extent]()
-        for plane, extent in self.drawing.extents.items():
-            lens = _LENS if plane in self.lensed else 0j
-            shapes = [own.size for own in self.ladders.get(plane, ())] or [0j] * (plane in self.lensed)
-            beside = [(complex(own.real + lens.real, max(own.imag, lens.imag)),
-                       complex(max(own.real, lens.real), own.imag + lens.imag)) for own in shapes]  # fmt: skip
-            feet = [block.size for block in self.tables[plane]] if plane in self.footed and not self.said else ()
-            given = self.scales.get(plane, extent.given)
-            extents[plane] = replace(extent, beside=tuple(beside), tables=tuple(feet), given=given)
-        return extents
+    def blocks(self) -> dict[Plane, dict[BlockName, Sequence[Block]]]:
+        """What stands with each figure, in all its shapes."""
+        blocks = dict[Plane, dict[BlockName, Sequence[Block]]]()
+        for plane in self.planes:
+            own = self.drawing.ladders.get(plane)
+            lines = self.drawing.paths.lines if plane == "position" else ()
+            every: dict[BlockName, Sequence[Block]] = {
+                "paths": [WrittenLines(tuple(lines), LEAST)] if lines else [],
+                "equations": [] if own is None else [*dict.fromkeys((own, own.within(_NARROW)))],
+                "detail": [_DetailRoom()] if plane in self.detailed else [],
+                "tables": self.tables.get(plane, ()),
+            }
+            blocks[plane] = {name: every[name] for name in _FEET if every[name] and (plane, name) not in self.low}
+        return blocks
 
     @cached_property
-    def ladders(self) -> dict[Plane, list[Ladder]]:
-        """The equations that stand with their polygons, whole and with long ones broken."""
-        every = ((plane, own) for plane, own in self.drawing.ladders.items() if plane not in self.in_strip)
-        return {plane: list(dict.fromkeys((own, own.within(_NARROW)))) for plane, own in every}
-
-    def without_head(self, layout: Layout) -> list[Plane]:
-        """Planes whose equations have no room of their own with their figure."""
-        return [plane for plane in self.ladders if plane not in layout.headed]
-
-    def without_room(self, layout: Layout) -> list[Plane]:
-        """Those of them for whose equations there is no room even while nothing is lettered."""
-        return [plane for plane in self.without_head(layout) if not self._equations(layout, plane)]
-
-    def _equations(self, layout: Layout, plane: Plane) -> list[Mark]:
-        """A plane's equations: under its heading, else where its figure leaves room; none where it does not."""
-        room, shapes = layout.rooms[plane], self.ladders.get(plane, [])
-        if plane in layout.headed and shapes:
-            at = complex(room.left + HEAD_LEFT, under_heading(room).top)
-            return [*shapes[layout.shape(plane, self.extent(layout, plane))].marks(at)]
-        lowest = self._lowest(layout, plane)
-        free = self._free(layout, plane, (), lowest.size.imag + AIR if lowest else 0.0) if shapes else None
-        for own in shapes if free is not None else ():
-            if free is not None and (corner := free.corner(own.size + 2 * complex(AIR, AIR))) is not None:
-                return [*own.marks(corner + complex(AIR, AIR))]
-        return []
-
-    def _free(self, layout: Layout, plane: Plane, before: Sequence[Mark], foot: float = 0.0) -> FreeRoom:
-        """The room over its foot that a plane's figure and heading leave, and what else stands there before letters."""
-        room, window = layout.rooms[plane], layout.window(plane, self.extent(layout, plane))
-        marks = [*heading(HEADINGS[self.drawing.lang][plane], plane, window.printed, room), *before]
-        return FreeRoom(LabelScene([], marks + self.drawing.figure(plane, window).marks, room.inset(1, 1, 1 + foot)))
-
-    def _tables_at(self, layout: Layout, plane: Plane) -> list[Mark] | None:
-        """A plane's tables as low in its room as its figure and equations allow; None where they do not."""
-        place = self._place(layout, plane)
-        if place not in self.drawing.tables:
-            self.drawing.tables[place] = self._low_tables(layout, plane)
-        return self.drawing.tables[place]
-
-    def _low_tables(self, layout: Layout, plane: Plane) -> list[Mark] | None:
-        free = self._free(layout, plane, self._equations(layout, plane))
-        air, room = complex(AIR, AIR), layout.rooms[plane]
-        for block in self.tables[plane]:
-            if (corner := free.corner(block.size + 2 * air, from_below=True)) is not None:
-                return block.marks(corner + air)
-        lowest = self._lowest(layout, plane)
-        return None if lowest is None else lowest.marks(complex(room.left + HEAD_LEFT, room.bottom - lowest.size.imag))
-
-    def _lowest(self, layout: Layout, plane: Plane) -> TableBlock | None:
-        """A plane's tables in the lowest shape for which its room is wide enough, where they stand at its foot."""
-        wide = layout.rooms[plane].size.real - 2 * HEAD_LEFT
-        narrow = [block for block in self.tables.get(plane, ()) if block.size.real <= wide and plane in self.footed]
-        return min(narrow, key=lambda block: block.size.imag, default=None)
-
-    def tableless(self, layout: Layout) -> list[Plane]:
-        """Planes whose tables have no place with them."""
-        planes = (plane for plane in self.tables if plane in self.planes and plane not in self.low)
-        return [plane for plane in planes if self._tables_at(layout, plane) is None]
+    def extents(self) -> dict[Plane, Extent]:
+        """With what stands beside each figure."""
+        extents = dict[Plane, Extent]()
+        for plane, extent in self.drawing.extents.items():
+            blocks = tuple((tuple(s.size for s in shapes), _FEET[name]) for name, shapes in self.blocks[plane].items())
+            extents[plane] = replace(extent, blocks=blocks, given=self.scales.get(plane, extent.given))
+        return extents
 
     @cached_property
     def height(self) -> Height:
         """The height of the strip on a paper [mm], reckoned once for each."""
-        equations = [self.drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
-        height = partial(strip_height, found=self._in_foot, equations=equations)
-        height = partial(strip_height, least=self.said) if self.said else height
-        return cache(height) if not self.tight else lambda _: 0.0
+        if self.tight:
+            return lambda _: 0.0
+        if self.said:
+            return partial(strip_height, least=self.said)
+        return cache(partial(strip_height, found=self.in_foot, equations=self.ladders_in_foot))
 
     @property
-    def _in_foot(self) -> list[Table]:
+    def in_foot(self) -> list[Table]:
         """The tables of the strip."""
-        low = (self.tables[plane][0] for plane in self.planes if plane in self.low)
+        low = (self.tables[plane][0] for plane in self.planes if (plane, "tables") in self.low)
         return [*self.given, *(table for block in low for tier in block.tiers for table in tier)]
 
-    def layout(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
-        """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
-        key = (*(paper.name for paper in papers), *weights.items())
-        if key not in self._layouts:
-            extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
-            papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
-            free = {plane: replace(extent, beside=()) for plane, extent in extents.items()}
-            bare = lay_out(free, self.height, papers)
-            self._layouts[key] = headed(bare, extents, self.height, papers, _COARSER)
-        return self._layouts[key]
+    @property
+    def ladders_in_foot(self) -> list[Ladder]:
+        return [self.drawing.ladders[plane] for plane in self.planes if (plane, "equations") in self.low]
 
-    @cached_property
-    def _layouts(self) -> dict[tuple[object, ...], Layout]:
-        return {}
+    def laid_out(self, papers: Sequence[Paper]) -> tuple[SheetContents, Layout]:
+        """The best division of the smallest paper that holds all figures; blocks for which they would be drawn much
+        coarser than bare stand in the strip, one more at a time."""
+        papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
+        bare = lay_out({p: replace(e, blocks=()) for p, e in self.extents.items()}, self.height, papers)
+        tries = [self]
+        while standing := tries[-1].movable:
+            tries.append(replace(tries[-1], low=tries[-1].low | {max(standing)[2:]}))
+        sizes = sorted({paper.area for paper in papers})
+        for size, most in (*((size, bare) for size in sizes), *((size, None) for size in sizes[::-1])):
+            same = [paper for paper in papers if paper.area == size]
+            for contents in tries:
+                if layout := division(same, contents.extents, contents.height, most):
+                    return contents, layout
+        return tries[-1], lay_out(tries[-1].extents, tries[-1].height, papers)
 
-    def extent(self, layout: Layout, plane: Plane) -> Extent:
-        """With its equations, where they have a room of their own."""
-        return self.extents[plane] if plane in layout.headed else replace(self.extents[plane], beside=())
+    @property
+    def movable(self) -> list[tuple[bool, float, Plane, BlockName]]:
+        """Blocks that may stand in the strip, too: tables rather than equations, large ones rather than small ones."""
+        every = ((plane, name, own[name]) for plane, own in self.blocks.items() for name in _IN_STRIP & own.keys())
+        return [] if self.tight else [
+            (_FEET[name], min(shape.size.real * shape.size.imag for shape in shapes), plane, name)
+            for plane, name, shapes in every
+        ]  # fmt: skip
 
-    def page(self, layout: Layout, stages: bool, details: bool) -> Page:
-        """Everything on a divided paper; with `stages`, over the lines of the pencil and without results."""
+    def page(self, layout: Layout) -> Page:
+        """Everything on a divided paper."""
         drawing = self.drawing
-        panels = [self._panel(layout, plane, stages, details) for plane in self.planes]
+        panels = [self._panel(layout, plane) for plane in self.planes]
         notes: dict[Plane, Label] = {}  # how that was found which ruler and compass do not give
         for plane in self.planes if drawing.style != "given" else ():
             steps = drawing.construction(plane).steps
@@ -303,47 +279,38 @@ class SheetContents:
                 notes[plane] = plain(_FITTED[drawing.lang])
             elif any(isinstance(step, Simultaneous) for step in steps):
                 notes[plane] = plain(_TOGETHER[drawing.lang])
-        ladders = [drawing.ladders[plane] for plane in self.planes if plane in self.in_strip]
-        tables, equations = ([], []) if stages else (self._in_foot, ladders)
+        tables, equations = ([], []) if self.said else (self.in_foot, self.ladders_in_foot)
         strip = None if self.tight else Strip(layout.strip, tables, notes, equations=equations)
         return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
 
-    def _panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:
-        panels, detail = self.drawing.panels, details and plane != "position"
-        place = detail, stages, *self._place(layout, plane), *layout.scales.items()
-        if place not in panels and detail:
-            plain_one = self._panel(layout, plane, stages, details=False)
-            panels[place] = detailed(plain_one, partial(self.drawing.figure, plane), plane)
-        elif place not in panels:
-            window = layout.window(plane, self.extent(layout, plane))
-            panels[place] = self._plain_panel(layout, plane, stages, window)
+    def _panel(self, layout: Layout, plane: Plane) -> Panel:
+        """One plane's figure; lettered once for all divisions that show it alike."""
+        panels, extent = self.drawing.panels, self.extents[plane]
+        window, corners = layout.window(plane, extent), layout.corners(plane, extent)
+        place = (
+            self.stages, plane, layout.rooms[plane], window, *corners, *self.blocks[plane], *layout.scales.items()
+        )  # fmt: skip
+        if place not in panels:
+            panel = self._plain_panel(layout, plane, window, corners)
+            draw = partial(self.drawing.figure, plane)
+            panels[place] = detailed(panel, draw, plane) if plane in self.detailed else panel
         return panels[place]
 
-    def _place(self, layout: Layout, plane: Plane) -> tuple[object, ...]:
-        """All that equations and tables of a plane hang on."""
-        choices = (plane in planes for planes in (layout.headed, self.in_strip, self.footed, self.low, self.lensed))
-        return plane, layout.rooms[plane], layout.window(plane, self.extent(layout, plane)), *choices
-
-    def _plain_panel(self, layout: Layout, plane: Plane, stages: bool, window: Window) -> Panel:
-        """One plane's figure under its heading."""
+    def _plain_panel(
+        self, layout: Layout, plane: Plane, window: Window, corners: Sequence[tuple[int, Place]]
+    ) -> Panel:
+        """One plane's figure under its heading, with its blocks."""
         drawing, room = self.drawing, layout.rooms[plane]
         before = [*heading(HEADINGS[drawing.lang][plane], plane, window.printed, room)]
-        corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
-        if plane == "position":
-            before += drawing.paths.written(corner)
-        before += self._equations(layout, plane)
-        if plane in self.tables and plane not in self.low and not stages:
-            before += self._tables_at(layout, plane) or []
-        if stages and plane == "position":
+        blocks = [(shapes[k], at) for shapes, (k, at) in zip(self.blocks[plane].values(), corners, strict=True)]
+        taken = list[Room]()
+        for block, at in blocks:
+            before += (marks := [*block.marks(at)])
+            end = at + block.size
+            taken += [Room(at.real, at.imag, end.real, end.imag)] * bool(marks)
+        if self.stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
-        more: Last | None = None
-        if drawing.style == "construction" and plane == "position":  # annotations of what is used for the polygons
-            reading = drawing.reading(layout.scales)
-            more = MechanismNotes(drawing.skeleton(window), reading, drawing.sizes, self.planes)
-        elif drawing.style == "given":
-            more = MechanismNotes(drawing.skeleton(window), drawing.reading(layout.scales), drawing.sizes)
-        elif drawing.style == "construction":
-            acts = [act for act in drawing.method.acts if act.plane == plane]
-            spoken = PolygonReading(drawing.reading(layout.scales), plane)
-            more = PolygonConstruction(drawing.polygon(plane, window), spoken, acts)
-        return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
+        return Panel(
+            drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane,
+            drawing.last(plane, window, layout.scales), tuple(taken),
+        )  # fmt: skip

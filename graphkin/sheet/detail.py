@@ -25,7 +25,7 @@ from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, 
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import Room
-from graphkin.sheet.window import Figure, Window, magnified
+from graphkin.sheet.window import Figure, Window, corners, magnified
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
 _TIMES = (2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0, 20.0)
@@ -37,8 +37,7 @@ SAVED = 4.0  # the burden that a detail saves at least
 _LED = 3.0  # the additional burden of a leader in a detail
 _CLEAR, _NOTHING = 9.0, 0.3  # the shortest arrow in a detail is at least so long; what is no arrow [mm]
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
-_ROUND = 1.2  # a lens is so many times as large as what it is to show
-_RIM = 1.1  # a circle about a knot is so many times as large as the knot
+_ROUND = 1.2  # a circle is so many times as large as what it is to show
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
 _NUMERALS = ("I", "II")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -95,9 +94,8 @@ def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Pa
 
 def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Sequence[Place]) -> Panel:
     """The panel with a detail of the part that holds these places; as it is where it has no room for one."""
-    drawing, middle = _DetailDrawing(panel, draw, _PRIMES[plane]), sum(about) / len(about)
-    knot = _DetailCircle(middle, max(_RADII[0], _ROUND * max(abs(place - middle) for place in about)))
-    views = drawing._views(knot, FreeRoom(panel.scene))
+    drawing = _DetailDrawing(panel, draw, _PRIMES[plane])
+    views = drawing._views(_about(about), FreeRoom(panel.scene))
     return drawing._with(views[-1]).panel if views else panel
 
 
@@ -169,9 +167,8 @@ class _DetailDrawing:
         heading = plain(f"{numeral}  ({view.times:g} : 1)")
         top = view.shown.centre - 1j * (view.shown.radius + _AROUND - 1.0)  # over what is written around it
         marks.append(Text(heading, top - width(heading, LABEL) / 2, LABEL, step))
-        side = 2 * (view.shown.radius + _AROUND)  # with the room of letters around it
-        corner = view.shown.centre - complex(side, side) / 2
-        room = Room(corner.real, corner.imag, corner.real + side, corner.imag + side)
+        at = view.shown.centre
+        room = Room(at.real, at.imag, at.real, at.imag).inset(*[-view.shown.radius - _AROUND] * 3)  # with its letters
         alone = Panel(Figure(marks, named), view.window, room)
         inside = alone.burdens + _LED * np.bincount(alone.near.led, minlength=len(named))
         known = np.concatenate([self.burdens[stay], inside, [0.0]])
@@ -180,36 +177,27 @@ class _DetailDrawing:
 
 
 def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> Iterator[tuple[_DetailCircle, float]]:
-    """For each radius the circle that holds most burden, where that is enough; and the most that this weighs."""
+    """For each radius the circle about what is so near to one label and weighs most, where that is enough; and the
+    most that this weighs."""
     if not 0 < len(wanted) <= _MANY:
         return
-    about = np.array([want.place for want in wanted])
     start = np.array([want.start for want in wanted])
     end = np.array([want.start if want.end is None else want.end for want in wanted])
-    far = _farthest(about, start, end)
+    about = np.array([want.place for want in wanted])[:, None]
+    far = np.maximum(abs(start - about), abs(end - about))
     for radius in _RADII:
-        centres = _middles(far <= radius + _ON, about, start, end)
-        held = (_farthest(centres, start, end) <= radius + _ON) @ burdens
-        if held.max() >= SAVED:
-            inside = _farthest(centres[held.argmax()][None], start, end)[0] <= radius + _ON
+        held = far <= radius + _ON
+        inside = held[(held @ burdens).argmax()]
+        if burdens[inside].sum() >= SAVED:
             lighter = burden(burdens) - burden(np.where(inside, 0.0, burdens))
-            yield _DetailCircle(complex(centres[held.argmax()]), _RIM * radius), lighter
+            yield _about([*start[inside], *end[inside]]), lighter
 
 
-def _farthest(centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Distances from places (c,) to the farther ends of what labels name, from start to end (w,): (c, w)."""
-    return np.asarray(np.maximum(abs(start - centres[:, None]), abs(end - centres[:, None])))
-
-
-def _middles(held: np.ndarray, centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """The middles of what circles hold (c, w), or of circles that hold nothing."""
-    lows, highs = (
-        [far(np.where(held, side(part(start), part(end)), none), axis=1) for part in (np.real, np.imag)]
-        for far, side, none in ((np.min, np.minimum, np.inf), (np.max, np.maximum, -np.inf))
-    )
-    with np.errstate(invalid="ignore"):
-        x, y = ((low + high) / 2 for low, high in zip(lows, highs))
-    return np.where(held.any(axis=1), x + 1j * y, centres)
+def _about(places: Sequence[Place]) -> _DetailCircle:
+    """A circle about places, a little larger."""
+    low, high = corners(places)
+    middle = (low + high) / 2
+    return _DetailCircle(middle, max(_RADII[0], _ROUND * max(abs(place - middle) for place in places)))
 
 
 def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:

@@ -10,7 +10,6 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -18,47 +17,52 @@ from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
+from graphkin.sheet.corners import Standing, standing
+from graphkin.sheet.marks import Place
 from graphkin.sheet.page import HEAD_WIDTH
 from graphkin.sheet.paper import KEYS, UNITS, Paper, Room, Rooms, TooLargeForPaper, finer, papers_for
 from graphkin.sheet.window import Extent, Window
 
 HEAD = 7.5  # height of a figure's heading [mm]
-HEAD_LEFT = 3.0  # from the side of a room to its heading [mm]
 _SECOND = 5.5  # its additional height where the scale stands under it, in a narrow room [mm]
 _NARROWEST = 46.0  # a heading wants at least so much [mm]
-_MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
+_MECHANISM = 2.2  # the weight of the mechanism: its signs keep their size and need room between them
 _INK = 1.0  # the worth of paper that is used
-_FAIR, _MOST, _DEAR = 0.28, 0.41, 40.0
+_AT_ONCE = 128  # so many divisions are held against blocks at once
+_COARSER = 1.7  # so much coarser a figure may be drawn to have room for its equations and tables beside it
+_FAIR, _MOST, _DEAR = 0.26, 0.41, 40.0
 """So much of the field each of three figures has at least, and the mechanism at most; the cost of what is not so."""
 
 Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
-Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
-"""Divisions of a field, each with all its shares."""
 
 
 @frozen
 class Layout:
-    """A paper divided: a room and a scale for each plane, and the strip for tables and title.
-
-    headed  the planes whose equations have a room of their own over their figure or beside it
-    """
+    """A paper divided: a room and a scale for each plane, and the strip for tables and title."""
 
     paper: Paper
     rooms: Mapping[Plane, Room]
     scales: Mapping[Plane, float]
     strip: Room
-    headed: tuple[Plane, ...] = ()
 
     def window(self, plane: Plane, extent: Extent) -> Window:
-        """The figure with all its signs in the middle of its room, under its heading."""
-        times = self.paper.times
-        free, *_ = _for_figure(_one(self.rooms[plane]), extent.reduced(times))
-        return extent.reduced(times).window(Room(*map(float, free)), self.scales[plane], times)
+        """The figure with all its signs in the middle of what its blocks leave, under its heading."""
+        return self.standing(plane, extent).window(self._own(plane, extent), self.free(plane), self.paper.times)
 
-    def shape(self, plane: Plane, extent: Extent) -> int:
-        """The number of the shape in which its equations stand with a figure."""
-        *_, best = _for_figure(_one(self.rooms[plane]), extent.reduced(self.paper.times))
-        return int(best) // 2
+    def corners(self, plane: Plane, extent: Extent) -> list[tuple[int, Place]]:
+        """The number of each of its blocks' shapes, and its upper left corner."""
+        return self.standing(plane, extent).corners(self.free(plane))
+
+    def standing(self, plane: Plane, extent: Extent) -> Standing:
+        """A figure and its blocks under its heading."""
+        return standing(_one(self.free(plane)), self._own(plane, extent))
+
+    def free(self, plane: Plane) -> Room:
+        """The part of its room in which a figure and its blocks stand."""
+        return under_heading(self.rooms[plane])
+
+    def _own(self, plane: Plane, extent: Extent) -> Extent:
+        return replace(extent.reduced(self.paper.times), given=self.scales[plane])
 
 
 def under_heading(room: Room) -> Room:
@@ -72,37 +76,6 @@ def _one(room: Room) -> Rooms:
 
 def _under_heading(room: Rooms) -> Rooms:
     return room._replace(top=room.top + np.where(room.right - room.left < HEAD_WIDTH, HEAD + _SECOND, HEAD))
-
-
-def _for_figure(room: Rooms, extent: Extent) -> tuple[Rooms, Array, Array]:
-    """The parts of rooms that heading, tables and equations leave, the scales there, and which of its places the
-    equations take: over the figure or on its left, in each of their shapes, wherever they leave it largest."""
-    under = _over_tables(_under_heading(room), extent.tables)
-    free = [under]
-    for pair in extent.beside:
-        first, other = (size + complex(2 * HEAD_LEFT, HEAD_LEFT) for size in pair)
-        wide, high = room.right - room.left >= first.real, under.bottom - under.top >= other.imag
-        free.append(under._replace(top=np.where(wide, under.top + first.imag, under.bottom)))
-        free.append(under._replace(left=np.where(high, under.left + other.real, under.right)))
-    free = free[1:] or free
-    scales = np.array([np.broadcast_to(extent.scales_in(each), np.shape(room.left)) for each in free])
-    best = np.where(np.isnan(scales), np.inf, scales).argmin(axis=0)
-
-    def chosen(values: Sequence[Array]) -> Array:
-        every = np.array([np.broadcast_to(value, best.shape) for value in values])
-        return np.asarray(np.take_along_axis(every, best[None], axis=0)[0])
-
-    return Rooms(*map(chosen, zip(*free, strict=True))), chosen([*scales]), best
-
-
-def _over_tables(room: Rooms, shapes: Sequence[complex]) -> Rooms:
-    """The parts of rooms that tables at their foot leave: in the lowest of their shapes [mm] for which they are wide
-    enough."""
-    if not shapes:
-        return room
-    wide = room.right - room.left - 2 * HEAD_LEFT
-    high = np.min([np.where(wide >= shape.real, shape.imag, np.inf) for shape in shapes], axis=0)
-    return room._replace(bottom=np.maximum(room.top, room.bottom - high - HEAD_LEFT))
 
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:
@@ -122,14 +95,8 @@ def alone(extent: Extent, strip_height: Height, paper: str | None) -> Layout:
 
 def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
-    paper, extent = layout.paper, extent.reduced(layout.paper.times)
-    need = extent.size / layout.scales[plane] + extent.reach
-    strip, room = layout.strip.size.imag, layout.rooms[plane]
-    (left, top, _, bottom), _, best = _for_figure(_one(room), extent)
-    taken = float(top) - under_heading(room).top + room.bottom - float(bottom)
-    need += complex(float(left) - room.left, taken)  # what its equations and tables take
-    least = [size for pair in extent.beside for size in pair][int(best)] if extent.beside else 0j
-    need = complex(max(need.real, least.real + 2 * HEAD_LEFT), max(need.imag, least.imag + HEAD_LEFT))
+    paper, strip = layout.paper, layout.strip.size.imag
+    need = layout.standing(plane, extent).least
     wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(need.real)))
 
     def high(wide: float) -> float:
@@ -139,7 +106,7 @@ def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     wide = wide if high(wide) <= paper.height else paper.width  # in less width the heading may need more lines
     cut = replace(paper, width=wide, height=min(paper.height, high(wide)))
     field, foot = divided(cut, strip)
-    return Layout(cut, {plane: field}, layout.scales, foot, layout.headed)
+    return Layout(cut, {plane: field}, layout.scales, foot)
 
 
 def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: Sequence[Paper]) -> Layout:
@@ -147,65 +114,59 @@ def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: S
 
     Raises TooLargeForPaper where a given scale is too fine for every paper.
     """
-    for size in dict.fromkeys(paper.width * paper.height for paper in candidates):
-        papers = [paper for paper in candidates if paper.width * paper.height == size]
-        for divisions in (_divisions, _other_divisions):
-            if (best := _best(papers, extents, strip_height, divisions)) is not None:
-                return best
+    for size in dict.fromkeys(paper.area for paper in candidates):
+        papers = [paper for paper in candidates if paper.area == size]
+        if (best := division(papers, extents, strip_height)) is not None:
+            return best
     raise _too_large(extents, strip_height, candidates)
 
 
-def headed(
-    layout: Layout, extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper], coarser: float
-) -> Layout:
-    """As the layout, with what stands over figures for as many as have room for it: on paper of the same size, none
-    drawn more than so much coarser."""
-    over = [plane for plane, extent in extents.items() if extent.beside]
-    area = layout.paper.enlarged.width * layout.paper.enlarged.height
-    same = [paper for paper in papers if paper.width * paper.height == area]
-    for planes in (over, *([plane] for plane in over if len(over) > 1)):
-        own = {plane: e if plane in planes else replace(e, beside=()) for plane, e in extents.items()}
-        best = _best(same, own, strip_height, _divisions) if planes else None
-        if best is not None and all(best.scales[p] <= layout.scales[p] * coarser for p in extents):
-            return replace(best, headed=tuple(planes))
-    return layout
-
-
-def _best(
-    papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, divisions: Divisions
+def division(
+    papers: Sequence[Paper], whole: Mapping[Plane, Extent], strip_height: Height, bare: Layout | None = None
 ) -> Layout | None:
-    """The first of the best divisions, None where nothing fits."""
+    """The best division, in which no figure is much coarser than in a bare one; None where nothing fits. Blocks are
+    held against those alone that would be better without."""
     best, layout = -math.inf, None
     for paper in (each.reduced for each in papers):
         extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         field, strip = divided(paper, strip_height(paper))
-        rooms, ends = _rooms(divisions, field, tuple(extents))
-        figures = {plane: _for_figure(room, extents[plane])[:2] for plane, room in rooms.items()}
-        free = {plane: room for plane, (room, _) in figures.items()}
-        wide = {plane: room.right - room.left >= _NARROWEST for plane, room in rooms.items()}
-        scales = {plane: np.where(wide[plane], scale, math.nan) for plane, (_, scale) in figures.items()}
-        score = _score(extents, scales, free, field.size.real * field.size.imag)
-        score = np.where(np.isnan(score), -math.inf, score - _DEAR * _unfair(rooms, field.size))
-        for first, end in pairwise(ends):
-            share = first + int(np.argmax(score[first:end]))
-            if score[share] > best + 1e-9:
-                each = {plane: Room(*(float(side[share]) for side in room)) for plane, room in rooms.items()}
-                own = {plane: float(scale[share]) for plane, scale in scales.items()}
-                best, layout = float(score[share]), Layout(paper, each, own, strip)
+        rooms = _rooms(field, tuple(extents))
+        most, _ = _values(rooms, {plane: replace(extent, blocks=()) for plane, extent in extents.items()}, field, bare)
+        order = np.argsort(-most, kind="stable")
+        for some in np.array_split(order, range(_AT_ONCE, len(order), _AT_ONCE)):
+            if most[some[0]] <= best:
+                break
+            own = {plane: Rooms(*(side[some] for side in room)) for plane, room in rooms.items()}
+            values, scales = _values(own, extents, field, bare)
+            share = int(np.argmax(values))
+            if values[share] > best:
+                each = {plane: Room(*(float(side[share]) for side in room)) for plane, room in own.items()}
+                chosen = {plane: float(scale[share]) for plane, scale in scales.items()}
+                best, layout = values[share], Layout(paper, each, chosen, strip)
     return layout
 
 
+def _values(
+    rooms: Mapping[Plane, Rooms], extents: Mapping[Plane, Extent], field: Room, bare: Layout | None
+) -> tuple[Array, dict[Plane, Array]]:
+    """The values of many divisions, and the scales there."""
+    free, scales = {plane: _under_heading(room) for plane, room in rooms.items()}, dict[Plane, Array]()
+    for plane, room in rooms.items():
+        own = standing(free[plane], extents[plane]).scales
+        most = math.inf if bare is None else _COARSER * bare.scales[plane]
+        scales[plane] = np.where((room.right - room.left >= _NARROWEST) & (own <= most), own, math.nan)
+    score = _score(extents, scales, free, field.size.real * field.size.imag)
+    return np.where(np.isnan(score), -math.inf, np.round(score - _DEAR * _unfair(rooms, field.size), 9)), scales
+
+
 @lru_cache(16)
-def _rooms(divisions: Divisions, field: Room, planes: tuple[Plane, ...]) -> tuple[dict[Plane, Rooms], list[int]]:
-    """All divisions of a field as one: many rooms of each plane, and the ends of those of each division."""
-    every = [*divisions(Rooms(*map(np.asarray, (field.left, field.top, field.right, field.bottom))), planes)]
-    ends = [0, *accumulate(max(side.size for room in division.values() for side in room) for division in every)]
-    sides = {plane: np.empty((4, ends[-1])) for plane in planes}
-    for division, first, end in zip(every, ends, ends[1:]):
-        for plane in planes:
-            for side, value in zip(sides[plane], division[plane]):
-                side[first:end] = value
-    return {plane: Rooms(*each) for plane, each in sides.items()}, ends
+def _rooms(field: Room, planes: tuple[Plane, ...]) -> dict[Plane, Rooms]:
+    """All divisions of a field as one: many rooms of each plane."""
+    every = [*_divisions(_one(field), planes)]
+    sizes = [max(side.size for room in division.values() for side in room) for division in every]
+    sides = {plane: [[np.broadcast_to(side, (count,)) for side in division[plane]]
+                     for division, count in zip(every, sizes, strict=True)] for plane in planes}  # fmt: skip
+    return {plane: Rooms(*map(np.concatenate, zip(*each, strict=True))) for plane, each in sides.items()}
 
 
 def _score(
@@ -241,17 +202,14 @@ def _unfair(rooms: Mapping[Plane, Rooms], whole: complex) -> Array:
 def _too_large(extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]) -> TooLargeForPaper:
     """The given scale that does not fit, and the finest one that would."""
     given = [plane for plane, extent in extents.items() if extent.given is not None]
-    area = max(paper.width * paper.height for paper in papers)
-    large = [paper for paper in papers if paper.width * paper.height == area]
+    area = max(paper.area for paper in papers)
+    large = [paper for paper in papers if paper.area == area]
     for freed in (*([plane] for plane in given), given):
         loose = {plane: replace(e, given=None) if plane in freed else e for plane, e in extents.items()}
-        layout = _best(large, loose, strip_height, _other_divisions)
-        if layout is not None:
+        if (layout := division(large, loose, strip_height)) is not None:
             plane = freed[0]
             scale, fits = extents[plane].given, layout.scales[plane]
-            while _best(
-                large, {**loose, plane: replace(loose[plane], given=finer(fits))}, strip_height, _other_divisions
-            ):
+            while division(large, {**loose, plane: replace(loose[plane], given=finer(fits))}, strip_height):
                 fits = finer(fits)
             assert scale is not None
             return TooLargeForPaper(NOWHERE, KEYS[plane], scale, fits, large[0].name[:2], UNITS[plane])
@@ -265,7 +223,7 @@ _SHARE, _OTHER = np.repeat(_SHARES, len(_SHARES)), np.tile(_SHARES, len(_SHARES)
 
 
 def _divisions(field: Rooms, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Rooms]]:
-    """Rooms in the order of drawing: one after the other, or the first beside or over the others."""
+    """Rooms in the order of drawing: one after the other, or one beside or over the two others."""
     if len(planes) == 1:
         yield {planes[0]: field}
         return
@@ -273,29 +231,11 @@ def _divisions(field: Rooms, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, 
         if len(planes) == 2:
             yield dict(zip(planes, _cut(field, _SHARES, across), strict=True))
             continue
-        yield _row_and_two(field, planes, planes[0], across)
-        first, rest = _cut(field, _SHARE, across)
-        yield dict(zip(planes, (first, *_cut(rest, _OTHER, across)), strict=True))
-
-
-def _other_divisions(field: Rooms, planes: tuple[Plane, ...]) -> Iterator[dict[Plane, Rooms]]:
-    """Those, and any of three figures beside or over the others: for given scales."""
-    yield from _divisions(field, planes)
-    if len(planes) == 3:
-        for across in (True, False):
-            for plane in planes[1:]:
-                yield _row_and_two(field, planes, plane, across)
-
-
-def _row_and_two(field: Rooms, planes: tuple[Plane, ...], whole: Plane, across: bool) -> dict[Plane, Rooms]:
-    """One figure has a whole row (or column, `across`), the other two share the rest."""
-    if whole == planes[0]:
-        big, rest = _cut(field, _SHARE, across)
-    else:
-        rest, big = _cut(field, 1 - _SHARE, across)
-    one, two = (plane for plane in planes if plane != whole)
-    first, second = _cut(rest, _OTHER, not across)
-    return {whole: big, one: first, two: second}
+        one, rest = _cut(field, _SHARE, across)
+        yield dict(zip(planes, (one, *_cut(rest, _OTHER, across)), strict=True))
+        yield dict(zip(planes, (one, *_cut(rest, _OTHER, not across)), strict=True))
+        for other, last in (planes[1:], planes[:0:-1]):
+            yield {**dict(zip((planes[0], other), _cut(one, _OTHER, not across), strict=True)), last: rest}
 
 
 def _cut(room: Rooms, share: Array, across: bool) -> tuple[Rooms, Rooms]:

@@ -8,8 +8,8 @@ smallest paper that holds all, other divisions of it, details, the same paper tu
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 
@@ -38,12 +38,8 @@ from graphkin.sheet.text_blocks import LINE, broken
 from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
-_MANY, _BAD, _WORST = 8.0, 24.0, 80.0
-"""At a higher price a larger paper is tried, before it up to the second the same one turned, from the third on either
-way of a large one."""
+_MANY, _WORST = 8.0, 80.0  # at a higher price a larger paper is tried; either way of one
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
-_TRIALS = 6  # so often equations are moved into the strip, whose height leaves figures less room
 
 
 def mechanism_sheet(
@@ -102,75 +98,61 @@ def scales_of(method: Method, plot: Plot, lang: Lang = "en") -> Mapping[Plane, f
 class Arrangement:
     """The contents of a sheet on one divided paper.
 
-    papers   the smallest of these that holds all is taken; weights: of planes in its division
-    details  what lies too close together is drawn once more, magnified
-    cut      the paper is cut to its only figure
-    stages   over the lines of the pencil, for single steps
+    papers  the smallest of these that holds all is taken
+    cut     it is cut to its only figure
     """
 
-    contents: SheetContents
+    asked: SheetContents
     papers: Sequence[Paper]
-    weights: Mapping[Plane, int] | None = None
-    details: bool = False
     cut: bool = False
-    stages: bool = False
 
     @cached_property
-    def layout(self) -> Layout:
-        """Raises TooLargeForPaper."""
-        contents = self.contents
+    def laid_out(self) -> tuple[SheetContents, Layout]:
+        """With blocks in the strip for which figures leave no room. Raises TooLargeForPaper."""
         try:
-            layout = contents.layout(self.papers, self.weights or {})
+            contents, layout = self.asked.laid_out(self.papers)
         except TooLargeForPaper as error:
-            raise error.at(contents.drawing.method.mechanism.where("scales", error.key)) from None
-        return cut_to(layout, contents.planes[0], contents.extent(layout, contents.planes[0])) if self.cut else layout
+            raise error.at(self.asked.drawing.method.mechanism.where("scales", error.key)) from None
+        only = contents.planes[0]
+        return contents, cut_to(layout, only, contents.extents[only]) if self.cut else layout
 
     @property
-    def sold(self) -> Paper:
+    def contents(self) -> SheetContents:
+        return self.laid_out[0]
+
+    @property
+    def layout(self) -> Layout:
+        return self.laid_out[1]
+
+    @property
+    def sold(self) -> list[Paper]:
         """Its paper in the size in which it can be asked for."""
-        return PAPERS[self.layout.paper.name]
-
-    @property
-    def fits(self) -> bool:
-        """True where the paper holds all at the scales that are given."""
-        try:
-            return bool(self.layout.rooms)
-        except TooLargeForPaper:
-            return False
+        return [PAPERS[self.layout.paper.name]]
 
     @cached_property
     def page(self) -> Page:
-        return self.contents.page(self.layout, self.stages, self.details)
-
-    @cached_property
-    def near(self) -> Lettered:
-        """Each label near what it names."""
-        return self.page.lettered(far=False)
+        return self.contents.page(self.layout)
 
     @cached_property
     def overfull(self) -> float:
         """The part of its room for letters that the labels of the fullest figure take; above 1 some cannot
         but lie on others, and no care helps."""
-        rooms = {plane: self.layout.rooms[plane].size for plane in self.contents.planes}
-        return max(self.contents.extents[p].lettering / (CRAMMED * room.real * room.imag) for p, room in rooms.items())
+        rooms, extents = self.layout.rooms, self.contents.drawing.extents
+        return max(extents[p].lettering / (CRAMMED * room.size.real * room.size.imag) for p, room in rooms.items())
 
     @cached_property
-    def cost(self) -> tuple[float, float]:
-        """Labels that find no place near by, and the burden of all; of an overfull one all labels, and by how much."""
-        if self.overfull > 1:
-            return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
-        above = self.layout.strip.size.imag - FOOT  # what stands over the footer takes room, and stands off its figure
-        return self.near.lost, self.near.burden + max(0.0, above) / _STRIP
-
-    @property
     def price(self) -> float:
-        """Both in one, by which arrangements are compared."""
-        return _LOST * self.cost[0] + self.cost[1]
+        """Labels that find no place near by, the burden of the others, and what stands over the footer, off its figure:
+        by this arrangements are compared. Of an overfull one all labels have no place."""
+        if self.overfull > 1:
+            return _LOST * sum(extent.labels for extent in self.contents.drawing.extents.values()) + self.overfull
+        near, above = self.page.lettered(far=False), self.layout.strip.size.imag - FOOT
+        return _LOST * near.lost + near.burden + max(0.0, above) / _STRIP
 
     @property
     def knotted(self) -> list[Plane]:
         """Planes whose labels would be worth a detail."""
-        panels = zip(self.contents.planes, self.page.panels, strict=True)
+        panels = zip(self.contents.planes, self.page.panels, strict=True) if self.overfull <= 1 else ()
         return [plane for plane, panel in panels if plane != "position" and burden(panel.burdens) >= SAVED]
 
     @cached_property
@@ -179,51 +161,23 @@ class Arrangement:
         lettered = self.page.lettered(far=True)
         return lettered.trimmed if self.contents.tight else lettered
 
-    @property
-    def settled(self) -> Arrangement:
-        """With equations and tables elsewhere for which figures, and then their letters, leave no room."""
-        arrangement = self
-        for _ in range(0 if self.contents.tight else _TRIALS):
-            contents, layout = arrangement.contents, arrangement.layout
-            if out := contents.tableless(layout):
-                low = {*contents.low, *(plane for plane in out if plane in contents.footed)}
-                contents = replace(contents, footed={*contents.footed, *out} - low, low=low)
-            elif out := contents.without_room(layout) or (
-                contents.without_head(layout) if arrangement.cost[0] else []
-            ):
-                contents = replace(contents, in_strip={*contents.in_strip, *out})
-            else:
-                break
-            arrangement = replace(arrangement, contents=contents)
-        return arrangement
-
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
     usual = papers_for(paper)
     best = _on(Arrangement(contents, usual))
-    turned = [each for each in usual[:2] if each.landscape != best.layout.paper.landscape]
-    large = ((_MANY, usual[2:]), (_WORST, usual[2:3]), (_WORST, usual[3:]))
-    for least, most, papers in ((_MANY, _BAD, turned), *((least, math.inf, papers) for least, papers in large)):
-        if papers and least < best.price < most and papers != [best.sold]:
-            best = min(best, _on(Arrangement(contents, papers)), key=lambda each: each.price)
+    for least, papers in ((_MANY, usual[2:]), (_WORST, usual[2:3]), (_WORST, usual[3:])):
+        if best.price > least and papers and papers != best.sold:
+            best = min(best, _on(replace(best, papers=papers)), key=lambda each: each.price)
     cut = len(contents.planes) == 1 and (contents.tight or paper is None)
-    return replace(best, cut=True).settled if cut else best
+    return replace(best, cut=True) if cut else best
 
 
 def _on(first: Arrangement) -> Arrangement:
-    """The cheapest on the papers of an arrangement."""
-    best = first.settled
-    if knots := best.knotted:
-        first = replace(first, details=True, contents=replace(first.contents, lensed=knots))
-        best = min(best, first.settled, key=lambda each: each.price)
-    for weight in _WEIGHTS:
-        if not best.cost[0] or best.overfull > 1:
-            break
-        crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
-        other = replace(first, weights=dict.fromkeys(crowded, weight))
-        best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.price)
-    return best
+    """The cheaper on the papers of an arrangement, as it is or with details."""
+    knots = [] if first.asked.detailed else first.knotted
+    other = replace(first, asked=replace(first.asked, detailed=knots)) if knots else first
+    return min(first, other, key=lambda each: each.price)
 
 
 # --- single steps -----------------------------------------------------------------------------------------------------
@@ -231,32 +185,41 @@ def _on(first: Arrangement) -> Arrangement:
 
 def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    best, drawing = cheapest(contents, paper), contents.drawing
-    scales, wide = best.layout.scales, tables_room(best.layout.paper)
-    others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
-    reading = drawing.reading({**others, **scales})
-    entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
-    texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
-    acts = [act for act in drawing.method.acts if act.plane in contents.planes]
-    lines = dict[Act, list[Label]]()
-    for number, act in enumerate(acts, 1):
-        head = plain(say("sheet.step", drawing.lang, number=number, count=len(acts)))
-        sign = f"{circled(act.number)} " if act.numbered else ""
-        lines[act] = [head, *map(formula, broken(sign + texts.get(act, ""), wide, LABEL))]
-    pitch = LINE * LABEL
-    stage = replace(best, stages=True)
-    if not contents.tight:  # the sentences stand over the footer, and all is drawn to the scales of the whole sheet
-        said = pitch * max(map(len, lines.values()))
-        stage = replace(stage, contents=replace(best.contents, said=said, scales=scales), papers=[best.sold])
-        stage = stage if stage.fits else replace(best, stages=True)
+    best, pitch = cheapest(contents, paper), LINE * LABEL
+    lines, stage = _spoken(best), replace(best, asked=replace(best.contents, stages=True))
+    area = best.sold[0].area
+    same = [each for each in papers_for(paper) if each.area == area]
+    for scales in () if contents.tight else (best.layout.scales, {}):  # those of the whole sheet, where there is room
+        said = pitch * max(map(len, lines.values()))  # the sentences stand over the footer
+        asked = replace(stage.asked, said=said, scales=scales, tables={})
+        with suppress(TooLargeForPaper):
+            stage = replace(stage, asked=asked, papers=same)
+            lines = _spoken(stage)
+            break
     strip, whole = stage.layout.strip, stage.lettered.sheet
-    for act in acts if not numbers else [acts[number - 1] for number in numbers]:
+    for act in [[*lines][number - 1] for number in numbers] or lines:
         sheet = whole.upto(act.page)
         if not contents.tight:
             below, *above = sheet.layers
             at = [complex(strip.left + 3, strip.top + 1 + pitch * (k + 0.8)) for k in range(len(lines[act]))]
-            marks = [Text(line, place, LABEL) for line, place in zip(lines[act], at, strict=True)
-                     if place.imag < strip.bottom - FOOT]  # fmt: skip
+            marks = [Text(line, place, LABEL) for line, place in zip(lines[act], at, strict=True)]
             larger = [enlarged(mark, stage.layout.paper.times) for mark in marks]
             sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *larger)), *above))
         yield sheet
+
+
+def _spoken(stage: Arrangement) -> dict[Act, list[Label]]:
+    """The lines of each act's sentence, at the scales that are drawn. Raises TooLargeForPaper."""
+    drawing, planes = stage.contents.drawing, stage.contents.planes
+    others = {} if planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
+    reading = drawing.reading({**others, **stage.layout.scales})
+    entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
+    texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
+    acts = [act for act in drawing.method.acts if act.plane in planes]
+    lines = dict[Act, list[Label]]()
+    for number, act in enumerate(acts, 1):
+        head = plain(say("sheet.step", drawing.lang, number=number, count=len(acts)))
+        sign = f"{circled(act.number)} " if act.numbered else ""
+        wide = tables_room(stage.layout.paper)
+        lines[act] = [head, *map(formula, broken(sign + texts.get(act, ""), wide, LABEL))]
+    return lines

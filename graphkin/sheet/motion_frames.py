@@ -28,7 +28,7 @@ from graphkin.running.path import along, stride
 from graphkin.sheet.boxes import xy
 from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import HEAD_LEFT, lay_out, under_heading
+from graphkin.sheet.layout import lay_out
 from graphkin.sheet.lettering import LABEL, Label, box, joined, number, plain, point_label, width
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
@@ -126,6 +126,7 @@ class _Frames:
             free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
             layout = lay_out(free, strip_height, papers)
         windows = {plane: layout.window(plane, self._extents[plane]) for plane in self.planes}
+        at = {plane: dict(layout.corners(plane, self._extents[plane])).get(0, 0j) for plane in self.planes}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
         heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].printed, layout.rooms[plane])
                  for plane in self.planes}  # fmt: skip
@@ -133,19 +134,17 @@ class _Frames:
         for plane, shown in self._shown.items():
             every = range(len(self.plots))
             figures = [self._figure(plane, windows[plane], k) if k in shown else Figure() for k in every]
-            drawn[plane] = lettered(figures, rooms[plane], [*heads[plane], *self._texts(plane, 0, layout.rooms[plane])])
+            drawn[plane] = lettered(figures, rooms[plane], [*heads[plane], *self._texts(plane, 0, at[plane])])
         for k, plot in enumerate(self.plots):
             panels = []
             for plane in self.planes:
-                figure, room = Figure(drawn[plane][k]), layout.rooms[plane]
-                before = *heads[plane], *self._texts(plane, k, room)
-                panels.append(Panel(figure, windows[plane], rooms[plane], before, (), plane))
+                before = *heads[plane], *self._texts(plane, k, at[plane])
+                panels.append(Panel(Figure(drawn[plane][k]), windows[plane], rooms[plane], before, (), plane))
             strip, values = Strip(layout.strip), plot.facts.values
             yield Page(layout.paper, panels, self.method.mechanism, values, self.lang, strip).sheet()
 
-    def _texts(self, plane: Plane, k: int, room: Room) -> Iterator[Text]:
-        """A note and the values of a position, under the heading."""
-        corner = complex(room.left + HEAD_LEFT, under_heading(room).top)
+    def _texts(self, plane: Plane, k: int, corner: Place) -> Iterator[Text]:
+        """A note and the values of a position."""
         for row, label in enumerate(self._words(plane, k)):
             yield Text(label, corner + 1j * PITCH * (row + 0.75), LABEL)
 
@@ -201,7 +200,7 @@ class _Frames:
         wide = max((width(label, LABEL) for labels in words for label in labels), default=0.0)
         size = complex(wide, PITCH * max(map(len, words)))
         extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
-        extent = replace(extent, beside=((size, size),) if wide else ())
+        extent = replace(extent, blocks=(((size,), False),) if wide else ())
         return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
     # --- figures ------------------------------------------------------------------------------

@@ -38,8 +38,9 @@ HEADINGS: dict[Lang, dict[Plane, str]] = {
 }
 HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm]
 
-_AIR = 2.0  # of labels to equations at least [mm]
+_AIR = 2.0  # of labels to rows of equations and tables: nearer they would read as one more [mm]
 _TANGLED = 1.4  # the burden of a short arrow's label among others, where one on a leader is 1
+_FEW = 24  # labels that are no crowd
 _EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
@@ -122,6 +123,7 @@ class Panel:
     room           where its labels may stand [mm]
     before, after  what is painted before it (its heading), and after its labels (its caption)
     more           what is drawn last, where figure and labels have left room; labels keep off its lines if they can
+    taken          rooms of what is no part of the figure: labels keep off
     plane          whose origin and scale the sheet tells; None for a figure whose scale it does not
     """
 
@@ -132,6 +134,7 @@ class Panel:
     after: tuple[Mark, ...] = ()
     plane: Plane | None = "position"
     more: Last | None = None
+    taken: tuple[Room, ...] = ()
 
     @property
     def drawn(self) -> list[Mark]:
@@ -142,18 +145,10 @@ class Panel:
     def scene(self) -> LabelScene:
         """Labels that want a place, and all that they keep off."""
         giving_way = self.more.lines() if self.more is not None else ()
-        return LabelScene(self.figure.wanted, self.drawn + self._beside_equations, self.room, giving_way)
-
-    @property
-    def _beside_equations(self) -> list[Mark]:
-        """The place of equations, and some more: what stood nearer would read as one more row of them."""
-        rows = [mark for mark in self.before if isinstance(mark, Text) and mark.step is not None]
-        if not rows:
-            return []
-        left, top, right, bottom = bounds(rows)
-        low, high = complex(left - _AIR, top), complex(right + _AIR, bottom + _AIR)
-        corners = (low, complex(high.real, low.imag), high, complex(low.real, high.imag))
-        return [Stroke(corners, closed=True, fill="ink")]
+        corners = ((r.left + 1j * r.top, r.right + 1j * r.top, r.right + 1j * r.bottom, r.left + 1j * r.bottom)
+                   for r in (room.inset(-_AIR, 0, -_AIR) for room in self.taken))  # fmt: skip
+        taken = [Stroke(places, closed=True, fill="ink") for places in corners]
+        return LabelScene(self.figure.wanted, [*self.drawn, *taken], self.room, giving_way)
 
     @cached_property
     def near(self) -> Settled:
@@ -232,13 +227,9 @@ class Lettered:
     labels: list[Settled]
 
     @property
-    def clashes(self) -> list[int]:
-        """The number of labels of each panel that found no place of their own."""
-        return [settled.clashes for settled in self.labels]
-
-    @property
     def lost(self) -> int:
-        return sum(self.clashes)
+        """The number of labels that found no place of their own."""
+        return sum(settled.clashes for settled in self.labels)
 
     @cached_property
     def crowded(self) -> int:

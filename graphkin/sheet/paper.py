@@ -85,9 +85,14 @@ class Paper:
         return self.width > self.height
 
     @property
+    def area(self) -> float:
+        """[mm^2]"""
+        return self.width * self.height
+
+    @property
     def reduced(self) -> Paper:
         """The paper on which its sheets are composed: one larger than A4 may be printed as A4."""
-        times = _READ if self.width * self.height > 1.1 * _A4 else 1.0
+        times = _READ if self.area > 1.1 * _A4 else 1.0
         return self._sized(1 / times, times)
 
     @property
@@ -199,16 +204,11 @@ def finest(size: complex, room: complex) -> float:
     size  width + i height in SI units; room  the same in mm. A figure of no size takes 1 per mm of its room's
     hundredth, so that a mechanism at rest has a scale too.
     """
-    least = max(size.real / room.real, size.imag / room.imag)
-    if not least > _NONE:
-        return 0.01
-    power = math.floor(math.log10(least))
-    steps = _series(power, power)
-    return next((scale for scale in steps if scale >= least * _CLOSE), steps[-1])
+    return float(finest_each(np.array([max(size.real / room.real, size.imag / room.imag)]))[0])
 
 
 def finest_each(least: Array) -> Array:
-    """The scale of the series next above each of many values (0.01 where there is none), as `finest` takes it."""
+    """The scale of the series next above each of many values (0.01 where there is none)."""
     if not least.min() > _NONE:
         return np.full(least.shape, 0.01)
     series = _series(*(math.floor(math.log10(float(end))) for end in (least.min(), least.max())))

@@ -14,7 +14,7 @@ from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LEAST, Label, number, plain, point_label, points_label
-from graphkin.sheet.marks import Disc, Place, Shows, Stroke, Text
+from graphkin.sheet.marks import Disc, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName, Room, finest
 from graphkin.sheet.symbols import arrow
 from graphkin.sheet.window import Entry, Figure, Window
@@ -27,7 +27,6 @@ _TICK, _NUMBERED = 0.9, 1.5
 """Half of a tick [mm]."""
 _LONGEST = 16.0  # the longest velocity [mm]
 _HERE = "\0"  # the place of a name in a text
-_PITCH = 3.8  # from line to line of what is said of the paths [mm]
 
 
 def clipped(
@@ -116,16 +115,6 @@ class Paths:
         if self.arrows and self.curves[0].seconds is not None:
             lines.append((*plain(say("sheet.every", self.lang)), *number(self.curves[0].seconds), *plain(" s")))
         return lines
-
-    @property
-    def height(self) -> float:
-        """Of those lines [mm]."""
-        return _PITCH * len(self.lines)
-
-    def written(self, corner: Place) -> Iterator[Text]:
-        """From their upper left corner."""
-        for k, line in enumerate(self.lines):
-            yield Text(line, corner + 1j * (_PITCH * k + LEAST), LEAST)
 
 
 NONE = Paths()

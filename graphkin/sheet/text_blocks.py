@@ -8,6 +8,8 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import repeat
+from typing import Protocol
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -16,37 +18,16 @@ from graphkin.say.entry import Entry, Sentence, VectorEquation
 from graphkin.sheet.lettering import LABEL, LEAST, Label, box, formula, joined, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 
-_PITCH = 1.45  # from base line to base line, as a part of the letters' size
 
-
-@frozen
-class WrittenLines:
-    """Lines of letters of one size [mm]."""
-
-    lines: tuple[Label, ...]
-    letters: float
-
-    @classmethod
-    def of(cls, labels: Sequence[Label], room: float, letters: float, between: str = ",  ") -> WrittenLines:
-        """As many labels on each line as fit its width [mm]."""
-        lines: list[list[Label]] = []
-        for label in labels:
-            if lines and width(joined([*lines[-1], label], between), letters) <= room:
-                lines[-1].append(label)
-            else:
-                lines.append([label])
-        return cls(tuple(joined(line, between) for line in lines), letters)
+class Block(Protocol):
+    """What may stand beside a figure."""
 
     @property
     def size(self) -> complex:
         """Width and height [mm]."""
-        wide = max((width(line, self.letters) for line in self.lines), default=0.0)
-        return complex(wide, _PITCH * self.letters * len(self.lines))
 
-    def marks(self, corner: Place, step: int | None = None) -> Iterator[Text]:
-        """From their upper left corner."""
-        for k, line in enumerate(self.lines):
-            yield Text(line, corner + 1j * self.letters * (_PITCH * k + 1.0), self.letters, step)
+    def marks(self, corner: Place) -> Iterable[Mark]:
+        """From its upper left corner."""
 
 
 LINE = 1.4  # from base line to base line, as a part of the letters' size
@@ -71,31 +52,45 @@ def broken(text: str, room: float, size: float) -> Iterator[str]:
 
 
 @frozen
-class Paragraphs:
-    """Lines with how far each stands in [mm], in letters of one size."""
+class WrittenLines:
+    """Lines of letters of one size [mm], and how far each stands in."""
 
-    lines: tuple[tuple[str, float], ...]
+    lines: tuple[Label, ...]
     letters: float
+    into: tuple[float, ...] = ()
 
     @classmethod
-    def of(cls, texts: Sequence[str], room: float, letters: float) -> Paragraphs:
+    def of(cls, labels: Sequence[Label], room: float, letters: float) -> WrittenLines:
+        """As many labels on each line as fit its width [mm]."""
+        lines: list[list[Label]] = []
+        for label in labels:
+            if lines and width(joined([*lines[-1], label], ",  "), letters) <= room:
+                lines[-1].append(label)
+            else:
+                lines.append([label])
+        return cls(tuple(joined(line, ",  ") for line in lines), letters)
+
+    @classmethod
+    def sentences(cls, texts: Sequence[str], room: float, letters: float) -> WrittenLines:
         """Sentences in a width [mm]; a blank at a text's beginning sets all of it in."""
-        lines: list[tuple[str, float]] = []
+        lines: list[tuple[Label, float]] = []
         for text in texts:
             own = _INDENT if text != text.lstrip() else 0.0
             pieces = broken(text.strip(), room - own - _INDENT, letters)
-            lines += [(line, own + (_INDENT if k else 0.0)) for k, line in enumerate(pieces)]
-        return cls(tuple(lines if len(lines) <= _MOST else [*lines[: _MOST - 1], ("…", 0.0)]), letters)
+            lines += [(formula(line), own + (_INDENT if k else 0.0)) for k, line in enumerate(pieces)]
+        lines = lines if len(lines) <= _MOST else [*lines[: _MOST - 1], (plain("…"), 0.0)]
+        return cls(tuple(line for line, _ in lines), letters, tuple(into for _, into in lines))
 
     @property
-    def height(self) -> float:
-        """[mm]"""
-        return LINE * self.letters * len(self.lines)
+    def size(self) -> complex:
+        """Width and height [mm]."""
+        wide = max((width(line, self.letters) for line in self.lines), default=0.0)
+        return complex(wide, LINE * self.letters * len(self.lines))
 
-    def marks(self, corner: Place) -> Iterator[Text]:
+    def marks(self, corner: Place, step: int | None = None) -> Iterator[Text]:
         """From their upper left corner."""
-        for k, (line, into) in enumerate(self.lines):
-            yield Text(formula(line), corner + into + 1j * self.letters * (LINE * k + 1.1), self.letters)
+        for k, (line, into) in enumerate(zip(self.lines, (*self.into, *repeat(0.0, len(self.lines))))):
+            yield Text(line, corner + into + 1j * self.letters * (LINE * k + 1.1), self.letters, step)
 
 
 RING = 0.76 * LEAST  # radius of the circle about the number of a step [mm]
@@ -120,8 +115,7 @@ def ring_width(numbers: str) -> float:
 
 
 _LINES = tuple(k * LABEL for k in (1, 2.2, 3.4))  # base lines of terms and of the rows under them [mm]
-_HIGH, _GAP, _BETWEEN = 4.0 * LABEL, 2.2, 8.0
-AIR = 3.0  # about a ladder: what stood nearer would read as one more row [mm]
+_HIGH, _GAP = 4.0 * LABEL, 2.2
 
 
 @frozen
@@ -218,27 +212,3 @@ def ladder(entries: Iterable[Entry], rows: tuple[str, str], acts: Sequence[Act])
 def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:
     for name, direction, size in equation.columns:
         yield formula(name), formula(direction), formula(size)
-
-
-def flowed(ladders: Sequence[Ladder], room: float) -> list[list[Ladder]]:
-    """Side by side as many as a width holds [mm], the others under them."""
-    lines: list[list[Ladder]] = []
-    for each in (each.within(room) for each in ladders):
-        if lines and line_size([*lines[-1], each]).real <= room:
-            lines[-1].append(each)
-        else:
-            lines.append([each])
-    return lines
-
-
-def line_size(ladders: Sequence[Ladder]) -> complex:
-    """Width and height of ladders side by side [mm]."""
-    sizes = [each.size for each in ladders]
-    return complex(sum(size.real + _BETWEEN for size in sizes) - _BETWEEN, max(size.imag for size in sizes))
-
-
-def laid_out(ladders: Sequence[Ladder], corner: Place) -> Iterator[Mark]:
-    """Side by side from their upper left corner, in the colours of their planes."""
-    for each in ladders:
-        yield from (replace(m, accent=each.plane) if isinstance(m, Text) else m for m in each.marks(corner))
-        corner += each.size.real + _BETWEEN

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from functools import cached_property, lru_cache
-from itertools import accumulate
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -15,13 +14,11 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import Paper, Room, written
-from graphkin.sheet.text_blocks import Ladder, Paragraphs, flowed, laid_out, line_size
+from graphkin.sheet.text_blocks import Ladder, WrittenLines
 
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _MOST_ROWS = 12
-Cell = tuple[float | None, float]
-"""Widths of a number up to its point, None where it is no number, and of the whole of what is written [mm]."""
 _PLANES: dict[str, Plane] = {
     "ω": "velocity", "v": "velocity", "ds/dt": "velocity", "α": "acceleration", "a": "acceleration",
     "d²s/dt²": "acceleration",
@@ -35,11 +32,18 @@ class Table:
 
     head: tuple[Label, ...]
     rows: tuple[tuple[Label, ...], ...]
+    steps: tuple[int, ...] = ()  # of rows that come one after the other
 
     @cached_property
     def widths(self) -> list[float]:
         """Width of each column [mm]."""
-        return self._widths(0, len(self.rows))
+        wide = [[self.before(row[k], k) + width(row[k], LABEL) for row in self.rows] for k in range(len(self.head))]
+        return [max([width(head, LABEL), *own]) for head, own in zip(self.head, wide, strict=True)]
+
+    @cached_property
+    def _points(self) -> list[float]:
+        """The width of each column's widest number before its point [mm]."""
+        return [max([_whole(row[k]) or 0.0 for row in self.rows], default=0.0) for k in range(len(self.head))]
 
     @cached_property
     def wide(self) -> float:
@@ -54,7 +58,7 @@ class Table:
     def before(self, cell: Label, column: int) -> float:
         """The room before a number, so that its point stands under the others' [mm]."""
         own = _whole(cell)
-        return _point(self._cells[column][1]) - own if own is not None else 0.0
+        return 0.0 if own is None else self._points[column] - own
 
     def of(self, plane: Plane) -> Table | None:
         """Its first column and those of one plane's values; None where there are none."""
@@ -65,39 +69,15 @@ class Table:
         return Table(tuple(self.head[k] for k in shown), rows) if rows else None
 
     def cut(self, count: int) -> list[Table]:
-        """In parts of so many rows."""
-        return [Table(self.head, self.rows[k : k + count]) for k in range(0, len(self.rows), count)]
-
-    def wides(self, count: int) -> list[float]:
-        """The widths of the parts into which it would be cut [mm]; it is tried on many papers."""
-        if count not in self._wides:
-            parts, gaps = range(0, len(self.rows), count), sum(self.gaps)
-            self._wides[count] = [sum(self._widths(k, k + count)) + gaps for k in parts]
-        return self._wides[count]
+        """In parts of so many rows; it is tried on many papers."""
+        if count not in self._parts:
+            spans = [slice(k, k + count) for k in range(0, len(self.rows), count)]
+            self._parts[count] = [Table(self.head, self.rows[span], self.steps[span]) for span in spans]
+        return self._parts[count]
 
     @cached_property
-    def _wides(self) -> dict[int, list[float]]:
+    def _parts(self) -> dict[int, list[Table]]:
         return {}
-
-    def _widths(self, first: int, last: int) -> list[float]:
-        """Width of each column, were there only some of the rows [mm]."""
-        widths = []
-        for head, cells in self._cells:
-            some = cells[first:last]
-            point = _point(some)
-            widths.append(max([head, *((point - own if own is not None else 0.0) + whole for own, whole in some)]))
-        return widths
-
-    @cached_property
-    def _cells(self) -> list[tuple[float, list[Cell]]]:
-        """Of each column: the width of its heading, and its cells."""
-        cells = [[(_whole(cell), width(cell, LABEL)) for cell in row] for row in self.rows]
-        return [(width(head, LABEL), [row[k] for row in cells]) for k, head in enumerate(self.head)]
-
-
-def _point(cells: list[Cell]) -> float:
-    """The width of the widest number before its point [mm]."""
-    return max((own or 0.0 for own, _ in cells), default=0.0)
 
 
 @lru_cache(4096)
@@ -128,12 +108,13 @@ def arranged(tables: list[Table], room: float) -> list[list[Table]]:
 def _cut(tier: list[Table], room: float) -> list[Table]:
     """Tables cut to as few rows as their room allows."""
     for rows in range(3, _MOST_ROWS + 1):
-        if _across([wide for table in tier for wide in table.wides(rows)]) <= room:
-            return [part for table in tier for part in table.cut(rows)]
+        parts = [part for table in tier for part in table.cut(rows)]
+        if across(parts) <= room:
+            return parts
     kept: list[Table] = []
     for table in tier:
         part = table.cut(_MOST_ROWS)[0]
-        if _across([each.wide for each in (*kept, part)]) <= room:
+        if across([*kept, part]) <= room:
             kept.append(part)
     return kept
 
@@ -143,8 +124,9 @@ def height_of(tiers: list[list[Table]]) -> float:
     return sum(PITCH * (1 + max((len(table.rows) for table in tier), default=0)) + 2.5 for tier in tiers)
 
 
-def _across(wides: list[float]) -> float:
-    return sum(wides) + _BETWEEN * max(0, len(wides) - 1)
+def across(tables: Sequence[Table]) -> float:
+    """The width of tables side by side [mm]."""
+    return sum(table.wide for table in tables) + _BETWEEN * max(0, len(tables) - 1)
 
 
 def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
@@ -159,7 +141,9 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
                     if cell:
                         head = part.head[column]
                         accent = _PLANES.get(head[0].text) if k and head and "[" in head[-1].text else None
-                        marks.append(Text(cell, at + (part.before(cell, column) if k else 0), LABEL, accent=accent))
+                        step = part.steps[k - 1] if k and part.steps else None
+                        before = part.before(cell, column) if k else 0.0
+                        marks.append(Text(cell, at + before, LABEL, step, accent=accent))
                     at += wide + gap
             under = pen + 1j * (PITCH * 1.05)
             marks.append(Stroke((under, under + part.wide), "thin"))
@@ -176,11 +160,15 @@ class TableBlock:
 
     @classmethod
     def shapes(cls, tables: Sequence[Table]) -> list[TableBlock]:
-        """All of them in one tier or two, each in a tier of its own, and cut to some widths."""
+        """All of them in one tier or two, each in a tier of its own, and cut to some widths; none that takes more room
+        both ways than another."""
         own = [*tables]
         tiers = [[own], *([own[:k], own[k:]] for k in range(1, len(own))), [[table] for table in own]]
         blocks = [cls(each) for each in (*tiers, *(arranged(own, wide) for wide in _WIDTHS))]
-        return [block for block in blocks if block.rows == blocks[0].rows]
+        sizes = {block.size: block for block in blocks if block.rows == blocks[0].rows}
+        least = [size for size in sizes
+                 if not any(s != size and s.real <= size.real and s.imag <= size.imag for s in sizes)]  # fmt: skip
+        return [sizes[size] for size in least]
 
     @property
     def rows(self) -> int:
@@ -189,8 +177,7 @@ class TableBlock:
     @property
     def size(self) -> complex:
         """[mm]"""
-        wide = max(_across([table.wide for table in tier]) for tier in self.tiers)
-        return complex(wide, height_of(self.tiers))
+        return complex(max(map(across, self.tiers), default=0.0), height_of(self.tiers))
 
     def marks(self, corner: Place) -> list[Mark]:
         return drawn_tables(self.tiers, corner)
@@ -198,7 +185,6 @@ class TableBlock:
 
 _WIDTHS = (110.0, 75.0, 50.0, 32.0)  # of blocks of tables [mm]
 FOOT = 14.0  # height of the footer [mm]
-_SHARE = 0.3  # so much of a paper's height equations may take at most
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 _RULER, _NAME = 100.0, "graphkin"
 
@@ -208,17 +194,17 @@ def strip_height(
     least: float = 0.0,
 ) -> float:  # fmt: skip
     """The height that the footer needs on a paper with what stands over it; least: room for that [mm]."""
-    lines = sum(line_size(line).imag for line in _lines(equations, paper))
-    words = Paragraphs.of(told, tables_room(paper), LABEL).height
-    above = max(least, height_of(arranged([*found], tables_room(paper))) + words + lines)
+    above = max(least, sum(block.size.imag for block in _above(paper, found, equations, told)))
     return FOOT + (above + 2.5 if above else 0.0)
 
 
-def _lines(equations: Sequence[Ladder], paper: Paper) -> list[list[Ladder]]:
-    """Line by line the equations for which there is room; the others are in the written solution alone."""
-    lines = flowed(equations, tables_room(paper))
-    reach = accumulate(line_size(line).imag for line in lines)
-    return [line for line, end in zip(lines, reach, strict=True) if end <= _SHARE * paper.height]
+def _above(
+    paper: Paper, found: Sequence[Table], equations: Sequence[Ladder], told: Sequence[str]
+) -> list[TableBlock | WrittenLines | Ladder]:
+    """What stands over the footer, one under the other."""
+    wide = tables_room(paper)
+    words = WrittenLines.sentences(told, wide, LABEL)
+    return [TableBlock(arranged([*found], wide)), words, *(each.within(wide) for each in equations)]
 
 
 def tables_room(paper: Paper) -> float:
@@ -249,15 +235,11 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     marks: list[Mark] = [frame(paper)]
     for top in dict.fromkeys((room.top, room.bottom - FOOT)):
         marks.append(Stroke((complex(room.left, top), complex(room.right, top)), "outline"))
-    tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
-    marks += drawn_tables(tiers, corner)
-    corner += 1j * height_of(tiers)
-    words = Paragraphs.of(asked.told, tables_room(paper), LABEL)
-    marks += words.marks(corner)
-    corner += 1j * words.height
-    for line in _lines(asked.equations, paper):
-        marks += laid_out(line, corner)
-        corner += 1j * line_size(line).imag
+    corner = complex(room.left + 3, room.top + 1.5)
+    for block in _above(paper, asked.found, asked.equations, asked.told):
+        own = block.plane if isinstance(block, Ladder) else None
+        marks += (replace(m, accent=own) if own and isinstance(m, Text) else m for m in block.marks(corner))
+        corner += 1j * block.size.imag
     foot = Room(room.left + 3, room.bottom - FOOT, room.right - 3, room.bottom)
     return [*marks, *_footer(machine, foot, {**scales, **asked.further}, asked.notes, lang, _RULER / paper.times)]
 

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field, replace
+from itertools import product
 
 import numpy as np
 
-from graphkin.base.geometry import Array
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
 from graphkin.sheet.label_requests import LabelRequest, lettering
 from graphkin.sheet.marks import Mark, Place
-from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import Room, Rooms, finest, finest_each
+from graphkin.sheet.obstacles import bounds, places
+from graphkin.sheet.paper import Room, finest
 
 Entry = Mark | LabelRequest
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
@@ -80,8 +80,10 @@ def constructions(method: Method) -> dict[Plane, Construction]:
 
 _TRIAL = 100.0  # size of a figure when it is drawn to see how far its signs reach [mm]
 _LETTERS = 6.5  # room for labels around a figure [mm]
-_LEAST = 5.0  # points in less room than this are no figure [mm]
 _CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
+Stairs = Mapping[tuple[int, int], Sequence[tuple[float, float]]]
+_STEPS = (0.0, 0.25, 0.5, 0.75, 1.1)  # so much of a figure's width lies over or under a block, not beside it
+
 
 @frozen
 class Extent:
@@ -91,8 +93,8 @@ class Extent:
     left, top, right, bottom  the reaches
     given   its scale where the file gives one
     labels  their number; lettering: the room that they take [mm^2]
-    beside  the sizes of its equations and its detail, over it and on its left, in each of their shapes [mm]
-    tables  the sizes in which its tables may stand under it [mm]
+    stairs  how its outline goes down to each corner
+    blocks  of what stands in corners beside it: the sizes of all its shapes [mm], and True where it is for the foot
     """
 
     low: complex
@@ -104,26 +106,26 @@ class Extent:
     given: float | None = None
     labels: int = 10
     lettering: float = 0.0
-    beside: tuple[tuple[complex, complex], ...] = ()
-    tables: tuple[complex, ...] = ()
+    stairs: Stairs = field(default_factory=dict)
+    blocks: tuple[tuple[Sequence[complex], bool], ...] = ()
 
     @classmethod
     def of(
-        cls, places: Sequence[complex], draw: Callable[[Window], Figure], given: float | None = None,
+        cls, points: Sequence[complex], draw: Callable[[Window], Figure], given: float | None = None,
         letters: float = _LETTERS, trial: float = _TRIAL,
     ) -> Extent:  # fmt: skip
         """Drawn once to see how far it reaches, at a given scale or as large as a trial is [mm].
 
         letters  what labels need around it [mm]
         """
-        low, high = corners(places)
+        low, high = corners(points)
         scale = given or finest(high - low, complex(trial, trial))
         figure = draw(Window(0j, scale))
         left, top, right, bottom = bounds(figure.marks)
         return cls(
             low, high, max(0.0, low.real / scale - left) + letters, max(0.0, -high.imag / scale - top) + letters,
             max(0.0, right - high.real / scale) + letters, max(0.0, bottom + low.imag / scale) + letters,
-            given, len(figure.wanted), lettering(figure.wanted),
+            given, len(figure.wanted), lettering(figure.wanted), _stairs(figure.marks, low, high, scale),
         )  # fmt: skip
 
     @property
@@ -157,22 +159,28 @@ class Extent:
         inner = room.size - self.reach
         return finest(self.size, complex(max(inner.real, 1.0), max(inner.imag, 1.0)))
 
-    def scales_in(self, room: Rooms) -> Array:
-        """The scale at which it fits each of many rooms, the given one if any; NaN where it does not fit."""
-        wide, high = room.right - room.left - self.reach.real, room.bottom - room.top - self.reach.imag
-        fits = (wide > _LEAST) & (high > _LEAST)
-        if self.given is None:
-            least = np.maximum(self.size.real / np.maximum(wide, _LEAST), self.size.imag / np.maximum(high, _LEAST))
-            return np.where(fits, finest_each(least), np.nan)
-        whole = self.size / self.given
-        return np.where(fits & (whole.real <= wide) & (whole.imag <= high), self.given, np.nan)
+    def window(self, room: Room, scale: float) -> Window:
+        """The window through which it is in the middle of a room with all its signs."""
+        spare = (room.size - self.size / scale - self.reach) / 2
+        return self.at(complex(room.left + self.left, room.top + self.top) + spare, scale)
 
-    def window(self, room: Room, scale: float, times: float = 1.0) -> Window:
-        """The window through which it is in the middle of a room with all its signs; times: as it is reduced."""
-        whole = self.size / scale + self.reach
-        x = (room.left + room.right - whole.real) / 2 + self.left
-        y = (room.top + room.bottom - whole.imag) / 2 + self.top + self.size.imag / scale
-        return Window(complex(x, y) - self.low.conjugate() / scale, scale * times, times)
+    def at(self, corner: Place, scale: float, times: float = 1.0) -> Window:
+        """The window through which the upper left corner of its places is there; times: as it is reduced."""
+        return Window(corner - complex(self.low.real, -self.high.imag) / scale, scale * times, times)
+
+
+def _stairs(marks: Sequence[Mark], low: complex, high: complex, scale: float) -> Stairs:
+    """For each corner (0 left or above, 1 right or below), and each part of the width next to it: where what is farther
+    begins across, and what is in that part, down, as parts of the whole; infinite where there is nothing."""
+    x, y = places(marks)
+    size = [max(side / scale, 1e-9) for side in ((high - low).real, (high - low).imag)]
+    whole = np.clip((x - low.real / scale) / size[0], 0, 1), np.clip((y + high.imag / scale) / size[1], 0, 1)
+    steps = dict[tuple[int, int], list[tuple[float, float]]]()
+    for corner in product((0, 1), (0, 1)):
+        across, down = (1 - part if side else part for side, part in zip(corner, whole, strict=True))
+        parts = [(across[across >= step], down[across < step]) for step in _STEPS]
+        steps[corner] = [(float(x.min(initial=np.inf)), float(y.min(initial=np.inf))) for x, y in parts]
+    return steps
 
 
 def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:

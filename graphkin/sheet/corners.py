@@ -1,0 +1,164 @@
+"""A figure in a room, and blocks in the corners that it leaves: its equations, its tables, the room of a detail.
+
+A block in a corner has a part of the figure beside it and the rest over or under it, as the outline of the figure goes
+down to that corner in stairs. So each block, like the sides of the room, keeps some place of the figure [SI] off a side
+of the room by some millimetres, along each axis. Any two of these from opposite sides leave the figure a length
+between them: the finest scale is the one at which all of them hold.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from graphkin.base.geometry import Array
+from graphkin.sheet.marks import Place
+from graphkin.sheet.paper import Room, Rooms, finest_each
+from graphkin.sheet.window import Extent, Window
+
+_AIR = 6.0  # from a block to the figure beside it, with room for letters [mm]
+_LEAST = 5.0  # points in less room than this are no figure [mm]
+_EDGE = 3.0  # from a block to the sides of the room and other blocks [mm]
+_OTHER_SIDE, _OTHER_END = 0.04, 0.1  # the cost of a block on the right, or at the end it is not meant for
+_CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
+
+
+class _Choices(NamedTuple):
+    """Places of one block in one corner, in all its shapes (o,).
+
+    corner  on each axis 0, left or above, or 1, right or below
+    off, part  the place of the figure that it keeps off that side, on each axis [SI], and how far [mm] (2, o)
+    size    width and height with the distance to what is beside it (2, o) [mm]
+    shape   its number
+    cost    for a corner that is not liked as well as others
+    """
+
+    corner: tuple[int, int]
+    off: Array
+    part: Array
+    size: Array
+    shape: Array
+    cost: float
+
+
+def _edges(extent: Extent) -> Array:
+    """As the sides of a room keep a figure off them: axis, side, how far [mm] and which place [SI] (2, 2, 2)."""
+    ends = ((extent.left, extent.right), (extent.top, extent.bottom))
+    size = (extent.size.real, extent.size.imag)
+    return np.array([[[first, 0.0], [last, whole]] for (first, last), whole in zip(ends, size, strict=True)])
+
+
+def _choices(extent: Extent, sizes: Sequence[complex], foot: bool) -> Iterator[_Choices]:
+    """All of a block; foot: it is meant to stand at the foot of the room."""
+    edges, own = _edges(extent), np.array([(size.real + _EDGE, size.imag + _EDGE) for size in sizes]).T
+    for corner, steps in extent.stairs.items():
+        stair = np.array([*dict.fromkeys(steps)]).T
+        size, stairs = np.repeat(own, stair.shape[1], axis=1), np.tile(stair, own.shape[1])
+        whole, side = edges[:, 1, 1][:, None], np.array(corner)[:, None]
+        first = edges[(0, 1), corner][:, :, None]  # where nothing of the figure is beside it
+        off = size + np.where(stairs == 0, first[:, 0], _AIR)
+        there = np.isfinite(stairs)
+        part = whole * abs(side - np.where(there, stairs, 0.0))
+        off, part = np.where(there, (off, part), first.swapaxes(0, 1))
+        shape = np.repeat(np.arange(len(sizes)), stair.shape[1])
+        yield _Choices(corner, off, part, size, shape, _OTHER_SIDE * corner[0] + _OTHER_END * (corner[1] != foot))
+
+
+def _need(choices: _Choices, keeps: Sequence[Array], room: Array) -> Array:
+    """The scales at which the figure fits between a block's places and all that keeps it off the other sides (o, n)."""
+    need = np.zeros((choices.off.shape[1], room.shape[1]))
+    for old, (axis, side) in product(keeps, enumerate(choices.corner)):
+        other = old[axis, 1 - side]
+        free = (room[axis] - other[0]) - choices.off[axis][:, None]
+        part = (other[1] - choices.part[axis][:, None]) * (1 - 2 * side)
+        np.maximum(need, np.where(free > _LEAST, part / np.maximum(free, _LEAST), np.inf), out=need)
+    return need
+
+
+class Standing(NamedTuple):
+    """A figure and its blocks in each of many rooms (n,).
+
+    scales  NaN where it does not fit
+    keeps   of the sides and of each block (2, 2, 2, n)
+    blocks  size and side of each (2, n), and the number of its shape (n,)
+    """
+
+    scales: Array
+    keeps: list[Array]
+    blocks: list[tuple[Array, Array, Array]]
+
+    def window(self, extent: Extent, room: Room, times: float) -> Window:
+        """Of the first room: in the middle of what the sides and the blocks leave."""
+        scale = float(self.scales[0])
+        low = np.max([each[:, 0, 0, 0] - each[:, 0, 1, 0] / scale for each in self.keeps], axis=0)
+        size = np.array([room.size.real, room.size.imag])
+        high = np.min([size - each[:, 1, 0, 0] - each[:, 1, 1, 0] / scale for each in self.keeps], axis=0)
+        x, y = (low + high) / 2
+        return extent.at(complex(room.left + x, room.top + y), scale, times)
+
+    def corners(self, room: Room) -> list[tuple[int, Place]]:
+        """Of the first room: the number of each block's shape, and its upper left corner."""
+        placed = []
+        for size, side, shape in self.blocks:
+            x, y = side[:, 0]
+            left = room.right - float(size[0, 0]) if x else room.left + _EDGE
+            top = room.bottom - float(size[1, 0]) if y else room.top
+            placed.append((int(shape[0]), complex(left, top)))
+        return placed
+
+    @property
+    def least(self) -> complex:
+        """Of the first room: the width and height in which all would stand as they do [mm]."""
+        scale, pairs = float(self.scales[0]), [(low, high) for low in self.keeps for high in self.keeps]
+        need = [low[:, 0, 0, 0] + high[:, 1, 0, 0] + (high[:, 1, 1, 0] - low[:, 0, 1, 0]) / scale
+                for low, high in pairs]  # fmt: skip
+        need += [size[:, 0] for size, _, _ in self.blocks]
+        for k, (size, side, _) in enumerate(self.blocks):  # those that stand one over the other, or side by side
+            for other, other_side, _ in self.blocks[:k]:
+                need.append(np.where(side == other_side, 0.0, size + other)[:, 0] * (1, side[0, 0] == other_side[0, 0]))
+        return complex(*np.max(need, axis=0))
+
+
+def standing(rooms: Rooms, extent: Extent) -> Standing:
+    """The finest scales at which a figure stands in many rooms with its blocks, one after the other in its best
+    corner."""
+    room = np.stack(np.broadcast_arrays(rooms.right - rooms.left, rooms.bottom - rooms.top)).reshape(2, -1)
+    edges = np.broadcast_to(_edges(extent)[..., None], (2, 2, 2, room.shape[1]))
+    free = room - edges[:, 0, 0] - edges[:, 1, 0]
+    least = np.where(free > _LEAST, edges[:, 1, 1] / np.maximum(free, _LEAST), np.inf).max(axis=0)
+    keeps, blocks = [edges], list[tuple[Array, Array, Array]]()
+    for sizes, foot in extent.blocks:
+        every = [*_choices(extent, sizes, foot)]
+        need = np.concatenate([_fitting(each, _need(each, keeps, room), blocks, room) for each in every])
+        cost = np.repeat([1 + each.cost for each in every], [len(each.shape) for each in every])[:, None]
+        best = np.argmin(cost * (np.maximum(need, least) + 0.05 * need), axis=0)
+        least = np.maximum(least, need[best, np.arange(room.shape[1])])
+        size, off, part = (np.concatenate(each, axis=1)[:, best]
+                           for each in list(zip(*((e.size, e.off, e.part) for e in every))))  # fmt: skip
+        corner = np.repeat([each.corner for each in every], [len(each.shape) for each in every], axis=0).T[:, best]
+        own = np.array(edges)
+        for axis, side in product((0, 1), (0, 1)):
+            own[axis, side] = np.where(corner[axis] == side, (off[axis], part[axis]), own[axis, side])
+        keeps.append(own)
+        blocks.append((size, corner, np.concatenate([each.shape for each in every])[best]))
+    fit = np.isfinite(least)
+    if extent.given is None:
+        scales = np.where(fit, finest_each(np.where(fit, least, 1.0)), np.nan)
+    else:
+        scales = np.where(fit & (least <= extent.given * _CLOSE), extent.given, np.nan)
+    return Standing(scales, keeps, blocks)
+
+
+def _fitting(
+    choices: _Choices, need: Array, blocks: Sequence[tuple[Array, Array, Array]], room: Array
+) -> Array:
+    """Infinite where a block is too large for its room beside those that stand there already."""
+    size = choices.size[..., None]
+    fits = (size <= room[:, None]).all(axis=0)
+    for other, corner, _ in blocks:
+        aside = corner != np.array(choices.corner)[:, None]
+        fits &= (aside[:, None] & (size + other[:, None] <= room[:, None])).any(axis=0)
+    return np.where(fits, need, np.inf)
