@@ -138,7 +138,7 @@ def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[terms.Term, ...]:
     hop = leg.unknown
     in_velocity, sliding = polygon.plane == "velocity", isinstance(hop, Slip)
     absolute = hop.seen_from.link == FRAME and (in_velocity or sliding)
-    absolute |= in_velocity and polygon.name(hop.seen_from) == polygon.pole
+    absolute |= in_velocity and polygon.key(hop.seen_from).link == FRAME
     part = "" if in_velocity or absolute else ("r" if sliding else "t")
     seen_from = "" if absolute else label(hop.seen_from)
     over, onto = label(hop.of), label(leg.end)

@@ -97,8 +97,8 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
              else f"{size.symbol} = 0" for size in rates]  # fmt: skip
     key = "derivation.driven wheel" if driver.vector is None else "derivation.driven line free"
     if driver.vector is not None and shown is not None:
-        key = "derivation.driven link" if shown.value else "derivation.driven along x"
-        key = "derivation.driven joint" if driver.from_vector is not None else key
+        own = "derivation.driven link" if shown.value else "derivation.driven along x"
+        key = "derivation.driven joint" if driver.from_vector is not None else own
     words = _turned(reading, driver) | ({"angle": shown.whole} if shown is not None else {})
     return reading.joined([reading.say(key, **words), *texts])
 
