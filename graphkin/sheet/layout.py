@@ -106,7 +106,8 @@ def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     wide = wide if high(wide) <= paper.height else paper.width  # in less width the heading may need more lines
     cut = replace(paper, width=wide, height=min(paper.height, high(wide)))
     field, foot = divided(cut, strip)
-    return Layout(cut, {plane: field}, layout.scales, foot)
+    own = Layout(cut, {plane: field}, layout.scales, foot)
+    return own if np.isfinite(own.standing(plane, extent).scales).all() else layout
 
 
 def lay_out(extents: Mapping[Plane, Extent], strip_height: Height, candidates: Sequence[Paper]) -> Layout:
