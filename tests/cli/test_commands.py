@@ -154,7 +154,7 @@ def test_solve_has_the_signs_of_tables() -> None:
     assert asked["value"] == pytest.approx(swept)
     assert asked["value"] == -asked["size"] < 0
     printed = run("solve", "fig3-1").stdout
-    assert printed.count("a C                   −0.863225") == printed.count("a C = 0.863225 m/s^2 (along −x)") == 1
+    assert printed.count("a C                    0.863225") == printed.count("a C = 0.863225 m/s^2 (along −x)") == 1
 
 
 def swept_rows(name: str, of: str) -> list[list[float]]:
