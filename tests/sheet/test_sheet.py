@@ -17,6 +17,7 @@ from graphkin import Drawing
 from graphkin.construction import LETTER, Drawn, Given, LayOff, Plane, Plot
 from graphkin.files import library, loads
 from graphkin.planning import Method, plan
+from graphkin.planning.needed import without_aids
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_sheets
 from graphkin.sheet.label_candidates import LabelScene
@@ -93,7 +94,7 @@ def test_points_and_arrows_lie_where_the_replay_puts_them(name: str) -> None:
 @pytest.mark.parametrize("name", SOLVED)
 def test_every_moving_point_has_its_absolute_arrow(name: str) -> None:
     """From the pole, or from a point that a driver at rest holds there; or shares that of one that moves as it does."""
-    method, _ = solved(name)
+    method = without_aids(solved(name)[0])
     marks = drawn(name).marks
     poles = {m.plane: m.at for m in marks if isinstance(m, PointMark) and m.of == "pole"}
     vectors = [m for m in marks if isinstance(m, VectorMark) and m.plane != "detail"]
@@ -215,7 +216,7 @@ def test_steps_lie_over_one_another() -> None:
 def test_a_series_of_steps_is_each_step_by_itself(name: str) -> None:
     method, plot = solved(name)
     series = list(step_sheets(method, plot))
-    assert len(series) == len(method.acts)
+    assert len(series) == len(without_aids(method).acts)
     every = 5 if name == STEPPED[0] else max(2, len(series) // 2)
     assert all(page.marks == sheet(method, plot, upto=k).marks for k, page in enumerate(series, 1) if k % every == 0)
 
