@@ -31,7 +31,7 @@ _AROUND = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
 _NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
 _TOLD = 5.0  # a shorter length is told by words alone [mm]
 _TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
-_CROSSING = 1.6  # half of the stretch of an arc that lies on its own link [mm]
+_CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
 
 Arc = tuple[tuple[str, ...], float, complex, bool]
@@ -115,10 +115,11 @@ class MechanismNotes:
         """Places with room for such an arc: across a bar beside its pivot, or at the middle of a coupler; about a point
         of a link that has no bar."""
         arcs = list(self._arcs(link))
+        own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
         rooms: list[Sequence[Mark]] = []
         for points, radius, middle, crossing in arcs:
             at, half = self._middle(points), SWEEP / 2
-            cut = _CROSSING / radius if crossing else 0.0
+            cut = own / radius if crossing else 0.0
             pieces = ((-half, -cut), (cut, half)) if crossing else ((-half, half),)
             start = cmath.phase(middle)
             rooms.append([ArcMark(at, radius, start + low, high - low) for low, high in pieces])

@@ -128,7 +128,7 @@ def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], ste
     return [
         Stroke((foot, near), "visible", shows=shows[0], step=step),
         Stroke(tube, "outline", closed=True, fill="paper", shows=shows[1], step=step),
-        Stroke((piston + side, piston - side), "visible", step=step),
+        Stroke((piston + 0.75 * side, piston - 0.75 * side), "visible", step=step),  # within the walls
         Stroke((piston, rod_end), "visible", shows=shows[2], step=step),
     ]
 
