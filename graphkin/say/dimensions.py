@@ -149,7 +149,7 @@ def _corner(reading: Reading, slide: Slide) -> str:
 
 
 def guide_sizes(reading: Reading) -> Iterator[Size]:
-    """How lines lie in their links: `e = 20 mm` from the first fixed point, `γ = 100°`; tilts of blocks."""
+    """How lines lie in their links: `e_B = 20 mm` from the first fixed point, `γ = 100°`; tilts of blocks."""
     yield from _eccentricities(reading)
     machine = reading.mechanism
     for pair in (pair for pair in machine.pairs if getattr(pair, "stands_for", None) is None):
@@ -182,7 +182,7 @@ def _eccentricities(reading: Reading) -> list[Size]:
             off, symbol = aside(along, place - fixed[points[0]]), f"e_{names.point(point)}"
             size = sized(reading, symbol, off, "length", *places, shape=span)
             every.append(replace(size, derived=abs(along.real * along.imag) > 1e-9))
-    return every if len(every) > 1 else [replace(size, symbol="e") for size in every]
+    return every
 
 
 def _inclination(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> Iterator[Size]:

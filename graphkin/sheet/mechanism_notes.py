@@ -24,6 +24,7 @@ from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
+from graphkin.sheet.wheels import disc
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
 _MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler [mm]
@@ -128,7 +129,7 @@ class MechanismNotes:
             arcs, rooms = arcs[number + 1 :], rooms[number + 1 :]
 
     def _arcs(self, link: str) -> Iterator[Arc]:
-        owners, skeleton = self.reading.mechanism.owners, self.skeleton
+        owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         bars = sorted(skeleton.bars(link), key=lambda bar: -abs(bar[0] - bar[1]))
         if points and FRAME in owners[points[0]]:
@@ -137,7 +138,8 @@ class MechanismNotes:
             for radius, arm in product(_RADII, arms):
                 if abs(arm) > radius + 2:
                     yield (points[0],), radius, arm / abs(arm), True
-        stretches = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2)]
+        stretches = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2)
+                     if not centre or centre in pair]  # fmt: skip
         for pair, arm in sorted(stretches, key=lambda stretch: -abs(stretch[1])):
             for radius, way in product(_MIDDLE, (1, -1)):
                 if abs(arm) > 2 * radius + 6:
