@@ -292,9 +292,11 @@ def sizes(reading: Reading) -> list[Size]:
     for k, driver in enumerate(machine.drivers):
         place, *rates = driven(reading, k, driver)
         every += [place] if driver.value is not None else []
-        also = (value for value in driver.also if abs(value - float(reading.plot.facts.values[k])) > 1e-9)
-        every += [sized(reading, reading.say("sheet.also", symbol=place.symbol), value,
-                        "length" if driver.kind == "slide" else "angle") for value in also]  # fmt: skip
+        kind: Dimension = "length" if driver.kind == "slide" else "angle"
+        symbol = reading.say("sheet.also", symbol=place.symbol)
+        now = float(reading.plot.facts.values[k])
+        if also := [sized(reading, symbol, value, kind) for value in driver.also if abs(value - now) > 1e-9]:
+            every.append(replace(also[0], value=1.0, written=reading.joined(size.figure for size in also)))
         every += [rate if driver.kind == "slide" else rate.bare for rate in rates if rate.value]
     return [*{size.text: size for size in every if size.value or isinstance(size.shape, Corner)}.values()]
 

@@ -297,7 +297,7 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     cut = symbols.arc_places(centre, arm, -half, half)
     shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     if slot.guide == FRAME:
-        marks = symbols.arc_ground(centre, cut, step)
+        marks: list[Mark] = [*symbols.arc_hatch(centre, arm * (1 + symbols.SLOT / radius), half, 1.0, step)]
     else:  # the arc of a moving link that carries the slot, joined to the nearest of the link's points
         more = half + min(OVERRUN / abs(arm), 0.4)
         points = [skeleton.at(point) for point in skeleton.named(slot.guide)]
