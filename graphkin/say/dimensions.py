@@ -11,7 +11,7 @@ from dataclasses import replace
 from itertools import combinations, permutations
 from math import degrees, fmod, isclose, pi, tau
 
-from graphkin.base.geometry import cross
+from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
 from graphkin.construction import LayOff, Measure, Normal, Swing, Tangential, Term, Turning
 from graphkin.model.mechanism import FRAME, Dimension, Driver, KeyPath, Pose
@@ -39,6 +39,7 @@ def link_sizes(reading: Reading, link: str) -> Iterator[Size]:
     that fix them: from the first two points, or along a line from the first."""
     machine, shape, points = reading.mechanism, reading.mechanism.links[link], reading.mechanism.named(link)
     keys = {path[2]: each for path, each in machine.given.items() if path[:2] == ("links", link) and len(path) == 3}
+    coordinates = [path for path in machine.given if path[:3] == ("links", link, "shape")]
     ends = [pair for pair in permutations(points, 2) if "".join(pair) in keys]
     triples = [corners for corners in permutations(points, 3) if "".join(corners) in keys]
     if any(not isclose(abs(shape.arm(*pair)), keys["".join(pair)].si or 0.0, rel_tol=1e-6) for pair in ends):
@@ -48,8 +49,9 @@ def link_sizes(reading: Reading, link: str) -> Iterator[Size]:
         ends = [pair for pair in combinations(points, 2) if points.index(pair[0]) < (1 if in_line else 2)]
     for pair in ends:
         place = "links", link, "".join(pair)
-        bar = _bar(reading, link, pair)
-        yield sized(reading, f"l_{names.pair(*pair)}", abs(shape.arm(*pair)), "length", place, shape=bar)
+        bar, arm = _bar(reading, link, pair), shape.arm(*pair)
+        size = sized(reading, f"l_{names.pair(*pair)}", abs(arm), "length", place, *coordinates, shape=bar)
+        yield replace(size, derived=bool(coordinates) and min(abs(arm.real), abs(arm.imag)) > reading.noise)
     for one, corner, other in triples:
         angle = phase(shape.arm(corner, other) / shape.arm(corner, one))
         if abs(abs(angle) - pi) < 1e-9:
@@ -147,14 +149,14 @@ def _corner(reading: Reading, slide: Slide) -> str:
 
 
 def guide_sizes(reading: Reading) -> Iterator[Size]:
-    """How lines lie in their links: `e_A = 20 mm` from the first fixed point, `γ = 100°`; tilts of blocks."""
+    """How lines lie in their links: `e_B = 20 mm` from the first fixed point, `γ = 100°`; tilts of blocks."""
+    yield from _eccentricities(reading)
     machine = reading.mechanism
     for pair in (pair for pair in machine.pairs if getattr(pair, "stands_for", None) is None):
         faces = [profile.line for profile in pair.profiles] if isinstance(pair, Cam) else list(pair.lines)
         for face, line in enumerate(faces):
             if line is not None and pair.table:
                 path = (*machine.path(pair), *(("profiles", face) if isinstance(pair, Cam) else ()))
-                yield from _eccentricity(reading, pair, line, path)
                 yield from _inclination(reading, pair, line, path)
         if isinstance(pair, Slide) and degrees(pair.tilt) % 90:
             shape = Corner(reading.at(pair.point), reading.guide(pair.name), pair.tilt, (pair.point,))
@@ -162,17 +164,25 @@ def guide_sizes(reading: Reading) -> Iterator[Size]:
             yield sized(reading, f"δ_{names.point(pair.point)}", pair.tilt, "angle", path, shape=shape)
 
 
-def _eccentricity(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> Iterator[Size]:
-    """The distance of a fixed guide from the first fixed point."""
-    points, fixed = reading.mechanism.named(FRAME), reading.plot.facts.shapes[FRAME]
-    if line.link == FRAME and points and isinstance(pair, Slide):
-        off = float(cross(line.direction, fixed[line.origin] - fixed[points[0]]))
-        if abs(off) > reading.noise:
-            start, point = fixed[points[0]], pair.point
-            span = Span(start, reading.at(point), 1j * line.direction, (points[0], point))
-            places = [*_coordinates((*path, "through"), points[0]), *_coordinates(("frame", line.origin), points[0])]
-            size = sized(reading, f"e_{names.point(points[0])}", abs(off), "length", *places, shape=span)
-            yield replace(size, derived=abs(line.direction.real * line.direction.imag) > 1e-9)
+def _eccentricities(reading: Reading) -> list[Size]:
+    """The distances of fixed guides and tracks from the first fixed point, of those through no fixed point; where there
+    is no point, from the first of them that is parallel."""
+    machine, fixed, every = reading.mechanism, reading.plot.facts.shapes[FRAME], list[Size]()
+    rolls: list[tuple[Pair, Line | None, str]] = [(roll, roll.line, roll.centre) for roll in machine.of(RollingContact)]
+    slides = [(slide, slide.line, slide.point) for slide in machine.slides if slide.stands_for is None]
+    lines = [(pair, line, point) for pair, line, point in rolls + slides if line is not None and line.link == FRAME]
+    for pair, line, point in lines:
+        along, place = line.direction, fixed[line.origin]
+        points = machine.named(FRAME) or [one.origin for _, one, _ in lines if aside(along, one.direction) < 1e-9][:1]
+        if all(aside(along, place - fixed[other]) > reading.noise for other in points):
+            end = place + along * float(dot(along, reading.at(point) - place))
+            span = Span(fixed[points[0]], end, 1j * along, (points[0], point))
+            path = (*machine.path(pair), "through")
+            places = [*_coordinates(path, points[0]), *_coordinates(("frame", line.origin), points[0])]
+            off, symbol = aside(along, place - fixed[points[0]]), f"e_{names.point(point)}"
+            size = sized(reading, symbol, off, "length", *places, shape=span)
+            every.append(replace(size, derived=abs(along.real * along.imag) > 1e-9))
+    return every
 
 
 def _inclination(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> Iterator[Size]:
@@ -237,7 +247,7 @@ def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
 
 
 _RATES: Mapping[str, tuple[str, Dimension, str, Dimension]] = {
-    "ω": ("omega", "angular velocity", "v", "velocity"), "α": ("alpha", "angular acceleration", "a", "acceleration"),
+    "ω": ("omega", "angular velocity", "v", "velocity"), "α": ("alpha", "angular acceleration", "aᵗ", "acceleration"),
 }  # fmt: skip
 """Of a rotation and of the tip of its vector: key, letter and dimension."""
 
@@ -249,8 +259,7 @@ def _rate(reading: Reading, driver: Driver, path: KeyPath, letter: str, value: f
         turned = value * abs(reading.mechanism.links[driver.link].arm(*driver.vector))
         size = sized(reading, f"{tip}_{names.point(driver.vector[1])}", turned, along, (*path, along))
         symbol = reading.against(driver, letter)
-        by = f" = {size.symbol}/l_{names.pair(*driver.vector)}" if tip == "v" else ""
-        worked = sized(reading, symbol + by, value, kind)
+        worked = sized(reading, f"{symbol} = {size.symbol}/l_{names.pair(*driver.vector)}", value, kind)
         told = f"{size.worked}{reading.say('common.and')}{worked.text}"
         return replace(size, value=worked.value, unit=worked.unit, worked=told)
     return sized(reading, reading.against(driver, letter), value, kind, (*path, key))
@@ -278,12 +287,29 @@ def sizes(reading: Reading) -> list[Size]:
     machine = reading.mechanism
     every = [*frame_sizes(reading), *(size for link in machine.moving for size in link_sizes(reading, link))]
     every += [*guide_sizes(reading), *(size for pair in machine.pairs for size in radii(reading, pair))]
-    every += [_drawn_value(reading, pose, pose.value, ("pose", k)) for k, pose in enumerate(machine.poses)]
+    every += [_drawn_value(reading, pose, pose.value, ("pose", k)) for k, pose in enumerate(machine.poses)
+              if pose.kind != "slide" or pose.link not in _racks(reading)]  # fmt: skip
     for k, driver in enumerate(machine.drivers):
         place, *rates = driven(reading, k, driver)
         every += [place] if driver.value is not None else []
+        kind: Dimension = "length" if driver.kind == "slide" else "angle"
+        symbol = reading.say("sheet.also", symbol=place.symbol)
+        now = float(reading.plot.facts.values[k])
+        if also := [sized(reading, symbol, value, kind) for value in driver.also if abs(value - now) > 1e-9]:
+            every.append(replace(also[0], value=1.0, written=reading.joined(size.figure for size in also)))
         every += [rate if driver.kind == "slide" else rate.bare for rate in rates if rate.value]
     return [*{size.text: size for size in every if size.value or isinstance(size.shape, Corner)}.values()]
+
+
+def _racks(reading: Reading) -> Iterator[str]:
+    """The slides of racks that only wheels touch: it does not matter where along its guide such a one stands."""
+    machine = reading.mechanism
+    for slide in machine.slides:
+        others = [pair for pair in machine.pairs if slide.block in pair.joins and pair is not slide]
+        touched = [isinstance(pair, RollingContact) and pair.track == slide.block for pair in others]
+        alone = slide.block is not None and all(len(machine.owners[p]) == 1 for p in machine.named(slide.block))
+        if alone and touched and all(touched):
+            yield slide.name
 
 
 def measured_lengths(reading: Reading) -> list[tuple[str, str]]:

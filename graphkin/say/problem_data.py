@@ -97,8 +97,9 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
              else f"{size.symbol} = 0" for size in rates]  # fmt: skip
     key = "derivation.driven wheel" if driver.vector is None else "derivation.driven line free"
     if driver.vector is not None and shown is not None:
-        own = "derivation.driven link" if shown.value else "derivation.driven along x"
-        key = "derivation.driven joint" if driver.from_vector is not None else own
+        key = "derivation.driven link" if shown.value else "derivation.driven along x"
+        if driver.from_vector is not None:
+            key = "derivation.driven joint"
     words = _turned(reading, driver) | ({"angle": shown.whole} if shown is not None else {})
     return reading.joined([reading.say(key, **words), *texts])
 
@@ -221,7 +222,8 @@ def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
         if line.link == FRAME or len(reading.mechanism.links[line.link].points) > 1 or held is None:
             break
         line = replace(line, link=held.guide, direction=line.direction * held.line.direction)
-    through = names.point(line.origin) if line.named or place is None else _place(reading, place)
+    unit = "" if reading.mechanism.named(FRAME) else f" {length_unit(reading)}"  # else it is told with the fixed points
+    through = names.point(line.origin) if line.named or place is None else _place(reading, place) + unit
     if ends := _points_along(reading, line):
         return reading.say("solution.along", line=(names.pair if either else names.arrow)(*ends))
     if line.base is None and line.link == FRAME:

@@ -22,6 +22,7 @@ from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
+from graphkin.sheet.wheels import disc
 from graphkin.sheet.window import Figure
 
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
@@ -72,13 +73,19 @@ class DimensionLines:
                 start, end = self.skeleton.window(span.start), self.skeleton.window(span.end)
                 step = self.skeleton.step(*span.points)
                 label = formula(size.text if span.form == "measured" else size.bare.figure)
-                if span.form != "apart":
+                if span.form != "apart" and not self._across_wheel(span.points):
                     yield from self._beside(start, end, label, step, span.form == "measured")
                 if span.form != "measured":
                     along = self.skeleton.window.turned(span.along)
                     yield from self._dimension(start, end, along, label, step)
             case Corner() | None:
                 pass
+
+    def _across_wheel(self, points: Sequence[str]) -> bool:
+        """True of two points of one wheel, neither its centre: nothing is drawn between them."""
+        owners = self.skeleton.mechanism.owners
+        shared = set.intersection(*(set(owners.get(point, ())) for point in points))
+        return any(centre not in points for link in shared if (centre := disc(self.skeleton, link)))
 
     def _text(self, label: Label, middle: Place, along: complex, off: float, step: int | None) -> Text:
         """Letters along a line, `off` mm above it as they are read, or below it where less than 0."""

@@ -85,7 +85,8 @@ class _FixedStretch:
         shows = Shows(FRAME, "slot" if self.pins else "guide", self.points, self.line)
         if not self.pins:
             return symbols.guide(start, end, self.side, self.step, shows)
-        wall = symbols.hatch(start + self.side * 1.75, end + self.side * 1.75, self.side, self.step)
+        off = self.side * symbols.SLOT
+        wall = symbols.hatch(start + off, end + off, self.side, self.step)
         return symbols.slot((start, end), shows, self.step) + wall
 
 

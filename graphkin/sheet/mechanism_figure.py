@@ -21,7 +21,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line
-from graphkin.sheet.wheels import circular_slot, equivalents, follower, profiles, rims, wheels, wheels_of
+from graphkin.sheet.wheels import circular_slot, disc, equivalents, follower, profiles, rims, wheels, wheels_of
 from graphkin.sheet.window import Figure, Window
 
 _JOINED = 3.0  # lines that cross so near to a point are joined there [mm]
@@ -77,7 +77,9 @@ def _bodies(skeleton: Skeleton) -> Figure:
         places, step = [skeleton.at(p) for p in names], skeleton.step(*names)
         for slide in skeleton.guides(link):
             figure.marks += _guide(skeleton, slide)
-        if len(names) > 1:
+        if centre := disc(skeleton, link):  # a thin radius to each further point of a wheel
+            figure.marks += [mark for name in names if name != centre for mark in _radius(skeleton, link, centre, name)]
+        elif len(names) > 1:
             figure.marks += _body(names, places, link, step)
         figure.wanted += _link_number(skeleton, link, places, step)
     return Figure([*_broken(skeleton, figure.marks)][::-1] + _signs(skeleton, OVER_LINKS), figure.wanted)
@@ -116,6 +118,11 @@ def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | No
             hung = Shows(link, "bar", (names[one], names[k], names[other]))
             marks.append(Stroke((places[one], places[k], places[other]), "visible", shows=hung, step=step))
     return marks
+
+
+def _radius(skeleton: Skeleton, link: str, *ends: str) -> list[Mark]:
+    shows, step = Shows(link, "bar", ends), skeleton.step(*ends)
+    return [Stroke(tuple(map(skeleton.at, ends)), "thin", shows=shows, step=step)]
 
 
 def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
@@ -212,6 +219,8 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
     """A link's number beside its longest bar, inside its outline, or beside its block."""
     label = link_label(skeleton.mechanism.called(link))
     slide, guide = skeleton.blocks.get(link), next(skeleton.guides(link), None)
+    if disc(skeleton, link):
+        return  # it stands within the rim
     if slide is not None and len(places) < 2:
         at, rod = skeleton.at(slide.point), follower(skeleton, slide)
         if skeleton.is_cylinder(slide):

@@ -24,6 +24,7 @@ from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
+from graphkin.sheet.wheels import disc
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
 _MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler [mm]
@@ -31,7 +32,7 @@ _AROUND = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
 _NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
 _TOLD = 5.0  # a shorter length is told by words alone [mm]
 _TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
-_CROSSING = 1.6  # half of the stretch of an arc that lies on its own link [mm]
+_CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
 
 Arc = tuple[tuple[str, ...], float, complex, bool]
@@ -115,10 +116,11 @@ class MechanismNotes:
         """Places with room for such an arc: across a bar beside its pivot, or at the middle of a coupler; about a point
         of a link that has no bar."""
         arcs = list(self._arcs(link))
+        own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
         rooms: list[Sequence[Mark]] = []
         for points, radius, middle, crossing in arcs:
             at, half = self._middle(points), SWEEP / 2
-            cut = _CROSSING / radius if crossing else 0.0
+            cut = own / radius if crossing else 0.0
             pieces = ((-half, -cut), (cut, half)) if crossing else ((-half, half),)
             start = cmath.phase(middle)
             rooms.append([ArcMark(at, radius, start + low, high - low) for low, high in pieces])
@@ -127,7 +129,7 @@ class MechanismNotes:
             arcs, rooms = arcs[number + 1 :], rooms[number + 1 :]
 
     def _arcs(self, link: str) -> Iterator[Arc]:
-        owners, skeleton = self.reading.mechanism.owners, self.skeleton
+        owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         bars = sorted(skeleton.bars(link), key=lambda bar: -abs(bar[0] - bar[1]))
         if points and FRAME in owners[points[0]]:
@@ -136,7 +138,8 @@ class MechanismNotes:
             for radius, arm in product(_RADII, arms):
                 if abs(arm) > radius + 2:
                     yield (points[0],), radius, arm / abs(arm), True
-        stretches = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2)]
+        stretches = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2)
+                     if not centre or centre in pair]  # fmt: skip
         for pair, arm in sorted(stretches, key=lambda stretch: -abs(stretch[1])):
             for radius, way in product(_MIDDLE, (1, -1)):
                 if abs(arm) > 2 * radius + 6:

@@ -119,17 +119,18 @@ class _TablesInMaking:
         return Table(tuple(head[k] for k in filled), tuple(tuple(row[k] for k in filled) for row in rows))
 
     def slides(self) -> Table:
-        """Displacements that have a name, with their rates; a name of the file in italics."""
+        """Displacements that have a name and are not given, with their rates; a name of the file in italics."""
         head = (
             plain(""), _unit(plain("s", True), "mm"), _unit(plain("ds/dt", True), "m/s"),
             _unit(plain("d²s/dt²", True), "m/s²"),
         )  # fmt: skip
-        machine, plot, rows = self.method.mechanism, self.plot, []
+        machine, plot, rows = self.method.mechanism, self.plot, list[tuple[Label, ...]]()
+        given = {pose.link for pose in machine.poses} | {one.link for one in machine.drivers if one.value is not None}
         for name in (slide.name for slide in machine.slides if slide.named and slide.name in plot.s):
             title = machine.slide_title(name, self.lang)
             rows.append((
                 self.emphasised(name, plain(title, title.isascii()), "s"),
-                self.emphasised(name, number(1000 * real(plot.s[name])), "s"),
+                () if name in given else self.emphasised(name, number(1000 * real(plot.s[name])), "s"),
                 self.size(real(plot.s_rate.get(name, 0.0)), "velocity"),
                 self.size(real(plot.s_acceleration.get(name, 0.0)), "acceleration"),
             ))  # fmt: skip

@@ -9,7 +9,6 @@ import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 from graphkin.construction import Plane
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows, Stroke
@@ -19,7 +18,7 @@ PIVOT_DEPTH = 4.6  # from a pivot's centre to the ground [mm]
 BLOCK = complex(10.0, 5.6)  # length and height of a block [mm]
 TUBE = 0.6  # length of a cylinder's tube, of its length from hinge to hinge
 SWEEP = math.radians(62)  # angle of a turning arrow
-_SLOT = 1.75
+SLOT = 1.75  # half of the width of a slot [mm]
 _HEAD = 3.0
 _PITCH, _SLANT = 1.5, 1.7
 
@@ -47,20 +46,22 @@ def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> l
     return [Stroke((foot, foot + slant), "hatch", step=step) for foot in feet]
 
 
-def rim_hatch(at: Place, radius: float, outward: float, step: int | None = None) -> list[Mark]:
+def rim_hatch(at: Place, radius: float, outward: float, step: int | None = None) -> list[Stroke]:
     """A fixed circle: hatching on its outside (`outward` 1) or inside (-1), in three stretches where it is large."""
     if radius < 2 * _PITCH:
         return []
-    length = math.tau * radius
-    stretches = [(0.0, length)] if length < 60 else [(length * turn / 360 - 8, 16.0) for turn in (30, 150, 270)]
-    marks: list[Mark] = []
-    for begin, along in stretches:
-        for k in range(int(along / _PITCH) + (length >= 60)):
-            out = cmath.rect(1, (begin + k * _PITCH) / radius)
-            slant = out * outward - 1j * out
-            foot = at + radius * out
-            marks.append(Stroke((foot, foot + slant / abs(slant) * _SLANT), "hatch", step=step))
-    return marks
+    half = min(8 / radius, math.pi / 3) if math.tau * radius >= 60 else math.pi / 3
+    middles = (cmath.rect(radius, math.radians(turn)) for turn in (30, 150, 270))
+    return [mark for arm in middles for mark in arc_hatch(at, arm, half, outward, step)]
+
+
+def arc_hatch(at: Place, arm: complex, half: float, outward: float, step: int | None = None) -> list[Stroke]:
+    """Hatching along an arc, half of it on each side of an arm."""
+    radius, count = abs(arm), int(2 * half * abs(arm) / _PITCH)
+    turns = [(k - (count - 1) / 2) * _PITCH / radius for k in range(count)]
+    ways = [(arm / radius * cmath.rect(1, turn)) for turn in turns]
+    slant = (outward - 1j) / abs(outward - 1j) * _SLANT
+    return [Stroke((at + radius * out, at + (radius + slant) * out), "hatch", step=step) for out in ways]
 
 
 def bar(places: Sequence[Place], shows: Shows | None, step: int | None = None) -> list[Mark]:
@@ -95,7 +96,7 @@ def guide(start: Place, end: Place, side: complex, step: int | None = None, show
 def slot(along: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
     """A slot with round ends along a line or an arc, cut into a link or the ground: white, over the link's bar."""
     ways = [after - before for before, after in zip((along[0], *along), (*along[1:], along[-1]), strict=False)]
-    sides = [1j * _SLOT * way / abs(way) for way in ways]
+    sides = [1j * SLOT * way / abs(way) for way in ways]
     far, near = ([end * cmath.rect(1, -math.pi * k / 10) for k in range(1, 10)] for end in (sides[-1], -sides[0]))
     one, other = ([place + sign * side for place, side in zip(along, sides, strict=True)] for sign in (1, -1))
     rim = (*one, *(along[-1] + off for off in far), *other[::-1], *(along[0] + off for off in near))
@@ -106,15 +107,6 @@ def arc_places(centre: Place, arm: complex, start: float, end: float) -> list[Pl
     """Places along an arc about `centre`, from `arm` turned by `start` to `arm` turned by `end` [rad]."""
     steps = max(8, math.ceil(abs(end - start) / math.radians(3)))
     return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]
-
-
-def arc_ground(centre: Place, along: Sequence[Place], step: int | None = None) -> list[Mark]:
-    """The ground outside a fixed slot along an arc."""
-    marks: list[Mark] = []
-    for one, other in pairwise(along):
-        out = ((one + other) / 2 - centre) / abs((one + other) / 2 - centre)
-        marks += hatch(one + out * _SLOT, other + out * _SLOT, out, step)
-    return marks
 
 
 def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], step: int | None = None) -> list[Mark]:
@@ -128,7 +120,7 @@ def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], ste
     return [
         Stroke((foot, near), "visible", shows=shows[0], step=step),
         Stroke(tube, "outline", closed=True, fill="paper", shows=shows[1], step=step),
-        Stroke((piston + side, piston - side), "visible", step=step),
+        Stroke((piston + 0.75 * side, piston - 0.75 * side), "visible", step=step),  # within the walls
         Stroke((piston, rod_end), "visible", shows=shows[2], step=step),
     ]
 

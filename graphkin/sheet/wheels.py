@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 
 from graphkin.base.geometry import Value, place
@@ -18,13 +19,14 @@ from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import OVERRUN, Skeleton, off_stretch
 from graphkin.sheet.window import Figure
 
-_RIM = 3.0  # thickness of a ring's rim, and of the edge that is hatched in a fixed wheel [mm]
+_RIM = 3.0  # thickness of a ring's rim [mm]
 _CROSS = 4.4
 _TOOTH, _DEPTH = 3.4, 0.95  # from tooth to tooth of those that are shown, and half as high as they are [mm]
 _SMALL = 9.0  # in a wheel of less radius there is no room for its number [mm]
 _REACH = 14.0  # how far a slot of the equivalent goes to both sides of its block [mm]
 _ROD, _BUSH = 34.0, (15.0, 27.0)
 """A follower's rod from its tip, and where it is guided [mm]."""
+_STEEP = 0.2  # a face and the guide of its follower make an angle of more than this sine
 _ARC = 15.0  # how far a slot goes on to both sides of its pin, along the arc [mm]
 _FREE = 4.0  # farther from another link nothing looks like a joint with it [mm]
 _MOST = 2.4  # half of the widest slot there is room for on a small circle [rad]
@@ -131,8 +133,8 @@ def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
     if wheel.gear:
         for along in (1, 1j):  # a cross at its centre
             yield Stroke((at - _CROSS * along, at + _CROSS * along), "thin", step=step)
-        rim = radius + _RIM if wheel.ring else max(0.0, radius - _RIM)
-        if wheel.ring or (fixed and rim > _RIM):
+        if wheel.ring:
+            rim = radius + _RIM
             yield Disc(at, rim, "outline", step=step)
     if (spoke := _spoke(skeleton, wheel)) is not None:
         bar, way = spoke
@@ -143,18 +145,28 @@ def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
 
 
 def _spoke(skeleton: Skeleton, wheel: Wheel) -> tuple[complex, complex] | None:
-    """Of a wheel that is part of a link with other points: the direction of a bar, and of the spoke welded to it."""
+    """Of a wheel on a link that reaches beyond its rim: the direction of a bar, and of the spoke welded to it."""
     at, scale = skeleton.at(wheel.centre), skeleton.window.scale
     arms = [place - at for place in map(skeleton.at, skeleton.named(wheel.link)) if abs(place - at) > _CROSS]
-    if not arms or wheel.link == FRAME or wheel.radius / scale <= _CROSS:
+    if not arms or wheel.link == FRAME or wheel.radius / scale <= _CROSS or disc(skeleton, wheel.link):
         return None
     bar = arms[0] / abs(arms[0])
     taken = [*skeleton.directions(wheel.centre), 1 + 0j]  # to the right an angle may begin
     return bar, min((1j * bar, -1j * bar), key=lambda way: max((arm * way.conjugate()).real for arm in taken))
 
 
+def disc(skeleton: Skeleton, link: str) -> str:
+    """The centre of the wheel within whose rim all points of a link lie; "" of other links."""
+    places = [skeleton.at(point) for point in skeleton.named(link)]
+    for wheel in wheels_of(skeleton.mechanism):
+        at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale + 0.1
+        if wheel.link == link and not wheel.ring and all(abs(place - at) <= radius for place in places):
+            return wheel.centre
+    return ""
+
+
 def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
-    """The number of a link that is a wheel alone, beside its rim."""
+    """The number of a wheel's link, within its rim or beside it."""
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
     out, gap = (radius + _RIM, 0.6) if wheel.ring else (radius, 0.4) if radius < _SMALL else (radius - 4.2, -2.6)
@@ -208,8 +220,13 @@ def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
     for link, profile, other in zip(cam.links, cam.profiles, cam.profiles[::-1], strict=True):
         if profile.centre is None:
             assert profile.line is not None
-            near = other.centre or profile.line.origin
-            marks.append(straight(skeleton, profile.line, cam.name, near, other.radius / scale + 8, step))
+            near, reach = other.centre or profile.line.origin, other.radius / scale
+            face = straight(skeleton, profile.line, cam.name, near, reach + 8, step)
+            stems = (follower(skeleton, slide) for slide in skeleton.mechanism.slides if slide.block == link)
+            if stem := next(filter(None, stems), None):  # to both sides of it alike
+                half = reach * skeleton.direction(profile.line)
+                face = replace(face, places=(stem[0].places[0] - half, stem[0].places[0] + half))
+            marks.append(face)
         elif profile.radius > 0:
             shows = Shows(link, "wheel", (profile.centre,))
             marks.append(Disc(skeleton.at(profile.centre), profile.radius / scale, "outline", shows=shows, step=step))
@@ -237,22 +254,31 @@ def equivalents(skeleton: Skeleton) -> list[Mark]:
 
 
 def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:
-    """A fixed guide's block that a cam moves at its point: a rod with its tip or roller, guided above; else None."""
-    if slide.guide != FRAME or slide.block is None or len(skeleton.named(slide.block)) > 1:
+    """A fixed guide's block that a cam moves at its point: a rod with its tip, face or roller, guided above."""
+    if slide.guide != FRAME or slide.block is None:
         return None
     for cam in skeleton.mechanism.of(Cam):
-        for profile, other in (cam.profiles, cam.profiles[::-1]):
-            if profile.centre == slide.point and other.centre is not None:
-                return _rod(skeleton, slide, profile.radius / skeleton.window.scale, other.centre)
+        for link, profile, other in zip(cam.links, cam.profiles, cam.profiles[::-1], strict=True):
+            if link == slide.block and other.centre is not None and other.radius > 0:
+                cam_centre, at = skeleton.at(other.centre), skeleton.at(slide.point)
+                if profile.centre == slide.point:
+                    return _rod(skeleton, slide, at, cam_centre, profile.radius / skeleton.window.scale)
+                if profile.line is not None:  # where the face crosses the line on which the block slides
+                    face, along = skeleton.direction(profile.line), skeleton.along(slide)
+                    off, turn = skeleton.at(profile.line.origin) - at, (along.conjugate() * face).imag
+                    if abs(turn) > _STEEP:
+                        foot = at + along * (off.conjugate() * face).imag / turn
+                        return _rod(skeleton, slide, foot, cam_centre, None)
     return None
 
 
-def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> list[Stroke]:
-    at, along = skeleton.at(slide.point), skeleton.along(slide)
-    out = along * math.copysign(1, (along.conjugate() * (at - skeleton.at(cam_centre))).real)
+def _rod(skeleton: Skeleton, slide: Slide, at: Place, cam_centre: Place, radius: float | None) -> list[Stroke]:
+    """From its end at the cam on; of a face no radius."""
+    along = skeleton.along(slide)
+    out = along * math.copysign(1, (along.conjugate() * (at - cam_centre)).real)
     side, step = 1j * out, skeleton.step(slide.point)
     shows = Shows(slide.block or "", "guide", (), slide.name)
-    near, far = (max(0.0, radius - 3) + reach for reach in _BUSH)
+    near, far = (max(0.0, (radius or 0.0) - 3) + reach for reach in _BUSH)
     foot = at + out * (2.6 if radius == 0 else 0.0)
     marks = [Stroke((foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)]
     if radius == 0:
@@ -271,7 +297,7 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     cut = symbols.arc_places(centre, arm, -half, half)
     shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     if slot.guide == FRAME:
-        marks = symbols.arc_ground(centre, cut, step)
+        marks: list[Mark] = [*symbols.arc_hatch(centre, arm * (1 + symbols.SLOT / radius), half, 1.0, step)]
     else:  # the arc of a moving link that carries the slot, joined to the nearest of the link's points
         more = half + min(OVERRUN / abs(arm), 0.4)
         points = [skeleton.at(point) for point in skeleton.named(slot.guide)]

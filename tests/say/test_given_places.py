@@ -81,6 +81,49 @@ def test_data_are_stated_as_the_file_states_them() -> None:
     ]  # fmt: skip
 
 
+WHEEL = """
+[frame]
+[links.W]
+CA = "0.8 ft"
+[links.AB]
+AB = "3 ft"
+[links.B]
+points = ["B"]
+[[roll]]
+name = "x"
+wheel = "W"
+centre = "C"
+radius = "1.2 ft"
+on = "frame"
+through = [0, 0]
+[[slide]]
+block = "B"
+point = "B"
+guide = "frame"
+through = [0, "0.5 ft"]
+[[pose]]
+slide = "x"
+at = 0
+[[driver]]
+vector = "CA"
+angle = 90
+velocity = "3 m/s"
+acceleration = "2 m/s²"
+also = [120, 150]
+[sketch]
+C = [0, 366]
+A = [0, 610]
+B = [770, 152]
+"""
+
+
+def test_a_guide_beside_a_track_has_its_height_and_a_tip_its_tangential_acceleration() -> None:
+    texts = said(loads(WHEEL))
+    assert {"e_B = 0.5 ft", "also φ_W = 120°, 150°", "v_A = 3 m/s", "aᵗ_A = 2 m/s²"} <= set(texts)
+    through = WHEEL.replace("[frame]", '[frame]\nD = [0, 0]').replace('[0, "0.5 ft"]', '"D"')
+    assert not any(text.startswith("e_") for text in said(loads(through)))
+
+
 def test_a_changed_size_is_not_said_to_be_as_stated() -> None:
     machine = loads(STATED).with_({"links.1.AB": 70})
     assert "l_AB = 70 mm" in said(machine)

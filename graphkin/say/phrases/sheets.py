@@ -11,6 +11,7 @@ PHRASES: Phrases = {
     "sheet.ticks": ("ticks every {step} of {driver}", "{driver} 每隔 {step} 一刻度"),
     "sheet.arrows": ("arrows: 1 mm is ", "箭头：1 mm 表示 "),
     "sheet.every": ("from arrow to arrow ", "相邻箭头相隔 "),
+    "sheet.also": ("also {symbol}", "另取 {symbol}"),
     "sheet.step": ("Step {number} of {count}", "第 {number} 步，共 {count} 步"),
     # === motion diagrams
     "diagrams.panel position": ("Position", "位置线图"),
