@@ -37,7 +37,7 @@ def mechanism_figure(
     others  all positions of which it is one: the ground is the same in each
     """
     ground = grounds(*(others or [skeleton]))
-    return _figure(skeleton, method, specials(method, skeleton, drawn), ground, drives(skeleton))
+    return _figure(skeleton, method, specials(method, skeleton, drawn), ground, drives(skeleton, method))
 
 
 def moving_figure(skeleton: Skeleton, method: Method, others: Sequence[Skeleton], driving: Figure) -> Figure:
@@ -261,7 +261,7 @@ def plain_mechanism(method: Method, plot: Plot, window: Window, others: Sequence
 
 def bare_figure(method: Method, skeleton: Skeleton) -> Figure:
     """The mechanism as a problem gives it: no special points and no lower-pair equivalents, which a solution finds."""
-    return _figure(skeleton, method, Figure(), grounds(skeleton), drives(skeleton), bare=True)
+    return _figure(skeleton, method, Figure(), grounds(skeleton), drives(skeleton, method), bare=True)
 
 
 def plainly(mark: Mark) -> Mark:
