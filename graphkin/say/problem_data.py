@@ -93,10 +93,12 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
             start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.whole)
         return reading.joined([start, *(_slid(reading, driver.link, size) for size in rates)])
     texts = [_rated(size, reading.note(reading.sense(size.value))) for size in rates]
-    key = "derivation.driven wheel" if driver.vector is None else "derivation.driven line free"
-    if driver.vector is not None and shown is not None:
+    if driver.vector is None or shown is None:
+        key = "derivation.driven wheel" if driver.vector is None else "derivation.driven line free"
+    elif driver.from_vector is not None:
+        key = "derivation.driven joint"
+    else:
         key = "derivation.driven link" if shown.value else "derivation.driven along x"
-        key = "derivation.driven joint" if driver.from_vector is not None else key
     words = _turned(reading, driver) | ({"angle": shown.whole} if shown is not None else {})
     return reading.joined([reading.say(key, **words), *texts])
 
