@@ -21,7 +21,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line
-from graphkin.sheet.wheels import circular_slot, equivalents, follower, profiles, rims, wheels, wheels_of
+from graphkin.sheet.wheels import circular_slot, equivalents, follower, profiles, rims, rod_letters, wheels, wheels_of
 from graphkin.sheet.window import Figure, Window
 
 _JOINED = 3.0  # lines that cross so near to a point are joined there [mm]
@@ -58,6 +58,7 @@ def _figure(
         labels.append(LabelRequest(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
     for part in (driving, ground, turning, special, touching):
         labels += part.wanted
+    labels += rod_letters(skeleton) if not bare else ()
     return Figure(marks, labels)
 
 
