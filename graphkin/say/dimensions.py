@@ -240,11 +240,13 @@ def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
     place, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
     at = _drawn_value(reading, driver, place, path)
     if driver.kind == "slide":
-        first, second = (names.of_slide(symbol, driver.link) for symbol in ("ṡ", "s̈"))
+        first, second = (reading.displacement(symbol, driver.link) for symbol in SIGNED)
         speed, change = (*path, "velocity"), (*path, "acceleration")
         return at, sized(reading, first, rate, "velocity", speed), sized(reading, second, more, "acceleration", change)
     return at, _rate(reading, driver, path, "ω", rate), _rate(reading, driver, path, "α", more)
 
+
+SIGNED = ("ṡ", "s̈")  # by which a displacement grows; of all others a word or an arrow tells the sense
 
 _RATES: Mapping[str, tuple[str, Dimension, str, Dimension]] = {
     "ω": ("omega", "angular velocity", "v", "velocity"), "α": ("alpha", "angular acceleration", "aᵗ", "acceleration"),
@@ -297,7 +299,7 @@ def sizes(reading: Reading) -> list[Size]:
         now = float(reading.plot.facts.values[k])
         if also := [sized(reading, symbol, value, kind) for value in driver.also if abs(value - now) > 1e-9]:
             every.append(replace(also[0], value=1.0, written=reading.joined(size.figure for size in also)))
-        every += [rate if driver.kind == "slide" else rate.bare for rate in rates if rate.value]
+        every += [rate if rate.symbol.startswith(SIGNED) else rate.bare for rate in rates if rate.value]
     return [*{size.text: size for size in every if size.value or isinstance(size.shape, Corner)}.values()]
 
 

@@ -196,7 +196,7 @@ def size_row(polygon: PolygonReading, term: Term) -> str:
         return "?"
     if isinstance(term.size, terms.Drawn):
         return "√" if polygon.arrow(term.tail, term.head) else "0"
-    return _known_size(polygon, term, term.size, "").formula
+    return _known_size(polygon, term, term.size, "").formula or "√"
 
 
 def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, ...]) -> Calculation:
@@ -218,7 +218,7 @@ def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, 
             formulas.append(polygon.seen(other, ""))
         if isinstance(size, terms.Normal) and not term.part:
             formulas.append(polygon.seen(term.of, size.tail, "n"))
-    formulas.append(known.formula)
+    formulas += [known.formula] if known.formula else []
     return Calculation(polygon.vector(term), tuple(formulas), known.numbers, value, names.UNIT[polygon.plane], note)
 
 
@@ -238,9 +238,12 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
             return KnownSize(f"2 {rate} {relative}", numbers, reading.say("derivation.quarter turned", **words))
         case terms.Driven(slide):
             shrinks = (polygon.arrow(term.tail, term.head) * reading.guide(slide).conjugate()).real <= 0
-            words = {"direction": direction, "s": names.of_slide("s", slide)}
-            along = reading.say("derivation.slide way", which=shrinks, **words)
-            return KnownSize(f"|{names.of_slide(names.SLIDING[polygon.plane], slide)}|", "", along)
+            if reading.method.structure.slides[slide].named:
+                words = {"direction": direction, "s": names.of_slide("s", slide)}
+                direction = reading.say("derivation.slide way", which=shrinks, **words)
+            rate = reading.displacement(names.SLIDING[polygon.plane], slide)
+            own = rate == polygon.vector(term)  # given by this very name
+            return KnownSize("" if own else f"|{rate}|", "", direction)
         case terms.Relative():
             facts, called = plot.facts, reading.mechanism.called  # of one link against another: ω21 l, ω21² l, α21 l
             order, symbol = (2, "α") if size.part == "t" else (1, "ω")

@@ -70,7 +70,8 @@ class PositionReader(Tangents):
         for slide in (slide for slide in reading.mechanism.slides if slide.guide == FRAME):
             origin = slide.line.origin
             place = names.point(origin) if slide.line.named else reading.place_on_paper(shape[origin])
-            words = {"guide": reading.path(slide.name), "heading": heading(degrees(slide.line.direction), reading.lang)}
+            words = {"guide": capitalized(reading.path(slide.name))}
+            words["heading"] = heading(degrees(slide.line.direction), reading.lang)
             yield Sentence(reading.say("derivation.fixed guide", place=place, **words))
         yield from equivalents(reading)
         for part in reading.method.position.parts:

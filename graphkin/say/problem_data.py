@@ -12,12 +12,12 @@ from graphkin.base.geometry import dot
 from graphkin.model.mechanism import FRAME, Driver, Pose
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.dimensions import beside, driven, guide_angle, link_sizes, radii
+from graphkin.say.dimensions import SIGNED, beside, driven, guide_angle, link_sizes, radii
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
 from graphkin.say.numbers import direction, given_figure, heading, number
 from graphkin.say.reading import Reading, aside, capitalized
-from graphkin.say.sizes import in_unit, length_unit
+from graphkin.say.sizes import Size, in_unit, length_unit
 from graphkin.say.structure import redundant_constraints
 
 _SCALES = (("length", "μ_l", "m/mm"), ("velocity", "μ_v", "(m/s)/mm"), ("acceleration", "μ_a", "(m/s²)/mm"))
@@ -86,22 +86,34 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     now, drawn = (float(facts.values[k]) for facts in (reading.plot.facts, reading.method.facts()))
     shown = None if driver.value is None and abs(now - drawn) < 1e-12 else place
     if driver.kind == "slide":
-        texts = [size.whole if size.value else f"{size.symbol} = 0" for size in rates]
         kind, slide = _kind(reading, driver.link), reading.slide_name(driver.link)
         if shown is None:
             start = reading.say(f"derivation.driven {kind} free", slide=slide)
         else:
             start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.whole)
-        return reading.joined([start, *texts])
-    texts = [f"{size.bare.text}{reading.note(reading.sense(size.value))}{size.bare.worked}" if size.value
-             else f"{size.symbol} = 0" for size in rates]  # fmt: skip
-    key = "derivation.driven wheel" if driver.vector is None else "derivation.driven line free"
-    if driver.vector is not None and shown is not None:
+        return reading.joined([start, *(_slid(reading, driver.link, size) for size in rates)])
+    texts = [_rated(size, reading.note(reading.sense(size.value))) for size in rates]
+    if driver.vector is None or shown is None:
+        key = "derivation.driven wheel" if driver.vector is None else "derivation.driven line free"
+    elif driver.from_vector is not None:
+        key = "derivation.driven joint"
+    else:
         key = "derivation.driven link" if shown.value else "derivation.driven along x"
-        if driver.from_vector is not None:
-            key = "derivation.driven joint"
     words = _turned(reading, driver) | ({"angle": shown.whole} if shown is not None else {})
     return reading.joined([reading.say(key, **words), *texts])
+
+
+def _slid(reading: Reading, slide: str, size: Size) -> str:
+    """The rate of a driven slide: with its sign as it is called `ṡ_ram`, else in the sense in which s_ram changes."""
+    if size.symbol.startswith(SIGNED):
+        return size.whole if size.value else f"{size.symbol} = 0"
+    words = {"s": names.of_slide("s", slide), "which": size.value < 0}
+    return _rated(size, reading.note(reading.say("derivation.slide sense", **words)))
+
+
+def _rated(size: Size, sense: str) -> str:
+    """`ω1 = 60 r/min (clockwise), ..`; nothing has no sense."""
+    return f"{size.bare.text}{sense}{size.bare.worked}" if size.value else f"{size.symbol} = 0"
 
 
 def _dimensions(reading: Reading) -> Iterator[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
-from graphkin.construction import Plane, Plot, Step
+from graphkin.construction import Construction, Driven, LayOff, Plane, Plot, Step
 from graphkin.errors import Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 
 TOO_SHORT_MM = 0.5  # shorter lines are not drawn on paper
+_AXES = {"0°": "x", "180°": "x", "90°": "y", "270°": "y"}
 
 
 def aside(along: complex, arm: complex) -> float:
@@ -37,6 +38,19 @@ def aside(along: complex, arm: complex) -> float:
 def capitalized(text: str) -> str:
     """A text as the start of a sentence."""
     return text[0].upper() + text[1:]
+
+
+def driven_slides(method: Method) -> dict[tuple[str, str], str]:
+    """The arrows that are laid off for driven slides: `v_B3B4` by `ṡ` or `s̈` and the slide."""
+    arrows = dict[tuple[str, str], str]()
+    planes: tuple[tuple[Plane, Construction], ...] = (
+        ("velocity", method.velocity), ("acceleration", method.acceleration)
+    )  # fmt: skip
+    for plane, construction in planes:
+        for term in (step.term for step in construction.steps if isinstance(step, LayOff)):
+            if isinstance(term.size, Driven) and term.size.slide in method.structure.slides_driven:
+                arrows.setdefault((names.SLIDING[plane], term.size.slide), term.name(plane))
+    return arrows
 
 
 @frozen
@@ -259,9 +273,16 @@ class Reading:
         return self.mechanism.slide_title(slide, self.lang)
 
     def displacement(self, symbol: str, slide: str) -> str:
-        """The displacement of a slide, or of a wheel's centre: `s_ram`, `ṡ_ram`, `Δs_C`."""
+        """The displacement of a slide, or of a wheel's centre: `s_ram`, `ṡ_ram`, `Δs_C`; the rate of a driven one by
+        its arrow: `v_B3B4`."""
         pair = self.method.structure.slides[slide]
+        if (symbol, slide) in self._driven_slides:
+            return names.vector(self._driven_slides[symbol, slide])
         return names.of_slide(symbol, pair.name if pair.named else names.point(pair.point))
+
+    @cached_property
+    def _driven_slides(self) -> dict[tuple[str, str], str]:
+        return driven_slides(self.method)
 
     @cached_property
     def contact_slides(self) -> frozenset[str]:
@@ -270,16 +291,16 @@ class Reading:
         return frozenset(name for name, slide in slides.items() if slide.stands_for is not None)
 
     def line(self, slide: str) -> str:
-        """The line of a slide: two points on it (`BC`), or `guide ram`."""
+        """The line of a slide: two points on it (`BC`), else the axis along which it runs, or `guide of C`."""
         pair = self.method.structure.slides[slide]
-        if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
-            return self.say("derivation.guide of", name=self.slide_name(slide))
         along = self.guide(slide)  # two points that lie apart on it, of those that the guide or the pair itself names
         points = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
         there = [p for p in points if self.named(p) and aside(along, self.arm(pair.point, p)) <= self.noise]
         pairs = ((first, second) for first in there for second in there)
         apart = (ends for ends in pairs if abs(float(dot(along, self.arm(*ends)))) > self.noise)
         on_it = next(apart, None) or (None if pair.guide == FRAME else self.points_along(slide))
+        if on_it is None and pair.guide == FRAME and (axis := _AXES.get(degrees(along))):
+            return self.say("derivation.axis", axis=axis)
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
             if len(self.contact_slides) == 1:
@@ -288,7 +309,7 @@ class Reading:
             return self.say("contacts.track of" if rolling else "contacts.face of", link=self.link(link))
         if on_it:
             return names.pair(*on_it)
-        return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else pair.point)
+        return self.say("derivation.guide of", point=names.point(pair.point))
 
     def path(self, slide: str) -> str:
         """The name that the line of a slide has in the drawing."""
@@ -297,7 +318,7 @@ class Reading:
             return self.say("contacts.path of", name=names.point(pair.point))
         if pair.guide != FRAME and not pair.named:
             return self.say("derivation.guide of link", link=self.link(pair.guide))
-        return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else names.point(pair.point))
+        return self.say("derivation.the guide of", point=names.point(pair.point))
 
     def points_along(self, slide: str) -> tuple[str, str] | None:
         """Two points of the guide whose line is parallel to the slide's."""
@@ -314,7 +335,7 @@ class Reading:
             return names.point(point)
         slide = next(each for each in self.method.structure.slides.values() if each.line.origin == point)
         if slide.name not in self.contact_slides:
-            return self.say("derivation.origin of", name=self.slide_name(slide.name) if slide.named else slide.point)
+            return self.say("derivation.origin of", point=names.point(slide.point))
         if slide.guide != FRAME:
             return names.point(point)
         return self.say("contacts.path start", path=self.path(slide.name))

@@ -10,9 +10,11 @@ from itertools import chain
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
+from graphkin.planning import Method
+from graphkin.say.reading import driven_slides
 from graphkin.sheet import symbols
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import between, joined, link_label, quantity_label
+from graphkin.sheet.lettering import between, joined, link_label, quantity_label, vector_label
 from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton, crossing, off_stretch
 from graphkin.sheet.wheels import circles, follower, wheels_of
@@ -156,14 +158,14 @@ def away_from(at: Place, along: complex, places: list[Place]) -> complex:
     return -normal if weight > 0 else normal
 
 
-def drives(skeleton: Skeleton) -> Figure:
+def drives(skeleton: Skeleton, method: Method) -> Figure:
     """Arrows of all drivers that move."""
     figure = Figure()
     for driver in skeleton.mechanism.drivers:
         if driver.rate == 0 and driver.acceleration == 0:
             continue
         if driver.kind == "slide":
-            _slide_arrow(skeleton, driver, figure)
+            _slide_arrow(skeleton, driver, figure, driven_slides(method).get(("ṡ", driver.link)))
         elif driver.vector is not None:  # about the vector's tail, across the link
             at, tip = (skeleton.at(point) for point in driver.vector)
             if abs(tip - at) >= 1:
@@ -217,7 +219,7 @@ def clearance(skeleton: Skeleton, place: Place) -> float:
     return min([*gaps, *(off_stretch(place, start, end) for start, end in stretches)])
 
 
-def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
+def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure, speed: str | None) -> None:
     """Beside the block (or what rolls), in the direction in which it goes."""
     pair = skeleton.mechanism.pair(driver.link)
     assert pair.path is not None
@@ -235,6 +237,5 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     start = at + across * out - along * 4
     shows, step = Shows(line.link, "push", line=driver.link), skeleton.step(point)
     figure.marks += symbols.arrow(start, start + 11 * along, shows=shows, step=step)
-    relative = between([skeleton.mechanism.called(link) for link in reversed(pair.joins)])
-    label = quantity_label("v", point if line.link == FRAME else relative)
+    label = vector_label(speed or f"v_{point}")
     figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=step))

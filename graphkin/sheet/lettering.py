@@ -215,7 +215,7 @@ _NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*(?:(?<=′)\d+′*)?")
 _WORDED = r"(?<![A-Za-z])(?:[A-Za-z]\d*′+_[^\W\d_]\w*′*|[a-z]_[a-z]\w*′+)"  # b′_lever″, n_lever′
 _STRETCH = (
     r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+(?:\d+′*)?|[a-z]\d+′*)+(?![A-Za-z²³])"
-    r"|(?<=[·△])(?:[a-z]\d*)+(?![A-Za-z])|(?<![A-Za-z/])(?<!\d )[a-z]{2}(?= = )"
+    r"|(?<=[·△])(?:[a-z]\d*)+(?![A-Za-z])|(?<=[∥⊥])[xy]\b|(?<![A-Za-z/])(?<!\d )[a-z]{2}(?= = )"
 )
 _ANY = re.compile(f"(?P<worded>{_WORDED})|(?P<points>{_POINTS}|{_NUMBERED}|{_STRETCH})|{_SIGN}")
 

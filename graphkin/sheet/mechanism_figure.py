@@ -21,7 +21,9 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line
-from graphkin.sheet.wheels import circular_slot, disc, equivalents, follower, profiles, rims, wheels, wheels_of
+from graphkin.sheet.wheels import (  # fmt: skip
+    circular_slot, disc, equivalents, follower, profiles, rims, rod_letters, wheels, wheels_of,
+)
 from graphkin.sheet.window import Figure, Window
 
 _JOINED = 3.0  # lines that cross so near to a point are joined there [mm]
@@ -37,7 +39,7 @@ def mechanism_figure(
     others  all positions of which it is one: the ground is the same in each
     """
     ground = grounds(*(others or [skeleton]))
-    return _figure(skeleton, method, specials(method, skeleton, drawn), ground, drives(skeleton))
+    return _figure(skeleton, method, specials(method, skeleton, drawn), ground, drives(skeleton, method))
 
 
 def moving_figure(skeleton: Skeleton, method: Method, others: Sequence[Skeleton], driving: Figure) -> Figure:
@@ -58,6 +60,7 @@ def _figure(
         labels.append(LabelRequest(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
     for part in (driving, ground, turning, special, touching):
         labels += part.wanted
+    labels += rod_letters(skeleton) if not bare else ()
     return Figure(marks, labels)
 
 
@@ -270,7 +273,7 @@ def plain_mechanism(method: Method, plot: Plot, window: Window, others: Sequence
 
 def bare_figure(method: Method, skeleton: Skeleton) -> Figure:
     """The mechanism as a problem gives it: no special points and no lower-pair equivalents, which a solution finds."""
-    return _figure(skeleton, method, Figure(), grounds(skeleton), drives(skeleton), bare=True)
+    return _figure(skeleton, method, Figure(), grounds(skeleton), drives(skeleton, method), bare=True)
 
 
 def plainly(mark: Mark) -> Mark:

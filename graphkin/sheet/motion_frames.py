@@ -221,7 +221,7 @@ class _Frames:
         )
         owners, drivers = self.method.mechanism.owners, self.method.drivers  # arrows at the frame stand
         stand = all(driver.vector is not None and FRAME in owners[driver.vector[0]] for driver in drivers)
-        return moving_figure(here, self.method, others, drives(others[0] if stand else here))
+        return moving_figure(here, self.method, others, drives(others[0] if stand else here, self.method))
 
     @cached_property
     def _as_one(self) -> dict[Plane, list[tuple[str, ...]]]:

@@ -274,7 +274,9 @@ class Lettered:
         if page.strip is not None:  # title, results, and the scales that are not over their figures
             heads = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
             texts, notes = {mark.label for mark in heads if isinstance(mark, Text)}, page.strip.notes
-            scales = {p: s for p, s in page.scales.items() if written(p, s) not in texts or p in notes}
+            once = len(notes) > 1 == len(set(notes.values()))  # a note on all of them needs no scale beside it
+            unsaid = {plane for plane, scale in page.scales.items() if written(plane, scale) not in texts}
+            scales = {p: s for p, s in page.scales.items() if p in unsaid or (p in notes and not once)}
             foot = strip(page.strip, page.mechanism, page.paper, scales, page.lang)
         yield Layer("sheet", (*foot, *page.base))
         drawn: dict[Plane, list[Mark]] = {}

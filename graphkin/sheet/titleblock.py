@@ -257,6 +257,7 @@ def _footer(
 ) -> Iterator[Mark]:  # fmt: skip
     """Title and scales; under them source, a line of 100 mm to lay a ruler on, and the program's name."""
     told = [label for plane in scales for label in (written(plane, scales[plane]), notes.get(plane, ())) if label]
+    told += dict.fromkeys(label for plane, label in notes.items() if plane not in scales)
     free = room.size.real - sum(width(label, LABEL) + 4 for label in told)
     title = machine.headline(lang)
     size = TITLE if width(plain(title), TITLE) <= free else LABEL

@@ -11,7 +11,8 @@ from itertools import product
 from graphkin.base.geometry import Value, place
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, RollingContact, Slide, Slot
+from graphkin.model.naming import spelled
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, RollingContact, Slide, Slot, rod_name
 from graphkin.sheet import symbols
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label
@@ -251,6 +252,14 @@ def equivalents(skeleton: Skeleton) -> list[Mark]:
                     Disc(at, symbols.HINGE, "thin", step=step),
                 ]
     return marks
+
+
+def rod_letters(skeleton: Skeleton) -> Iterator[LabelRequest]:
+    """The letters of links between two centres, which equations use."""
+    for pair in skeleton.mechanism.pairs:
+        if isinstance(rod := pair.equivalent, Rod) and pair.rolling is None:
+            start, end = map(skeleton.at, rod.points)
+            yield LabelRequest(link_label(spelled(rod_name(pair))), start, end, step=skeleton.step(*rod.points))
 
 
 def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:

@@ -78,7 +78,8 @@ def test_contacts_lie_on_the_wheels(name: str, letters: str) -> None:
 
 def test_the_image_of_a_gear_is_a_circle_of_radius_omega_r() -> None:
     page, (_, plot) = drawn("p3-12"), solved("p3-12")
-    scale, places = page.scales["velocity"], {m.name: m.at for m in page.marks if isinstance(m, PointMark)}
+    points = [m for m in page.marks if isinstance(m, PointMark) and m.plane == "velocity"]  # without those of details
+    scale, places = page.scales["velocity"], {m.name: m.at for m in points}
     found = {(disc.centre, round(disc.radius, 6)) for disc in circles(page, "thin")}
     radii = {"1": 0.030, "2": 0.020, "3": 0.025}
     for link, centre in (("1", "b"), ("2", "c"), ("3", "p")):

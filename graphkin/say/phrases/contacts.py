@@ -7,9 +7,10 @@ PHRASES: Phrases = {
     "contacts.circles touch": (
         "Higher pair replaced by lower pairs, at this instant: the [circles about {first} and {second} touch, so the "
         "distance of their centres is|edge {second} lies on the circle about {first}, at the distance] {length}. A "
-        "link {link} with hinges at {first} and {second} stands for the contact.",
+        "link {link} with hinges at {first} and {second}, along the line between them, stands for the contact; what "
+        "bears the index {link} is its own, as ω_{link}.",
         "高副低代（瞬时）：[以 {first}、{second} 为圆心的两圆弧相切，中心距|尖顶 {second} 在以 {first} 为圆心的圆上，距离]为 {length}；"
-        "故以两端铰接于 {first}、{second} 的构件 {link} 代替该高副。"),
+        "故以两端铰接于 {first}、{second} 的构件 {link}（沿两点连线）代替该高副；下标为 {link} 者即属该构件，如 ω_{link}。"),
     "contacts.wheel on circle": ("Wheel {wheel} rolls on the circle about {first}: the distance of the centres is "
                                  "{length}. A link {link} with hinges at {first} and {second} holds them.",
                                  "轮 {wheel} 在以 {first} 为圆心的圆上滚动，中心距为 {length}；以两端铰接于 {first}、{second} 的构件 {link} "
