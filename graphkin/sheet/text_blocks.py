@@ -122,8 +122,8 @@ def _runs(numbers: Sequence[int]) -> str:
     return ", ".join("\u2013".join(map(str, dict.fromkeys(ends))) for ends in zip(first, last, strict=True))
 
 
-_LINES = tuple(k * LABEL for k in (1, 2.1, 3.2))  # base lines of terms and of the rows under them [mm]
-_HIGH, _ON, _GAP = 3.9 * LABEL, 3.5 * LABEL, 2.2
+_LINES = tuple(k * LABEL for k in (1, 2.2, 3.4))  # base lines of terms and of the rows under them [mm]
+_HIGH, _ON, _GAP = 3.8 * LABEL, 3.6 * LABEL, 2.2
 """Height of an equation, and of one that goes on on the next line; between columns [mm]."""
 
 
