@@ -14,6 +14,7 @@ from graphkin.errors import Lang
 from graphkin.model import quantities as asked
 from graphkin.model.mechanism import FRAME, Usual
 from graphkin.model.quantities.reading import read
+from graphkin.model.units import EDGE
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import dimensions
@@ -174,8 +175,12 @@ class _TablesInMaking:
         """What is asked for and stands in no other table."""
         reading = Reading(self.method, self.plot, dict.fromkeys(KEYS.values(), 1.0), self.lang)
         lines = AnswerLines(solution_goal(reading), {})
-        rows = [(bold(label_of(quantity)), bold(formula(lines.result(quantity))))
-                for key, quantity in self.questions.items() if key not in self.shown]  # fmt: skip
+        rows = list[tuple[Label, ...]]()
+        for key, quantity in self.questions.items():
+            if key not in self.shown:  # units stand with the names, as in the other tables
+                text, unit, label = lines.result(quantity), EDGE[quantity.unit].sign, label_of(quantity)
+                figure = text.removesuffix(unit).rstrip()
+                rows.append((bold(label if figure == text else _unit(label, unit)), bold(formula(figure))))
         return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 
 
