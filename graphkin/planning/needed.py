@@ -6,14 +6,14 @@ turning of one driven against the frame, ("driven omega", "1"), or that of a sli
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import assert_never
 
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Direction, Equation, Plane, Size, Step, kinds, terms
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.planning.method import Method
+from graphkin.planning.method import Act, Method
 
 Fact = tuple[str, str]
 Part = Step | Equation
@@ -55,6 +55,24 @@ def needed(method: Method, facts: set[Fact], known: frozenset[Fact] = frozenset(
                 facts |= set(reader.needs(part))
         parts[construction.plane] = tuple(reversed(kept))
     return parts
+
+
+def acts_of_equations(method: Method, plane: Plane, drawn: Iterable[Act]) -> Iterator[list[Act]]:
+    """The acts that each equation of a polygon needs and none before it did, by one act that draws it; none for the
+    same equation once more."""
+    construction = {each.plane: each for each in method.constructions}[plane]
+    reader, left = PartsReader(method, construction), [act for act in method.acts if act.plane == plane]
+    for act in drawn:
+        part = next((each for each in construction.equations if act.done in each.steps), None)
+        own = [each for each in left if each == act or (part is not None and each.done in part.steps)]
+        facts = {*reader.needs(act.done if part is None else part)}
+        for before in reversed([each for each in left if own and each.number < own[0].number]):
+            steps = [step for step in before.steps if not isinstance(step, kinds.Given)]
+            if facts.intersection(fact for step in steps for fact in reader.gives(step)):
+                facts.update(fact for step in steps for fact in reader.needs(step))
+                own.insert(0, before)
+        yield own
+        left = [each for each in left if each not in own]
 
 
 def aids(mechanism: Mechanism) -> frozenset[str]:

@@ -12,14 +12,14 @@ from functools import partial
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.sheet.centre_figure import OnPaper, bare_mechanism, centre_figure, spots
-from graphkin.sheet.centre_table import CentreTable, centre_table, circle_diagram, circle_size
+from graphkin.sheet.centre_table import centre_table, circle_diagram, circle_size
 from graphkin.sheet.layout import HEAD
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room, papers_for
 from graphkin.sheet.single_figure import SheetGrid
-from graphkin.sheet.titleblock import FOOT, tables_room
+from graphkin.sheet.titleblock import FOOT, TableBlock, tables_room
 from graphkin.sheet.window import Extent, Window, corners
 from graphkin.studies.centres import Centres
 
@@ -62,7 +62,7 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
 def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:
     """Table, heading, and the circle diagram beyond a thin line; then the figure."""
     grid, circle, scale = layout.grid, layout.circle, layout.window.scale
-    base = [*layout.table.drawn(complex(grid.strip.room.left + 3, grid.strip.room.top + 1.5))]
+    base = [*layout.table.marks(complex(grid.strip.room.left + 3, grid.strip.room.top + 1.5))]
     base += heading(_HEADING[lang], "position", scale, layout.figure)
     edge = Stroke((complex(circle.left, circle.top), complex(circle.left, circle.bottom)), "thin")
     base += [edge, *circle_diagram(found, circle, lang)]
@@ -81,7 +81,7 @@ class CentreLayout:
     grid: SheetGrid
     figure: Room
     circle: Room
-    table: CentreTable
+    table: TableBlock
     window: Window
     worth: float
 
@@ -92,7 +92,7 @@ def _layouts(found: Centres, paper: Paper, lang: Lang, fit: bool) -> Iterator[Ce
     size, most, wide = circle_size(found), 0.4 * paper.height, tables_room(paper)
     for beside in (wide - size.real - 3, wide):
         table = centre_table(found, lang, beside, most)
-        grid = SheetGrid.over(paper, least=max(table.height, size.imag if beside < wide else 0.0))
+        grid = SheetGrid.over(paper, least=max(table.size.imag, size.imag if beside < wide else 0.0))
         column = replace(grid.field, left=grid.field.right - size.real)
         figure, circle = replace(grid.field, right=column.left), column
         if beside < wide:

@@ -17,7 +17,7 @@ from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, numbe
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.skeleton import off_stretch
-from graphkin.sheet.titleblock import PITCH, Table, across, drawn_tables, height_of
+from graphkin.sheet.titleblock import PITCH, Table, TableBlock, across
 from graphkin.studies.centres import Centres
 
 _PENS: dict[str, PenName] = {
@@ -132,24 +132,7 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
     return marks
 
 
-@frozen
-class CentreTable:
-    """The table cut into parts that stand side by side; `lost` rows have no room on the paper."""
-
-    parts: list[Table]
-    lost: int = 0
-
-    @property
-    def height(self) -> float:
-        """[mm]"""
-        return height_of([self.parts])
-
-    def drawn(self, corner: Place) -> list[Mark]:
-        """Each row comes with its own step."""
-        return drawn_tables([self.parts], corner)
-
-
-def centre_table(found: Centres, lang: Lang, room: float, most: float) -> CentreTable:
+def centre_table(found: Centres, lang: Lang, room: float, most: float) -> TableBlock:
     """The table in so many mm of width, as low as it gets, and not higher than `most`."""
     words = _WORDS[lang]
     head = (plain(words["number"]), plain(words["centre"]), plain(words["place"]), plain(words["by"]))
@@ -168,12 +151,12 @@ def centre_table(found: Centres, lang: Lang, room: float, most: float) -> Centre
     most_rows = max(4, int(most / PITCH))
     for count in range(3, most_rows):
         if across(parts := whole.cut(count)) <= room:
-            return CentreTable(parts)
+            return TableBlock([parts])
     parts = whole.cut(most_rows - 1)  # as many as there is room for; the last line tells how many rows are left out
     kept = parts[: max(1, sum(across(parts[: k + 1]) <= room for k in range(len(parts))))]
     lost = len(rows) - sum(len(part.rows) for part in kept) + 1
     rest = plain("…"), plain(f"{lost}"), plain(words["more"]), plain("")
-    return CentreTable([*kept[:-1], replace(kept[-1], rows=(*kept[-1].rows[:-1], rest))], lost)
+    return TableBlock([[*kept[:-1], replace(kept[-1], rows=(*kept[-1].rows[:-1], rest))]], lost)
 
 
 def _by(found: Centres, spot: Spot, words: dict[str, str]) -> Label:

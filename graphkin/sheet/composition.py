@@ -21,7 +21,7 @@ from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Size
 from graphkin.sheet.arrows import heads_apart, named_apart
-from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
+from graphkin.sheet.construction_lines import PolygonConstruction, Rings, pencil_lines
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.dimension_lines import angles
 from graphkin.sheet.layout import Height, Layout, division, lay_out
@@ -115,8 +115,10 @@ class Planes:
             self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held
         )
 
-    def last(self, plane: Plane, window: Window, scales: Mapping[Plane, float]) -> Last | None:
-        """What is drawn last on a figure."""
+    def last(
+        self, plane: Plane, window: Window, scales: Mapping[Plane, float], rings: Rings | None
+    ) -> Last | None:
+        """What is drawn last on a figure; rings: of its equations."""
         reading = self.reading(scales)
         if plane == "position" and self.style != "result":  # annotations, of what is used for the polygons too
             polygons = self.planes if self.style == "construction" else ()
@@ -124,7 +126,7 @@ class Planes:
         if self.style != "construction":
             return None
         acts = [act for act in self.method.acts if act.plane == plane]
-        return PolygonConstruction(self.polygon(plane, window), PolygonReading(reading, plane), acts)
+        return PolygonConstruction(self.polygon(plane, window), PolygonReading(reading, plane), acts, rings)
 
     @cached_property
     def rested(self) -> frozenset[Fact]:
@@ -148,9 +150,8 @@ class Planes:
         polygons = [plane for plane in self.planes if plane != "position"]
         ladders = dict[Plane, Ladder]()
         for plane in polygons:
-            acts = [act for act in self.method.acts if act.plane == plane]
             entries = polygon_entries(reading, plane, self.construction(plane).parts, 0)
-            if (own := ladder(entries, rows, acts)) is not None:
+            if (own := ladder(entries, rows, plane, self.method)) is not None:
                 ladders[plane] = own
         return ladders
 
@@ -304,13 +305,16 @@ class SheetContents:
         before = [*heading(HEADINGS[drawing.lang][plane], plane, window.printed, room)]
         blocks = [(shapes[k], at) for shapes, (k, at) in zip(self.blocks[plane].values(), corners, strict=True)]
         taken = list[Room]()
+        rings: Rings | None = None
         for block, at in blocks:
-            before += (marks := [*block.marks(at)])
+            if isinstance(block, Ladder):
+                rings = partial(block.rings, at)
+            before += (marks := [*(block.rows(at) if isinstance(block, Ladder) else block.marks(at))])
             end = at + block.size
             taken += [Room(at.real, at.imag, end.real, end.imag)] * bool(marks)
         if self.stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         return Panel(
             drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane,
-            drawing.last(plane, window, layout.scales), tuple(taken),
+            drawing.last(plane, window, layout.scales, rings), tuple(taken),
         )  # fmt: skip

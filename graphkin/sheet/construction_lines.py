@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from graphkin.base.geometry import place
@@ -30,6 +30,7 @@ _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
 this it says nothing [mm]."""
 _SQUARE = 1.9  # side of the square in a right angle [mm]
 _NOTHING = 0.05  # arrows up to this have no length [mm]
+Rings = Callable[[Sequence[int]], Iterator[Mark]]  # the numbers before equations, with more of them
 _RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))  # parts of one motion that stand at right angles to each other
 
 
@@ -56,11 +57,13 @@ class PolygonConstruction:
     """A polygon's construction.
 
     spoken  the same polygon as it is worded; acts: those of its plane
+    rings   those of its equations, with more numbers
     """
 
     polygon: PolygonFigure
     spoken: PolygonReading
     acts: Sequence[Act]
+    rings: Rings | None = None
 
     def lines(self) -> list[Mark]:
         """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
@@ -143,18 +146,26 @@ class PolygonConstruction:
     # --- numbers ----------------------------------------------------------------------------------
 
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
-        """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next."""
-        waiting = [requests for act in self.acts if (requests := [*self._beside(act)])]
-        while waiting:
-            spots = free.spots([first for first, *_ in waiting], [complex(RING, RING)] * len(waiting))
-            tried, waiting = waiting, []
-            for requests, free_ones in zip(tried, spots, strict=True):
-                if (middle := free.place(free_ones)) is not None:
-                    marks = [*ringed(requests[0].label[0].text, middle, requests[0].step)]
-                    free.add(marks)
-                    yield from marks
-                elif requests[1:]:
-                    waiting.append(requests[1:])
+        """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next, and
+        what has none at all stands with the equations. Images come first, as their numbers do not."""
+        images, lost = [act for act in self.acts if isinstance(act.done, Image)], set[int]()
+        for acts in (images, [act for act in self.acts if act not in images]):
+            waiting = [(act.number, requests) for act in acts if (requests := [*self._beside(act)])]
+            lost.update({act.number for act in acts} - dict(waiting).keys())
+            while waiting:
+                spots = free.spots([first for _, (first, *_) in waiting], [complex(RING, RING)] * len(waiting))
+                tried, waiting = waiting, []
+                for (number, requests), free_ones in zip(tried, spots, strict=True):
+                    if (middle := free.place(free_ones)) is not None:
+                        marks = [*ringed([number], middle, requests[0].step)]
+                        free.add(marks)
+                        yield from marks
+                    elif requests[1:]:
+                        waiting.append((number, requests[1:]))
+                    else:
+                        lost.add(number)
+        if self.rings is not None:
+            yield from self.rings(sorted(lost))
 
     def _beside(self, act: Act) -> Iterator[LabelRequest]:
         """Requests for its number: at what it finds first, then at each arrow that comes with it."""

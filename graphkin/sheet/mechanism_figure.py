@@ -22,7 +22,15 @@ from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line
 from graphkin.sheet.wheels import (  # fmt: skip
-    circular_slot, disc, equivalents, follower, profiles, rims, rod_letters, wheels, wheels_of,
+    circular_slot,
+    disc,
+    equivalents,
+    follower,
+    profiles,
+    rims,
+    rod_letters,
+    wheels,
+    wheels_of,
 )
 from graphkin.sheet.window import Figure, Window
 

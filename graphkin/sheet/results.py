@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from collections.abc import Iterable
+from functools import cached_property
 from typing import assert_never
 
 from graphkin.base.geometry import number as real
@@ -13,17 +14,22 @@ from graphkin.errors import Lang
 from graphkin.model import quantities as asked
 from graphkin.model.mechanism import FRAME, Usual
 from graphkin.model.quantities.reading import read
+from graphkin.model.units import EDGE
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import dimensions
+from graphkin.say.explained import AnswerLines
 from graphkin.say.reading import Reading
+from graphkin.say.solution_goal import solution_goal
 from graphkin.sheet import lettering
 from graphkin.sheet.lettering import LABEL, Label, Run, bold, formula, number, plain, point_label, quantity_label
+from graphkin.sheet.paper import KEYS
 from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.titleblock import Table, TableBlock
 from graphkin.sheet.window import PLANES
 
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
+_Key = tuple[str, frozenset[str]]
 _WIDE = 62.0  # lines of what is given are no longer [mm]
 
 
@@ -33,7 +39,7 @@ _WIDE = 62.0  # lines of what is given are no longer [mm]
 def tables(method: Method, plot: Plot, lang: Lang) -> dict[Plane, list[TableBlock]]:
     """Links, points, coincident points, slides, as each plane gives of them, in all shapes; empty ones left out."""
     results = _TablesInMaking(method, plot, lang, method.mechanism.usual)
-    every = (results.links(), results.points(), results.coincident_points(), results.slides())
+    every = (results.links(), results.points(), results.coincident_points(), results.slides(), results.answers())
     parts = {plane: [part for table in every if (part := table.of(plane))] for plane in PLANES}
     return {plane: TableBlock.shapes(own) for plane, own in parts.items() if own}
 
@@ -47,11 +53,41 @@ class _TablesInMaking:
     lang: Lang
     usual: Usual
 
-    def emphasised(self, name: str, label: Label, *quantities: str) -> Label:
-        """A value, in bold where the problem asks for one of these quantities of what bears the name."""
-        texts = [text.replace("/", " ").split() for text in self.method.mechanism.ask]
-        pairs = {pair for words in texts for pair in pairwise(words)}
-        return bold(label) if any((quantity, name) in pairs for quantity in quantities) else label
+    @cached_property
+    def questions(self) -> dict[_Key, asked.Quantity]:
+        """What the problem asks for."""
+        quantities = (read(self.method.mechanism, text) for text in self.method.mechanism.ask)
+        return {self.key(quantity): quantity for quantity in quantities if quantity is not None}
+
+    @cached_property
+    def shown(self) -> set[_Key]:
+        """What has a value in these tables so far."""
+        return set()
+
+    def key(self, quantity: asked.Quantity) -> _Key:
+        """What it is of, however it is written: a link, a slide, or the points of the velocity polygon."""
+        match quantity:
+            case asked.Rotation():
+                return quantity.word, frozenset((quantity.link,))
+            case asked.Displacement():
+                return "s", frozenset((quantity.slide,))
+            case asked.Moving():
+                links = self.method.nodes_of_links
+                nodes = (links.get(site.link, {}).get(site.point, "") for site in quantity.sites)
+                return quantity.word, frozenset(nodes)
+            case asked.Centre() | asked.Component() | asked.Place() | asked.Quotient() | asked.Track():
+                return quantity.text, frozenset()
+            case _:
+                assert_never(quantity)
+
+    def title(self, label: Label, of: Iterable[str], *words: str) -> Label:
+        """What heads a row, in bold where one of these quantities of it is asked for."""
+        return bold(label) if any((word, frozenset(of)) in self.questions for word in words) else label
+
+    def value(self, label: Label, of: Iterable[str], word: str) -> Label:
+        """A value, in bold where it is asked for."""
+        self.shown.add((word, frozenset(of)))
+        return self.title(label, of, word)
 
     def size(self, value: float, plane: Plane) -> Label:
         """A speed or an acceleration as a figure."""
@@ -66,13 +102,12 @@ class _TablesInMaking:
         )  # fmt: skip
         rows = []
         for name in (name for name in machine.moving if name in plot.omega):
-            called = machine.called(name)
-            row = [self.emphasised(called, lettering.link_label(called), "omega", "alpha", "theta")]
+            row = [self.title(lettering.link_label(machine.called(name)), [name], "omega", "alpha", "theta")]
             turns = (("omega", self.usual.rate(plot.omega[name], "velocity")),
                      ("alpha", self.usual.rate(plot.alpha[name], "acceleration")))  # fmt: skip
             for kind, value in ((kind, real(rate)) for kind, rate in turns):
                 label, sense = (number(abs(value)), plain(_SENSE[self.lang][value < 0])) if value else (plain("0"), ())
-                row += [self.emphasised(called, label, kind), self.emphasised(called, sense, kind)]
+                row += [self.value(label, [name], kind), self.value(sense, [name], kind)]
             rows.append(tuple(row))
         return Table(head, tuple(rows))
 
@@ -89,8 +124,9 @@ class _TablesInMaking:
             if node.site.point not in method.mechanism.unnamed:
                 speed = self.size(abs(place(plot.velocity[node.name])), "velocity")
                 other = self.size(abs(place(plot.acceleration[primed[node.of]])), "acceleration")
-                name = self.emphasised(node.of, point_label(node.of), "v", "a")
-                rows.append((name, self.emphasised(node.of, speed, "v"), self.emphasised(node.of, other, "a")))
+                of = [node.name]
+                name = self.title(point_label(node.of), of, "v", "a")
+                rows.append((name, self.value(speed, of, "v"), self.value(other, of, "a")))
         return Table(head, tuple(rows))
 
     def coincident_points(self) -> Table:
@@ -107,14 +143,14 @@ class _TablesInMaking:
             if not any(pair):
                 continue
             label = tuple(Run(run.text, run.italic) for run in lettering.vector_label(f"v_{low}")[1:])
-            spoken = "".join(run.text for run in label)
             values = [self.size(abs(place(velocity[term.head] - velocity[term.tail])), "velocity")]
             for arrow in pair:
                 size = abs(place(acceleration[arrow.head] - acceleration[arrow.tail])) if arrow else None
                 values.append(plain("") if size is None else self.size(size, "acceleration"))
             cells = zip(values, ("v", "a_k", "a_r"), strict=True)
-            first = self.emphasised(spoken, label, "v", "a_k", "a_r")
-            rows.append((first, *(self.emphasised(spoken, value, kind) for value, kind in cells)))
+            pair_of = (term.tail, term.head)
+            first = self.title(label, pair_of, "v", "a_k", "a_r")
+            rows.append((first, *(self.value(value, pair_of, kind) if value else () for value, kind in cells)))
         filled = [k for k in range(len(head)) if not k or any(run.text for row in rows for run in row[k])]
         return Table(tuple(head[k] for k in filled), tuple(tuple(row[k] for k in filled) for row in rows))
 
@@ -129,12 +165,24 @@ class _TablesInMaking:
         for name in (slide.name for slide in machine.slides if slide.named and slide.name in plot.s):
             title = machine.slide_title(name, self.lang)
             rows.append((
-                self.emphasised(name, plain(title, title.isascii()), "s"),
-                () if name in given else self.emphasised(name, number(1000 * real(plot.s[name])), "s"),
+                self.title(plain(title, title.isascii()), [name], "s"),
+                () if name in given else self.value(number(1000 * real(plot.s[name])), [name], "s"),
                 self.size(real(plot.s_rate.get(name, 0.0)), "velocity"),
                 self.size(real(plot.s_acceleration.get(name, 0.0)), "acceleration"),
             ))  # fmt: skip
         return Table(head, tuple(rows))
+
+    def answers(self) -> Table:
+        """What is asked for and stands in no other table."""
+        reading = Reading(self.method, self.plot, dict.fromkeys(KEYS.values(), 1.0), self.lang)
+        lines = AnswerLines(solution_goal(reading), {})
+        rows = list[tuple[Label, ...]]()
+        for key, quantity in self.questions.items():
+            if key not in self.shown:  # units stand with the names, as in the other tables
+                text, unit, label = lines.result(quantity), EDGE[quantity.unit].sign, label_of(quantity)
+                figure = text.removesuffix(unit).rstrip()
+                rows.append((bold(label if figure == text else _unit(label, unit)), bold(formula(figure))))
+        return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 
 
 def _unit(label: Label, unit: str) -> Label:

@@ -13,7 +13,8 @@ from typing import Protocol
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.planning.method import Act
+from graphkin.planning.method import Act, Method
+from graphkin.planning.needed import acts_of_equations
 from graphkin.say.entry import Entry, Sentence, VectorEquation
 from graphkin.sheet.lettering import LABEL, LEAST, Label, box, formula, joined, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
@@ -96,9 +97,9 @@ class WrittenLines:
 RING = 0.76 * LEAST  # radius of the circle about the number of a step [mm]
 
 
-def ringed(numbers: str, middle: Place, step: int | None) -> Iterator[Mark]:
-    """The number of a step in a circle, or `3\u20135` in a longer ring."""
-    label = plain(numbers)
+def ringed(numbers: Sequence[int], middle: Place, step: int | None) -> Iterator[Mark]:
+    """The number of a step in a circle, or `3, 5\u20137` in a longer ring."""
+    label = plain(_runs(numbers))
     wide, up, down = box(label, LEAST)
     if (half := ring_width(numbers) / 2 - RING) > 0:
         turns = [cmath.rect(RING, math.pi * (k / 8 - 0.5)) for k in range(9)]
@@ -109,22 +110,36 @@ def ringed(numbers: str, middle: Place, step: int | None) -> Iterator[Mark]:
     yield Text(label, middle + complex(-wide / 2, (up - down) / 2), LEAST, step)
 
 
-def ring_width(numbers: str) -> float:
+def ring_width(numbers: Sequence[int]) -> float:
     """The width of that ring [mm]."""
-    return max(2 * RING, width(plain(numbers), LEAST) + 0.6 * RING if "\u2013" in numbers else 0.0)
+    return max(2 * RING, width(plain(_runs(numbers)), LEAST) + 0.6 * RING if len(numbers) > 1 else 0.0)
+
+
+def _runs(numbers: Sequence[int]) -> str:
+    """`4, 6\u20138`."""
+    first = [number for number in numbers if number - 1 not in numbers]
+    last = [number for number in numbers if number + 1 not in numbers]
+    return ", ".join("\u2013".join(map(str, dict.fromkeys(ends))) for ends in zip(first, last, strict=True))
 
 
 _LINES = tuple(k * LABEL for k in (1, 2.2, 3.4))  # base lines of terms and of the rows under them [mm]
-_HIGH, _GAP = 4.0 * LABEL, 2.2
+_HIGH, _ON, _GAP = 3.8 * LABEL, 3.6 * LABEL, 2.2
+"""Height of an equation, and of one that goes on on the next line; between columns [mm]."""
 
 
 @frozen
 class EquationBlock:
-    """One equation with its rows; `numbers`: of its steps, in front; `page`: the first act that draws it."""
+    """One equation with its rows, or what follows on its first line.
+
+    numbers  of its steps, in front; page: the first act that draws it
+    into     how far it stands in behind the words before its rows; high: to the next [mm]
+    """
 
     columns: tuple[tuple[Label, Label, Label], ...]
     page: int | None = None
-    numbers: str = ""
+    numbers: tuple[int, ...] = ()
+    into: float = 0.0
+    high: float = _HIGH
 
     @cached_property
     def widths(self) -> list[float]:
@@ -134,30 +149,28 @@ class EquationBlock:
     @property
     def wide(self) -> float:
         """[mm]"""
-        return sum(self.widths) + _GAP * (len(self.columns) - 1)
+        return self.into + sum(self.widths) + _GAP * (len(self.columns) - 1)
 
     def marks(self, corner: Place) -> Iterator[Mark]:
-        """From its upper left corner; each column centred, numbers and the words before the rows flush right."""
+        """From its upper left corner, without its numbers; each column centred, the words before the rows flush
+        right."""
         pen = corner
-        if self.numbers:
-            off = complex(self.widths[0] - ring_width(self.numbers) / 2, 0.7 * LABEL)
-            yield from ringed(self.numbers, corner + off, self.page)
         for k, (column, wide) in enumerate(zip(self.columns, self.widths, strict=True)):
             for label, line in zip(column, _LINES, strict=True):
                 if label:
                     spare = wide - width(label, LABEL)
                     yield Text(label, pen + (spare / 2 if k else spare) + 1j * line, LABEL, self.page)
-            pen += wide + _GAP
+            pen += wide + _GAP + (0 if k else self.into)
 
     def within(self, room: float) -> Iterator[EquationBlock]:
-        """As two, each with the motion sought, where it is wider than that [mm]."""
+        """As two, the equals signs one under the other, where it is wider than that [mm]."""
         head, *columns = self.columns
         cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
         if self.wide <= room or cut < 2:
             yield self
         else:
-            yield replace(self, columns=(head, *columns[:cut]))
-            yield replace(self, columns=(head, (columns[0][0], (), ()), *columns[cut:]))
+            yield replace(self, columns=(head, *columns[:cut]), high=_ON)
+            yield replace(self, columns=(head, *columns[cut:]), numbers=(), into=self.widths[1] + _GAP)
 
 
 @frozen
@@ -172,24 +185,45 @@ class Ladder:
         """Width and height [mm]."""
         first = max(block.widths[0] for block in self.blocks)
         wide = max(first - block.widths[0] + block.wide for block in self.blocks)
-        return complex(wide, _HIGH * len(self.blocks))
+        return complex(wide, sum(block.high for block in self.blocks))
 
     def marks(self, corner: Place) -> Iterator[Mark]:
         """From its upper left corner."""
-        first = max(block.widths[0] for block in self.blocks)
-        for k, block in enumerate(self.blocks):
-            yield from block.marks(corner + complex(first - block.widths[0], _HIGH * k))
+        yield from self.rows(corner)
+        yield from self.rings(corner)
+
+    def rows(self, corner: Place) -> Iterator[Mark]:
+        """The same without numbers."""
+        for block, at in self._placed(corner):
+            yield from block.marks(at - block.widths[0])
+
+    def rings(self, corner: Place, more: Sequence[int] = ()) -> Iterator[Mark]:
+        """The numbers of each equation before it, flush right; more: of all steps for which there is no other place,
+        each with the last equation that begins before it."""
+        placed = [(block, at) for block, at in self._placed(corner) if block.numbers]
+        every = {number for block, _ in placed for number in block.numbers}
+        homes = {n: max(placed, key=lambda each: (each[0].numbers[0] < n) * each[0].numbers[0])
+                 for n in ({*more} - every if placed else ())}  # fmt: skip
+        for block, at in placed:
+            numbers = sorted({*block.numbers, *(n for n, (home, _) in homes.items() if home is block)})
+            yield from ringed(numbers, at + complex(-ring_width(numbers) / 2, 0.7 * LABEL), block.page)
+
+    def _placed(self, corner: Place) -> Iterator[tuple[EquationBlock, Place]]:
+        """Each equation, and the right upper corner of the words before its rows."""
+        at = corner + max(block.widths[0] for block in self.blocks)
+        for block in self.blocks:
+            yield block, at
+            at += 1j * block.high
 
     def within(self, room: float) -> Ladder:
         """In a width [mm], as far as breaking its equations helps."""
         return replace(self, blocks=tuple(part for block in self.blocks for part in block.within(room)))
 
 
-def ladder(entries: Iterable[Entry], rows: tuple[str, str], acts: Sequence[Act]) -> Ladder | None:
-    """Every equation that the words print, each with the steps from what they tell next on; the first with those
-    before it, too. None where they print none.
+def ladder(entries: Iterable[Entry], rows: tuple[str, str], plane: Plane, method: Method) -> Ladder | None:
+    """Every equation that the words print, with the numbers of the steps that it needs; None where they print none.
 
-    rows  what stands before the rows; acts: of the plane
+    rows  what stands before the rows
     """
     equations: list[tuple[VectorEquation, Act | None]] = []
     for entry in entries:
@@ -197,16 +231,13 @@ def ladder(entries: Iterable[Entry], rows: tuple[str, str], acts: Sequence[Act])
             equations.append((entry, None))
         elif isinstance(entry, Sentence) and entry.act is not None:  # of several that are solved together, of all
             equations = [(equation, first or entry.act) for equation, first in equations]
-    nexts = dict.fromkeys(act.number for _, act in equations if act is not None)
-    starts = [act.number for act in acts[:1]] + [*nexts][1:]
-    ends = dict(zip(starts, [start - 1 for start in starts[1:]] + [act.number for act in acts[-1:]]))
+    needs = acts_of_equations(method, plane, [act for _, act in equations if act is not None])
     blocks: list[EquationBlock] = []
     for equation, act in equations:
-        first = max((start for start in starts if act is not None and start <= act.number), default=None)
-        numbers = "" if first is None else "\u2013".join(map(str, dict.fromkeys((first, ends[first]))))
+        numbers = () if act is None else tuple(each.number for each in next(needs))
         columns = (((), plain(rows[0]), plain(rows[1])), *_columns(equation))
         blocks.append(EquationBlock(columns, None if act is None else act.page, numbers))
-    return Ladder(tuple(blocks), acts[0].plane) if blocks else None
+    return Ladder(tuple(blocks), plane) if blocks else None
 
 
 def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:

@@ -18,7 +18,7 @@ from graphkin.sheet.text_blocks import Ladder, WrittenLines
 
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
-_MOST_ROWS = 12
+_WHOLE, _MOST_ROWS = 6, 12  # a table of up to so many rows is whole; one of more than so many is not
 _PLANES: dict[str, Plane] = {
     "ω": "velocity", "v": "velocity", "ds/dt": "velocity", "α": "acceleration", "a": "acceleration",
     "d²s/dt²": "acceleration",
@@ -107,7 +107,7 @@ def arranged(tables: list[Table], room: float) -> list[list[Table]]:
 
 def _cut(tier: list[Table], room: float) -> list[Table]:
     """Tables cut to as few rows as their room allows."""
-    for rows in range(3, _MOST_ROWS + 1):
+    for rows in range(_WHOLE, _MOST_ROWS + 1):
         parts = [part for table in tier for part in table.cut(rows)]
         if across(parts) <= room:
             return parts
@@ -129,34 +129,12 @@ def across(tables: Sequence[Table]) -> float:
     return sum(table.wide for table in tables) + _BETWEEN * max(0, len(tables) - 1)
 
 
-def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
-    """Arranged tables from their upper left corner."""
-    marks: list[Mark] = []
-    for tier in tiers:
-        pen = corner
-        for part in tier:
-            for k, row in enumerate((part.head, *part.rows)):
-                at = pen + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
-                for column, (cell, wide, gap) in enumerate(zip(row, part.widths, part.gaps, strict=True)):
-                    if cell:
-                        head = part.head[column]
-                        accent = _PLANES.get(head[0].text) if k and head and "[" in head[-1].text else None
-                        step = part.steps[k - 1] if k and part.steps else None
-                        before = part.before(cell, column) if k else 0.0
-                        marks.append(Text(cell, at + before, LABEL, step, accent=accent))
-                    at += wide + gap
-            under = pen + 1j * (PITCH * 1.05)
-            marks.append(Stroke((under, under + part.wide), "thin"))
-            pen += part.wide + _BETWEEN
-        corner += 1j * height_of([tier])
-    return marks
-
-
 @frozen
 class TableBlock:
-    """Tables in tiers, as one block."""
+    """Tables in tiers, as one block; `lost`: the rows for which there is no room."""
 
     tiers: list[list[Table]]
+    lost: int = 0
 
     @classmethod
     def shapes(cls, tables: Sequence[Table]) -> list[TableBlock]:
@@ -180,7 +158,26 @@ class TableBlock:
         return complex(max(map(across, self.tiers), default=0.0), height_of(self.tiers))
 
     def marks(self, corner: Place) -> list[Mark]:
-        return drawn_tables(self.tiers, corner)
+        """From their upper left corner."""
+        marks: list[Mark] = []
+        for tier in self.tiers:
+            pen = corner
+            for part in tier:
+                for k, row in enumerate((part.head, *part.rows)):
+                    at = pen + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
+                    for column, (cell, wide, gap) in enumerate(zip(row, part.widths, part.gaps, strict=True)):
+                        if cell:
+                            head = part.head[column]
+                            accent = _PLANES.get(head[0].text) if k and head and "[" in head[-1].text else None
+                            step = part.steps[k - 1] if k and part.steps else None
+                            before = part.before(cell, column) if k else 0.0
+                            marks.append(Text(cell, at + before, LABEL, step, accent=accent))
+                        at += wide + gap
+                under = pen + 1j * (PITCH * 1.05)
+                marks.append(Stroke((under, under + part.wide), "thin"))
+                pen += part.wide + _BETWEEN
+            corner += 1j * height_of([tier])
+        return marks
 
 
 _WIDTHS = (110.0, 75.0, 50.0, 32.0)  # of blocks of tables [mm]
@@ -261,13 +258,13 @@ def _footer(
     free = room.size.real - sum(width(label, LABEL) + 4 for label in told)
     title = machine.headline(lang)
     size = TITLE if width(plain(title), TITLE) <= free else LABEL
-    pen, line = complex(room.left, room.top + 6.0), two_lines(title, size, free)[:1]
+    pen, line = complex(room.left, room.top + 5.8), two_lines(title, size, free)[:1]
     yield from (Text(plain(text), pen, size) for text in line)
     at = complex(room.left + free + 4, pen.imag)
     for label in told:
         yield Text(label, at, LABEL)
         at += width(label, LABEL) + 4
-    name, low = plain(_NAME), room.top + 11.6
+    name, low = plain(_NAME), room.top + 12.2
     yield Text(name, complex(room.right - width(name, LEAST), low), LEAST)
     at = complex(room.right - width(name, LEAST) - 5 - ruler, low)
     yield Stroke((at, at + ruler), "thin", shows=Shows("", "ruler", plane="position"))
@@ -276,7 +273,7 @@ def _footer(
     yield Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST)
     source = two_lines(machine.credit(lang), LEAST, at.real - room.left - 4)
     for k, text in enumerate(source):
-        yield Text(plain(text), complex(room.left, low + 0.3 + 1.2 * LEAST * (k + 1 - len(source))), LEAST)
+        yield Text(plain(text), complex(room.left, low + 1.1 * LEAST * (k + 1 - len(source))), LEAST)
 
 
 def two_lines(text: str, size: float, room: float) -> list[str]:

@@ -18,8 +18,8 @@ from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.planning.drawn_position import shown
-from graphkin.planning.needed import without_aids
 from graphkin.planning.method import Act, made
+from graphkin.planning.needed import without_aids
 from graphkin.running import replay_all
 from graphkin.say import derivation, vector_equations
 from graphkin.say.entry import Sentence
@@ -258,3 +258,17 @@ def test_subscripts_read_as_on_the_labels(text: str, written: str) -> None:
     label = formula(text)
     assert "".join(run.text for run in label) == written
     assert all(run.place == "sub" for run in label if run.text[0].isdigit())
+
+
+# --- what stands beside a polygon -------------------------------------------------------------
+
+
+def test_an_equation_bears_the_numbers_of_the_steps_that_it_needs() -> None:
+    """C of example 3-1 is found by image, after the equations; none is told twice, in two lines either."""
+    assert [text for text in texts(sheet("ex3-1")) if "–" in text] == ["1–2", "4–7"]
+
+
+def test_instant_centres_that_are_asked_for_stand_in_the_results_in_bold() -> None:
+    marks = [mark for mark in sheet("p3-11a").marks if isinstance(mark, Text) and "34.37" in read(mark.label)]
+    assert [read(mark.label) for mark in marks] == ["at (0, 34.37)"]
+    assert all(run.bold for run in marks[0].label)
