@@ -117,8 +117,8 @@ def test_pdf_is_as_large_as_the_paper(lang: str, tmp_path: Path):
     assert done.exit_code == 0, done.output
     first = path.read_bytes()
     page = pypdf.PdfReader(path).pages[0]
-    assert abs(float(page.mediabox.width) - 297 * 72 / 25.4) < 0.01
-    assert abs(float(page.mediabox.height) - 210 * 72 / 25.4) < 0.01
+    assert abs(float(page.mediabox.width) - 210 * 72 / 25.4) < 0.01
+    assert abs(float(page.mediabox.height) - 297 * 72 / 25.4) < 0.01
     assert CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(path), "--lang", lang]).exit_code == 0
     assert path.read_bytes() == first
 
