@@ -171,6 +171,9 @@ class _DetailRoom:
 
 _FEET: Mapping[BlockName, bool] = {"paths": False, "equations": False, "detail": True, "tables": True}
 """The order in which blocks find their corners; True for those that are meant for the foot of a room."""
+_GIVEN_UP: tuple[frozenset[BlockName], ...] = (
+    frozenset(), frozenset(("equations",)), frozenset(("equations", "tables")),
+)  # fmt: skip
 _IN_STRIP: frozenset[BlockName] = frozenset(("equations", "tables"))  # those that may stand there, too
 
 
@@ -181,6 +184,7 @@ class SheetContents:
     tight   without frame, tables and title
     given   tables of the strip; tables: of the planes, in the shapes that they may have
     low     the blocks that stand in the strip, not with their figures
+    without   the blocks for which no paper is large enough
     detailed  the planes in which what lies too close together is drawn once more, magnified
     stages  over the lines of the pencil, for single steps; said: room in the strip for the sentence of one [mm];
             scales: that are kept then
@@ -191,6 +195,7 @@ class SheetContents:
     given: Sequence[Table] = ()
     tight: bool = False
     low: frozenset[tuple[Plane, BlockName]] = frozenset()
+    without: frozenset[BlockName] = frozenset()
     detailed: Collection[Plane] = ()
     stages: bool = False
     said: float = 0.0
@@ -213,7 +218,8 @@ class SheetContents:
                 "detail": [_DetailRoom()] if plane in self.detailed else [],
                 "tables": self.tables.get(plane, ()),
             }
-            blocks[plane] = {name: every[name] for name in _FEET if every[name] and (plane, name) not in self.low}
+            away = {name for where, name in self.low if where == plane} | self.without
+            blocks[plane] = {name: every[name] for name in _FEET if every[name] and name not in away}
         return blocks
 
     @cached_property
@@ -237,12 +243,16 @@ class SheetContents:
     @property
     def in_foot(self) -> list[Table]:
         """The tables of the strip."""
-        low = (self.tables[plane][0] for plane in self.planes if (plane, "tables") in self.low)
+        low = (self.tables[plane][0] for plane in self._low("tables"))
         return [*self.given, *(table for block in low for tier in block.tiers for table in tier)]
 
     @property
     def ladders_in_foot(self) -> list[Ladder]:
-        return [self.drawing.ladders[plane] for plane in self.planes if (plane, "equations") in self.low]
+        return [self.drawing.ladders[plane] for plane in self._low("equations")]
+
+    def _low(self, name: BlockName) -> list[Plane]:
+        """The planes whose block of this name stands in the strip."""
+        return [plane for plane in self.planes if (plane, name) in self.low and name not in self.without]
 
     def laid_out(self, papers: Sequence[Paper]) -> tuple[SheetContents, Layout]:
         """The best division of the smallest paper that holds all figures; blocks for which they would be drawn much
@@ -258,7 +268,12 @@ class SheetContents:
             for contents in tries:
                 if layout := division(same, contents.extents, contents.height, most):
                     return contents, layout
-        return tries[-1], lay_out(tries[-1].extents, tries[-1].height, papers)
+        for without in _GIVEN_UP:  # too much for any paper
+            last = replace(tries[-1], detailed=(), without=without)
+            for size in sizes[::-1]:
+                if layout := division([p for p in papers if p.area == size], last.extents, last.height):
+                    return last, layout
+        return last, lay_out(last.extents, last.height, papers)
 
     @property
     def movable(self) -> list[tuple[bool, float, Plane, BlockName]]:

@@ -256,7 +256,7 @@ OUTLINED = '<text x="60" y="150" font-size="60" fill="none" stroke="#fff" stroke
 resealed = claims(lambda data: None)
 LETTER = re.compile(r'(<text[^>]* x=")([0-9.]+)(?=" y="[^"]*">A</text>)')
 SCALE = re.compile(r"<text(?:(?!</text>).)*?>μ</tspan><tspan[^>]*>v ?</tspan>.*?</text>")
-WIDE = '<rect x="0" y="0" width="210" height="297" fill="#ffffff"/>'
+WIDE = '<rect x="0" y="0" width="297" height="210" fill="#ffffff"/>'
 ARROW = '<line x1="60" y1="150" x2="90" y2="160" stroke="#000000" stroke-width="0.35" marker-end="url(#tip)"/>'
 NEW_POINT = '<circle class="point" cx="50" cy="60" r="0.5" fill="#000000" data-plane="position" data-name="X" data-of="X"/>'
 RIGHT, WRONG, REFUSED = "good", "", "refused:"
@@ -320,8 +320,8 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("a sheet over all", at_end(WIDE), "v_B3"),
     ("a sheet over all, wrong lines on it", at_end(WIDE + ARROW), "v_B3"),
     ("a white line over a vector", copy_of("v_B3", lambda t: re.sub(r' (class|data-[\w-]+|marker-end)="[^"]*"', "", having('stroke="#fff" stroke-width="4"')(t))), "v_B3"),
-    ("a picture over all", at_end('<image x="0" y="0" width="210" height="297" href="x.png"/>'), "v_B3"),
-    ("off the paper", whole('<g transform="translate(150)">', "</g>"), "v_B3"),
+    ("a picture over all", at_end('<image x="0" y="0" width="297" height="210" href="x.png"/>'), "v_B3"),
+    ("off the paper", whole('<g transform="translate(250)">', "</g>"), "v_B3"),
     # not drawn where it stands
     ("vector in defs", mark("v_B3", within("<defs>", "</defs>")), "v_B3"),
     ("vector in a symbol", mark("v_B3", within("<symbol>", "</symbol>")), "v_B3"),
@@ -374,13 +374,13 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("an exponent", mark("v_B3", lambda t: re.sub(r'x1="([^"]*)"', r'x1="\1e0"', t)), RIGHT),
     ("no coordinate", mark("v_B3", lambda t: re.sub(r' x1="[^"]*"', "", t)), "v_B3"),
     # paper
-    ("a blank in the width", root('width="210mm"', 'width="210 mm"'), RIGHT),
-    ("centimetres", root('width="210mm"', 'width="21cm"'), RIGHT),
-    ("commas in the viewBox", root("0 0 210 297", "0,0,210,297"), RIGHT),
-    ("another width", root('width="210mm"', 'width="200mm"'), "refused:viewBox"),
-    ("no width", root('width="210mm"', ""), "refused:width"),
-    ("percent", root('width="210mm"', 'width="100%"'), "refused:width"),
-    ("half the viewBox", root("0 0 210 297", "0 0 105 148.5"), "v_B3"),
+    ("a blank in the width", root('width="297mm"', 'width="297 mm"'), RIGHT),
+    ("centimetres", root('width="297mm"', 'width="29.7cm"'), RIGHT),
+    ("commas in the viewBox", root("0 0 297 210", "0,0,297,210"), RIGHT),
+    ("another width", root('width="297mm"', 'width="280mm"'), "refused:viewBox"),
+    ("no width", root('width="297mm"', ""), "refused:width"),
+    ("percent", root('width="297mm"', 'width="100%"'), "refused:width"),
+    ("half the viewBox", root("0 0 297 210", "0 0 148.5 105"), "v_B3"),
     ("preserveAspectRatio", root("<svg", '<svg preserveAspectRatio="none"'), "refused:preserveAspectRatio"),
     ("the sheet's own transform", root("<svg", '<svg transform="scale(2)"'), "refused:transform"),
     # letters
