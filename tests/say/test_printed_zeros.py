@@ -113,7 +113,7 @@ def hold(machine: Mechanism, source: str, commands: tuple[str, ...], folder: Pat
 @pytest.mark.parametrize("name", library.names())
 def test_library(name: str, tmp_path: Path) -> None:
     machine = library.load(name)
-    hold(machine, name, COMMANDS if ALL else COMMANDS[library.names().index(name) % 3 :: 3], tmp_path)
+    hold(machine, name, COMMANDS if ALL else COMMANDS[library.names().index(name) % 4 :: 4], tmp_path)
     if all(driver.kind == "angle" for driver in machine.drivers):
         for angle in (0, 90, 180):
             hold(machine, name, TURNED, tmp_path, f" --angle {angle}" * len(machine.drivers))
