@@ -46,7 +46,7 @@ def of_class(root: Element, kind: str) -> list[Element]:
 
 
 def test_one_unit_is_one_millimetre(root: Element) -> None:
-    assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("210mm", "297mm", "0 0 210 297")
+    assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("297mm", "210mm", "0 0 297 210")
 
 
 def test_nothing_but_letters_is_turned(root: Element) -> None:
