@@ -37,7 +37,7 @@ from graphkin.studies.centres import centres
 from graphkin.studies.centres.two_velocities import from_text
 
 MANY = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
-APART = 1 if MANY else 4
+APART = 1 if MANY else 6
 """Every so manyth command draws a mechanism, another one each."""
 
 
@@ -70,7 +70,7 @@ def test_every_drawing_of_random_mechanisms(number: int, tmp_path: Path):
 @pytest.mark.parametrize("number", range(0, len(library.names()), APART), ids=lambda k: library.names()[k])
 def test_every_drawing_of_the_library(number: int, tmp_path: Path):
     name = library.names()[number]
-    for command in COMMANDS[number // APART % 4 :: APART]:
+    for command in COMMANDS[number // APART % APART :: APART]:
         for text in drawings(library.load(name), command, name):
             hold(tmp_path, text)
 

@@ -26,7 +26,8 @@ COMMANDS = (
     "handout @ --stage solution -o +.html", "draw @ -o +.svg",
 )  # fmt: skip
 ALL = "GRAPHKIN_RANDOM" in os.environ
-"""Every command of every mechanism; else of each every third one, in turns."""
+EVERY = 7
+"""Every command of every mechanism; else of each so many apart, in turns."""
 TURNED = ("solve @ --json", "explain @ --all")
 """At other angles of the crank, too: there something stands still, or moves straight."""
 UNITS = {"mm": "m", "m": "m", "°": "rad", "deg": "rad", "rad": "rad", "m/s": "m/s", "mm/s": "m/s", "m/s^2": "m/s^2",
@@ -113,7 +114,7 @@ def hold(machine: Mechanism, source: str, commands: tuple[str, ...], folder: Pat
 @pytest.mark.parametrize("name", library.names())
 def test_library(name: str, tmp_path: Path) -> None:
     machine = library.load(name)
-    hold(machine, name, COMMANDS if ALL else COMMANDS[library.names().index(name) % 4 :: 4], tmp_path)
+    hold(machine, name, COMMANDS if ALL else COMMANDS[library.names().index(name) % EVERY :: EVERY], tmp_path)
     if all(driver.kind == "angle" for driver in machine.drivers):
         for angle in (0, 90, 180):
             hold(machine, name, TURNED, tmp_path, f" --angle {angle}" * len(machine.drivers))
@@ -124,7 +125,7 @@ def test_random_mechanisms(family: str, tmp_path: Path) -> None:
     machine = FAMILIES[family](0)
     source = tmp_path / "machine.toml"
     source.write_text(machine.text, "utf-8")
-    hold(machine, str(source), COMMANDS if ALL else COMMANDS[[*FAMILIES].index(family) % 3 :: 3], tmp_path)
+    hold(machine, str(source), COMMANDS if ALL else COMMANDS[[*FAMILIES].index(family) % EVERY :: EVERY], tmp_path)
 
 
 def test_noise_is_seen() -> None:

@@ -109,7 +109,7 @@ def same_assembly(row, places):
     return lambda *where: sign(*where) == drawn
 
 
-@pytest.mark.parametrize("chunk", range(10))
+@pytest.mark.parametrize("chunk", range(5))
 def test_four_bars(chunk):
     kinds = set()
     for row, bar in made(FourBar, lengths(1400, 4, chunk)):
