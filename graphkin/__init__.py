@@ -18,6 +18,7 @@ velocity and its acceleration polygon step by step, and proves them right agains
               grading      a key and files -> a record a submission
               platforms    sets and records -> files of teaching platforms, and back
     handouts: a problem or its solution on paper, from what `say` and `sheet` make
+    page: a mechanism to play with, and a drawing board, in a browser, of the same
     any of these -- say --> lines in either language        -- sheet, outputs, equations --> files
 
 A package imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
@@ -36,14 +37,19 @@ Where a new thing goes, and the test that guides it:
   `say/phrases/marking.py` the lines `mistakes.made ID` and `mistakes.kind ID` (and `look TOPIC` of a new topic); a row
   of `TABLE` in tests/marking/test_mistakes.py, with the numbers that a student gets. If it is common, `_COMMON` in
   `handouts/problem.py`. `graphkin tolerance MECHANISM --power` tells how well it is found.
-- an output format: a file of `outputs`, with its writer in `WRITERS` of `outputs/drawings.py`: the commands offer what
-  stands there. README.md names the endings in the rows of `draw`; tests/outputs/test_exports.py, test_readme.py.
+- an output format: a file of `outputs`, its ending in `DRAWN` of `outputs/drawings.py` and a case of `content` there:
+  the commands offer it. `say/manual.md` names the endings in the line of `draw`; tests/outputs/test_exports.py,
+  test_readme.py.
 - a phrase: a line of `say/phrases/SUBJECT.py`, both languages side by side; tests/say/test_catalogue.py.
 - an error: a class in a file of `errors`, raised as data; tests/say/test_catalogue.py.
 - a subject: a package of `studies` with a public face of one page; `say/phrases/SUBJECT.py` and a reader
   `say/SUBJECT.py`; `sheet/SUBJECT_sheet.py` where there is something to draw; a command in `cli` with its line in
-  `COMMANDS`; its command lines, in both languages, in tests/golden.py. tests/test_order.py holds the house's laws.
+  `COMMANDS`, its line and picture in `say/manual.md`; its command lines, in both languages, in tests/golden.py.
+  tests/test_order.py holds the house's laws.
 What a user notices has a line in CHANGELOG.md.
+
+The matrices are small: with OPENBLAS_NUM_THREADS=1, set before NumPy is loaded, long mechanisms take a fraction of the
+time. The command line sets it where the user has not.
 """
 
 from __future__ import annotations
@@ -55,52 +61,56 @@ __version__ = "0.2.0"
 
 ORDER = (
     "base", "errors", "construction", "model", "files", "planning", "running", "analytic", "proof", "studies", "check",
-    "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "homework", "handouts", "cli",
+    "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "homework", "handouts", "page",
+    "cli",
 )  # fmt: skip
 
-_WHERE = {
-    "Mechanism": "files.MechanismFile",
-    "load": "api.load",
-    "loads": "files.loads",
-    "from_dict": "files.from_dict",
-    "Drawing": "api.Drawing",
-    "State": "model.readout.State",
-    "Sweep": "outputs.tables.SweepFrames",
-    "plan": "api.plan",
-    "replay": "api.replay",
-    "replay_many": "api.replay_many",
-    "motion": "api.motion",
-    "sweep": "api.sweep",
-    "sweep_many": "api.batches.sweep_many",
-    "solve_many": "api.batches.solve_many",
-    "explain": "say.explain",
-    "measure": "check.measure",
-    "GraphkinError": "errors.GraphkinError",
+_HOMES = {
+    "api": "Drawing load motion plan replay sweep trial",
+    "api.answers": "centres data_of design find lines_of linkage sheet_of structure",
+    "api.batches": "solve_many sweep_many",
+    "check": "measure",
+    "errors": "GraphkinError",
+    "files": "MechanismFile from_dict loads",
+    "handouts.problem_folder": "problems",
+    "handouts.saving": "handout",
+    "homework.result_files": "grade_into",
+    "homework.grading": "grade power tolerance",
+    "model.readout": "State",
+    "outputs.tables": "SweepFrames",
+    "page.saved": "play",
 }
+_CALLED = {"Mechanism": "MechanismFile", "Sweep": "SweepFrames"}
 
 __all__ = [
-    "Drawing", "GraphkinError", "Mechanism", "State", "Sweep", "explain", "from_dict", "load", "loads", "measure",
-    "motion", "plan", "replay", "replay_many", "solve_many", "sweep", "sweep_many",
+    "Drawing", "GraphkinError", "Mechanism", "State", "Sweep", "centres", "data_of", "design", "find", "from_dict",
+    "grade", "grade_into", "handout", "lines_of", "linkage", "load", "loads", "measure", "motion", "plan", "play",
+    "power", "problems", "replay", "sheet_of", "solve_many", "structure", "sweep", "sweep_many", "tolerance", "trial",
 ]  # fmt: skip
 
 if TYPE_CHECKING:
-    from graphkin.api import Drawing, load, motion, plan, replay, replay_many, sweep
+    from graphkin.api import Drawing, load, motion, plan, replay, sweep, trial
+    from graphkin.api.answers import centres, data_of, design, find, lines_of, linkage, sheet_of, structure
     from graphkin.api.batches import solve_many, sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
     from graphkin.files import MechanismFile as Mechanism
     from graphkin.files import from_dict, loads
+    from graphkin.handouts.problem_folder import problems
+    from graphkin.handouts.saving import handout
+    from graphkin.homework.grading import grade, power, tolerance
+    from graphkin.homework.result_files import grade_into
     from graphkin.model.readout import State
     from graphkin.outputs.tables import SweepFrames as Sweep
-    from graphkin.say import explain
+    from graphkin.page.saved import play
 
 
 def __getattr__(name: str) -> Any:
     """Public names are imported when first used, so that a command loads only what it needs."""
-    if name not in _WHERE:
-        raise AttributeError(f"module 'graphkin' has no attribute {name!r}")
-    module, _, attribute = _WHERE[name].rpartition(".")
-    return getattr(import_module(f"graphkin.{module}"), attribute)
+    if name in __all__:
+        own = _CALLED.get(name, name)
+        return getattr(import_module(next(f"graphkin.{home}" for home in _HOMES if own in _HOMES[home].split())), own)
+    raise AttributeError(f"module 'graphkin' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

@@ -1,8 +1,10 @@
-"""The gallery: every library mechanism as a sheet in each language, a coupler curve, a handout, feedback on homework.
+"""The gallery: every library mechanism as a sheet in each language, a coupler curve, a handout, feedback on homework;
+and the manual as GitHub shows it.
 
     .venv/bin/python tests/gallery.py            rebuilds figures/
     .venv/bin/python tests/gallery.py ex3-1      one of them
     .venv/bin/python tests/gallery.py feedback   the page of feedback; `path` the coupler curve; `handout` the worksheet
+    .venv/bin/python tests/gallery.py manual     the manual, which has the texts of all commands and public names
 """
 
 from __future__ import annotations
@@ -13,13 +15,16 @@ import shutil
 import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 from unittest import mock
 
 from graphkin import Drawing
-from graphkin.errors import Where
+from graphkin.cli import reference
+from graphkin.cli.manual import Manual
+from graphkin.errors import Lang, Where
 from graphkin.files import library
 from graphkin.homework import grading, platforms
 from graphkin.homework.platforms.feedback import Feedback
@@ -31,8 +36,8 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 HOMEWORK = Path(__file__).parent / "cases" / "homework"
-FEEDBACK = "feedback"
-"""The folder of the page of feedback."""
+FEEDBACK, MANUAL = "feedback", "manual"
+"""The folders of the page of feedback, and of the manual."""
 PATH, HANDOUT = "path", "handout"
 """The folder of the coupler curve; the picture of a worksheet."""
 FIGURES = Path(__file__).parent.parent / "figures"
@@ -54,7 +59,7 @@ def feedback() -> Iterator[tuple[Path, str]]:
     result, pictures = platforms.from_record(record(graded), Where("s1.toml")), platforms.PolygonPictures(judge)
     for lang, end in (("en", ""), ("zh", "-zh")):
         told = Feedback(
-            result, lang, "answer", pictures(result, lang, "answer"), problem=pictures.problem(result, lang)
+            result, lang, "answer", pictures(result, lang, "answer"), problem=pictures.problem(result, lang, "answer")
         )
         yield Path(FEEDBACK) / f"{FEEDBACK}{end}.svg", page(told).decode()
 
@@ -96,8 +101,29 @@ def worksheet() -> Image:
     return both.quantize(16)
 
 
+def manual(lang: Lang) -> Iterator[tuple[Path, str]]:
+    """What the commands draw in a language, then the manual as Markdown."""
+    end = "-zh" if lang == "zh" else ""
+    files: list[tuple[Path, str]] = []
+
+    def drawn(name: str, svg: str) -> str:
+        files.append((Path(MANUAL) / f"{name}{end}.svg", svg + "\n"))
+        return f"![{name}]({name}{end}.svg)"
+
+    def pictured(name: str) -> str:
+        return f'<a href="../{name}/{name}{end}.svg"><img src="../{name}/{name}{end}.svg" width="240" alt="{name}"></a>'
+
+    def guide(text: str) -> str:
+        return re.sub(r"\]\((?!#|https:|README)", "](../../", text).replace("](../../figures/", "](../")
+
+    text = Manual(lang, drawn, pictured, guide, {name: reference.text(name) for name in reference.names()}).text()
+    yield from (*files, (Path(MANUAL) / f"README{end}.md", text))
+
+
 def special(name: str) -> Iterator[tuple[Path, str]]:
     """What is no mechanism's sheet."""
+    if name == MANUAL:
+        return chain(manual("en"), manual("zh"))
     return feedback() if name == FEEDBACK else path()
 
 
@@ -133,11 +159,11 @@ def main(names: list[str]) -> None:
     if not names:
         for folder in (path for path in FIGURES.iterdir() if path.is_dir()):
             shutil.rmtree(folder)
-    for name in names or (*library.names(), FEEDBACK, PATH, HANDOUT):
+    for name in names or (*library.names(), FEEDBACK, PATH, HANDOUT, MANUAL):
         if name == HANDOUT:
             worksheet().save(FIGURES / f"{HANDOUT}.png", optimize=True)
             continue
-        for file, text in special(name) if name in (FEEDBACK, PATH) else drawings(name):
+        for file, text in special(name) if name in (FEEDBACK, PATH, MANUAL) else drawings(name):
             (FIGURES / file).parent.mkdir(parents=True, exist_ok=True)
             (FIGURES / file).write_text(text, encoding="utf-8", newline="\n")
             print(file)

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from si_values import si
+
 from graphkin import Drawing
 from graphkin.errors import GraphkinError
 from graphkin.model.mechanism import FRAME, Mechanism
@@ -68,7 +70,7 @@ def given(of: Of) -> Iterator[str]:
 def elsewhere(of: Of) -> Iterator[str]:
     values = [float(value) + of.rng.uniform(-0.2, 0.2) * (1 if driver.kind == "angle" else 0.05)
               for driver, value in zip(of.mechanism.drivers, of.drawing.plot.facts.values, strict=True)]  # fmt: skip
-    yield svg(Drawing.of(of.mechanism, values).sheet(lang=of.lang))
+    yield svg(Drawing.of(of.mechanism, si(of.mechanism, values)).sheet(lang=of.lang))
 
 
 def steps(of: Of) -> Iterator[str]:
@@ -77,11 +79,11 @@ def steps(of: Of) -> Iterator[str]:
 
 
 def by_centre(of: Of) -> Iterator[str]:
-    yield svg(Drawing.at(plan(of.mechanism, "", True)).sheet(lang=of.lang))
+    yield svg(Drawing.of(plan(of.mechanism, "", True)).sheet(lang=of.lang))
 
 
 def coincident(of: Of) -> Iterator[str]:
-    yield svg(Drawing.at(plan(of.mechanism, of.rng.choice(of.mechanism.points))).sheet(lang=of.lang))
+    yield svg(Drawing.of(plan(of.mechanism, of.rng.choice(of.mechanism.points))).sheet(lang=of.lang))
 
 
 def paths(of: Of) -> Iterator[str]:
@@ -129,7 +131,7 @@ def curves(of: Of) -> Iterator[str]:
 def finding(of: Of) -> Iterator[str]:
     method, link = plan(of.mechanism), of.rng.choice(list(of.mechanism.moving))
     condition = of.rng.choice((f"max omega {link}", f"min omega {link}", f"omega {link} = 0", f"theta {link} = 30"))
-    if (drawn := finding_sheet.drawn(method, find(method, condition), of.lang)) is not None:
+    if (drawn := finding_sheet.drawn(find(method, condition), of.lang))[0] is not None:
         yield svg(drawn[0])
 
 

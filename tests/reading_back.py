@@ -31,11 +31,10 @@ from renamed import renamed
 from graphkin import Drawing
 from graphkin.check import RulerReport, measured
 from graphkin.check.drawing import read
-from graphkin.errors import DeadPoint
+from graphkin.errors import DeadPoint, TooLargeForPaper
 from graphkin.files import loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
-from graphkin.sheet.paper import TooLargeForPaper
 
 FAMILIES: dict[str, Callable[[int], Mechanism]] = {
     **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},

@@ -1,14 +1,17 @@
-"""What is installed from a wheel is whole: library, schema, phrases and letters are in it."""
+"""What is installed from a wheel is whole: library, schema, phrases and letters are in it; the sdist has all its tests need."""
 
 from __future__ import annotations
 
 import importlib
 import importlib.util
+import re
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import venv
 import zipfile
+from email import message_from_bytes
 from pathlib import Path
 
 import pytest
@@ -22,7 +25,10 @@ import sys
 import graphkin
 from click.testing import CliRunner
 from graphkin.cli import main
+from graphkin.cli import manual
 assert graphkin.__file__.startswith(sys.prefix), graphkin.__file__
+readme = manual.whole_readme().partition("# graphkin 中文")[2]
+assert "图解法" in readme and "## Set up" not in readme and manual.skeleton("zh"), readme
 for words in sys.argv[1:]:
     result = CliRunner().invoke(main, words.split())
     assert result.exit_code == 0, (words, result.output)
@@ -30,12 +36,11 @@ for words in sys.argv[1:]:
 """
 
 
-def built(folder: Path) -> Path:
-    """The wheel of what stands here, built without network."""
-    subprocess.run([sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", folder], cwd=ROOT, check=True,
-                   capture_output=True)  # fmt: skip
-    (wheel,) = folder.glob("*.whl")
-    return wheel
+def built(folder: Path) -> tuple[Path, Path]:
+    """Wheel and sdist of what stands here, built without network."""
+    subprocess.run([sys.executable, "-m", "hatchling", "build", "-d", folder], cwd=ROOT, check=True, capture_output=True)
+    (wheel,), (sdist,) = folder.glob("*.whl"), folder.glob("*.tar.gz")
+    return wheel, sdist
 
 
 def bare(folder: Path) -> Path:
@@ -49,10 +54,24 @@ def bare(folder: Path) -> Path:
 
 @pytest.mark.skipif(importlib.util.find_spec("hatchling") is None, reason="hatchling, which builds wheels, is not here")
 def test_a_wheel_in_a_bare_environment(tmp_path: Path) -> None:
-    wheel, python = built(tmp_path), bare(tmp_path / "bare")
+    (wheel, sdist), python = built(tmp_path), bare(tmp_path / "bare")
+    with tarfile.open(sdist) as archive:
+        packed = {name.partition("/")[2] for name in archive.getnames()}
+    tops = [path for name in ("graphkin", "tests", "figures", ".ci") for path in (ROOT / name).rglob("*.*")]
+    passing = {".pyc", "node_modules"}  # what is no part of the project
+    tops = [path for path in tops if path.is_file() and passing.isdisjoint((path.suffix, *path.parts))]
+    assert {str(path.relative_to(ROOT)) for path in tops} <= packed
+    assert {"cli.py", "README.md", "CHANGELOG.md", "LICENSE", "pyproject.toml"} <= packed
     assert wheel.name.startswith(f"graphkin-{graphkin.__version__}-")
     inside = zipfile.ZipFile(wheel).namelist()
-    there = {str(path.relative_to(ROOT)) for path in (ROOT / "graphkin").rglob("*") if path.suffix in (".py", ".toml", ".json", ".typed")}
+    about = message_from_bytes(zipfile.ZipFile(wheel).read(f"graphkin-{graphkin.__version__}.dist-info/METADATA"))
+    shown = re.findall(r"!\[[^]]*\]\(([^)]*)\)", str(about.get_payload()))
+    assert len(shown) > 4
+    for address in shown:
+        home, _, path = address.partition("/main/")
+        assert home.startswith("https://raw.githubusercontent.com/")
+        assert (ROOT / path).is_file()
+    there = {str(path.relative_to(ROOT)) for path in (ROOT / "graphkin").rglob("*") if path.suffix in (".py", ".toml", ".json", ".typed", ".md", ".js", ".css", ".html")}
     assert there <= set(inside)
     pip = [sys.executable, "-m", "pip", "--python", python, "install", "-q", "--no-deps", "--no-index", "--no-compile", wheel]
     subprocess.run(pip, check=True, capture_output=True)

@@ -1,4 +1,4 @@
-"""A class of sixty and what it hands in: students who calculate by themselves from the pages that they were given, and
+"""A class of thirty, or sixty, and what it hands in: students who calculate by themselves from the pages that they were given, and
 write numbers as they like, into files as they like, that Moodle packs.
 """
 
@@ -9,6 +9,7 @@ import csv
 import html
 import io
 import math
+import os
 import re
 import zipfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -19,6 +20,8 @@ from pathlib import Path
 import openpyxl
 
 FAMILIES = "赵钱孙李周吴郑王冯陈褚卫蒋沈韩杨朱秦尤许"
+MANY = 60 if "GRAPHKIN_RANDOM" in os.environ else 30
+"""Students."""
 GIVEN = ("霞洋", "明", "文博", "思远", "雨桐", "子涵")
 
 
@@ -36,11 +39,11 @@ class Pupil:
         return f"{self.name}_{self.number}_assignsubmission_file_/"
 
 
-def pupils(count: int = 60) -> list[Pupil]:
+def pupils(count: int = MANY) -> list[Pupil]:
     """Two are called 王明, one has a name in two parts; Moodle numbers them in an order of its own."""
     names = [FAMILIES[k % 20] + GIVEN[(k // 20 + k) % 6] for k in range(count)]
-    names[3], names[40], names[11] = "王明", "王明", "阿卜杜拉·买买提"
-    return [Pupil(f"202701{k + 1:02}", name, f"s{k + 1:02}@x.edu", 4401 + k * 37 % 60) for k, name in enumerate(names)]
+    names[3], names[20], names[11] = "王明", "王明", "阿卜杜拉·买买提"
+    return [Pupil(f"202701{k + 1:02}", name, f"s{k + 1:02}@x.edu", 4401 + k * 37 % count) for k, name in enumerate(names)]
 
 
 def school_list(them: Iterable[Pupil]) -> str:
@@ -248,9 +251,9 @@ def packed(path: Path, files: Mapping[str, bytes]) -> Path:
 # --- who hands in what ------------------------------------------------------------------------------------------------
 
 FATES = (
-    ["right"] * 26 + ["mistake"] * 8 + ["again"] + ["slip"] * 8 + ["unread"] * 7 + ["photograph", "another's name"]
-    + ["copy"] * 2 + ["nothing"] * 4 + ["late"] * 2
-)  # fmt: skip
+    ["again"] + ["slip"] * 4 + ["mistake"] * 5 + ["right"] * 9 + ["unread"] * 4 + ["photograph", "another's name"]
+    + ["copy"] + ["nothing"] * 2 + ["late"] * 2
+) * (MANY // 30)  # fmt: skip
 LATE = ("late", "again", "photograph")
 UNREAD = ("见图", "3.92或3.98", "算不出", "2.7~2.9", "?", "忘了", "3.9x")
 STRANGER = "张三丰_9001_assignsubmission_file_/作业.txt"
@@ -259,14 +262,14 @@ _KINDS = ("txt", "csv", "xlsx", "docx")
 
 @dataclass(frozen=True)
 class HomeworkClass:
-    """Sixty, and the folder in which they are given their problems; each has a fate in each problem."""
+    """Students, and the folder in which they are given their problems; each has a fate in each problem."""
 
     them: tuple[Pupil, ...]
     problems: Path
 
     def fates(self, problem: str) -> Iterator[tuple[int, Pupil, str]]:
-        shift = 11 * [*TEMPLATES].index(problem)
-        return ((k, one, FATES[(23 * k + shift) % 60]) for k, one in enumerate(self.them))
+        shift = 7 * [*TEMPLATES].index(problem)
+        return ((k, one, FATES[(23 * k + shift) % MANY]) for k, one in enumerate(self.them))
 
     def of(self, problem: str, *fates: str) -> list[str]:
         return [one.id for _, one, fate in self.fates(problem) if fate in fates]
@@ -277,7 +280,7 @@ class HomeworkClass:
 
     def numbers(self, problem: str, k: int, fate: str) -> dict[str, float | str]:
         """The answers of one student."""
-        other = self.them[(k + 7) % 60 if fate == "copy" else k]
+        other = self.them[(k + 7) % MANY if fate == "copy" else k]
         page = (self.problems / problem / "students" / f"{other.id}.html").read_text("utf-8")
         values: dict[str, float | str] = {**SOLVERS[problem](*given(page), fate)}
         if fate == "unread":
@@ -300,6 +303,6 @@ class HomeworkClass:
         if fate == "photograph":
             return f"{one.folder}{name}.jpg", b"\xff\xd8\xff\xe0"
         if fate == "another's name":
-            name = self.them[(k + 7) % 60].id
+            name = self.them[(k + 7) % MANY].id
         answers = Answers(one, self.numbers(problem, k, fate), k // 4)
         return f"{one.folder}{name}.{kind}", answers.file(kind, self.problems / problem / "students" / "_answers.xlsx")

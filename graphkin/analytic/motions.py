@@ -11,7 +11,7 @@ from graphkin.analytic.assembly import drawn, held, idle
 from graphkin.analytic.loops import Complex, Flags, Loops, Reals, applied
 from graphkin.analytic.newton import EquationSystem, Rates, inverse, rates, reaching
 from graphkin.analytic.rules import driven
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky
 from graphkin.errors import SingularPosition, ValueForEach
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
@@ -29,7 +29,7 @@ only displacements far off that make the condition bad: there they are measured 
 """
 
 
-@frozen
+@bulky
 class Motion(Motions):
     """The motions by the analysis. Every value has the shape of the driver values: () for one position.
 

@@ -8,55 +8,54 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
+from dataclasses import field
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar, TypeVar
+from typing import TypeVar
 
 import numpy as np
 
 from graphkin import api
-from graphkin.base.value import frozen
+from graphkin.api.drawing import Source, load
+from graphkin.base.value import bulky, frozen
 from graphkin.base.worklist import ahead, batched
 from graphkin.errors import GraphkinError, NotSwept, Where
+from graphkin.files.variants import Variants
 from graphkin.model import quantities
 from graphkin.model.mechanism import Mechanism
+from graphkin.model.units import Number, Vector
 from graphkin.studies.sweeps import Ranges, Road, Series
 
 __all__ = ["Solved", "Swept", "solve_many", "sweep_many"]
 
-Source = Mechanism | str | Path
+Each = Source | partial[Mechanism]  # the last reads one of `Mechanism.variants`
 _Done = TypeVar("_Done")
 _Value = TypeVar("_Value", covariant=True)
 
 
+@frozen
 class _ByName(Mapping[str, _Value]):
     """Values of one of many mechanisms by their names; each raises the error that the mechanism met."""
 
-    error: GraphkinError | None
-    _function: ClassVar[str]
-
-    @property
-    def _values(self) -> Mapping[str, _Value]:
-        raise NotImplementedError
+    name: str
+    found: Mapping[str, _Value]
+    error: GraphkinError | None = None
 
     def __getitem__(self, name: str) -> _Value:
         if self.error is not None:
             raise self.error
-        if name not in self._values:
-            raise NotSwept(Where(self._function), str(name), tuple(self))
-        return self._values[name]
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._values
+        if name not in self.found:
+            raise NotSwept(Where(self.name), str(name), tuple(self))
+        return self.found[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._values)
+        return iter(self.found)
 
     def __len__(self) -> int:
-        return len(self._values)
+        return len(self.found)
 
 
-@frozen
+@bulky
 class Swept(_ByName[Series]):
     """The sweep of one of many mechanisms, as data that goes between processes; or the error that it met.
 
@@ -66,47 +65,27 @@ class Swept(_ByName[Series]):
     reach   the least and the greatest value of that driver that is reached [rad, m]
     """
 
-    name: str
-    driver: str
-    driven: np.ndarray
-    series: tuple[Series, ...]
-    reach: tuple[float, float]
-    error: GraphkinError | None = None
-    _function: ClassVar[str] = "sweep_many"
-
-    @property
-    def _values(self) -> Mapping[str, Series]:
-        return {entry.name: entry for entry in self.series}
-
-    def __repr__(self) -> str:
-        what = type(self.error).__name__ if self.error else f"{self.driven.size} positions: {', '.join(self)}"
-        return f"<Swept {self.name}: {what}>"
+    driver: str = ""
+    driven: np.ndarray = field(default_factory=partial(np.empty, 0))
+    reach: tuple[float, float] = (np.nan, np.nan)
 
 
-@frozen
-class Solved(_ByName[Any]):
+@bulky
+class Solved(_ByName[Number | Vector]):
     """One of many mechanisms at its drawn position, proved by both roads; or the error that it met.
 
     A mapping from quantities to their values with units, vectors as vectors.
     """
 
-    name: str
-    found: Mapping[str, Any]
-    error: GraphkinError | None = None
-    _function: ClassVar[str] = "solve_many"
-
-    @property
-    def _values(self) -> Mapping[str, Any]:
-        return self.found
-
 
 def sweep_many(
-    mechanisms: Iterable[Source], ranges: Ranges = (), of: Sequence[str] = (), by: Road = "construction", *,
+    mechanisms: Iterable[Each], ranges: Ranges = (), of: Sequence[str] = (), by: Road = "construction", *,
     executor: Executor | None = None, batch: int = 16, in_flight: int = 8,
 ) -> Iterator[Swept]:  # fmt: skip
     """Sweep mechanisms one after another, in their order, each over `ranges` with the quantities `of`.
 
-    mechanisms  mechanisms, files or library names; taken from the iterable a batch at a time, as they are needed
+    mechanisms  mechanisms, files or library names, taken from the iterable a batch at a time, as they are needed; or
+                `Mechanism.variants`
     executor    where it is done; None: here. Its workers must be able to import graphkin
     batch       mechanisms that go to a worker at once
     in_flight   batches that are sent and not yet given out, at most: memory stays bounded however many there are
@@ -117,7 +96,7 @@ def sweep_many(
 
 
 def solve_many(
-    mechanisms: Iterable[Source], of: Sequence[str] = (), *, executor: Executor | None = None, batch: int = 64,
+    mechanisms: Iterable[Each], of: Sequence[str] = (), *, executor: Executor | None = None, batch: int = 64,
     in_flight: int = 8,
 ) -> Iterator[Solved]:  # fmt: skip
     """Draw mechanisms in their order, each held against the analysis, and read off quantities `of`.
@@ -125,42 +104,53 @@ def solve_many(
     of      `["omega 3", "v C"]`; nothing: what each file asks. The rest as `sweep_many` has it.
 
     >>> slotted = api.load("ex3-1")
-    >>> variants = (slotted.with_(AB=length) for length in (20, 24, 28))
-    >>> [round(found["omega 3"], 3) for found in solve_many(variants, ["omega 3"])]
+    >>> [round(found["omega 3"], 3) for found in solve_many(slotted.variants(AB=[20, 24, 28]), ["omega 3"])]
     [-3.273, -3.919, -4.514]
     """
     return _each(mechanisms, partial(_solved, of=of), executor, batch, in_flight)
 
 
 def _each(
-    items: Iterable[Source], work: Callable[[Source], _Done], executor: Executor | None, batch: int, in_flight: int
+    items: Iterable[Each], work: Callable[[Each], _Done], executor: Executor | None, batch: int, in_flight: int
 ) -> Iterator[_Done]:
     """The work done with each, in their order."""
+    if isinstance(items, str | Path | Mechanism):
+        items = [items]
+    if isinstance(items, Variants):
+        items = map(items.reader, range(len(items)))
     if executor is None:
         return map(work, items)
     return ahead(executor, partial(_all, work), batched(items, batch), in_flight)
 
 
-def _all(work: Callable[[Source], _Done], some: list[Source]) -> list[_Done]:
+def _all(work: Callable[[Each], _Done], some: list[Each]) -> list[_Done]:
     return [*map(work, some)]
 
 
-def _name(source: Source) -> str:
-    return source.name if isinstance(source, Mechanism) else Path(source).stem
+def _mechanism(source: Each) -> Mechanism:
+    if isinstance(source, partial):
+        return source()
+    return source if isinstance(source, Mechanism) else load(source)
 
 
-def _swept(source: Source, ranges: Ranges, of: Sequence[str], by: Road) -> Swept:
+def _name(source: Each) -> str:
+    if isinstance(source, partial):
+        return str(source.keywords["name"])
+    return Path(source).stem if isinstance(source, str | Path) else getattr(source, "name", "")
+
+
+def _swept(source: Each, ranges: Ranges, of: Sequence[str], by: Road) -> Swept:
     try:
-        mechanism = source if isinstance(source, Mechanism) else api.load(source)
+        mechanism = _mechanism(source)
         swept = api.sweep(mechanism, ranges, of, by)
     except GraphkinError as error:
-        return Swept(_name(source), "", np.empty(0), (), (np.nan, np.nan), error)
-    return Swept(mechanism.name, swept.course.driver.name, swept.driven, swept.series, swept.course.reach)
+        return Swept(_name(source), {}, error)
+    return Swept(mechanism.name, dict(swept), None, swept.driver, swept.driven, swept.course.reach)
 
 
-def _solved(source: Source, of: Sequence[str]) -> Solved:
+def _solved(source: Each, of: Sequence[str]) -> Solved:
     try:
-        drawing = api.Drawing.of(source if isinstance(source, Mechanism) else api.load(source))
+        drawing = api.Drawing.of(_mechanism(source))
         names = of or [name for name in drawing.mechanism.ask if quantities.read(drawing.mechanism, name) is not None]
         return Solved(drawing.mechanism.name, {name: drawing.quantity(name) for name in names})
     except GraphkinError as error:

@@ -53,7 +53,7 @@ def phase(a: complex) -> float: ...
 def phase(a: Value) -> Real: ...
 def phase(a: Value) -> Real:
     """The angle of a vector from +x, above -pi [rad]."""
-    return np.angle(a) if isinstance(a, np.ndarray) else cmath.phase(a)
+    return cmath.phase(a) if isinstance(a, complex | float | int) else np.angle(a)
 
 
 def wrapped(angle: Real) -> Real:

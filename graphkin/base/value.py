@@ -13,7 +13,7 @@ from operator import attrgetter
 from threading import RLock
 from typing import Any, TypeVar, dataclass_transform
 
-__all__ = ["Lazy", "filled", "frozen"]
+__all__ = ["Lazy", "bulky", "filled", "frozen"]
 
 _T = TypeVar("_T")
 Data = Callable[[object], object]
@@ -29,6 +29,13 @@ def frozen(cls: type[_T]) -> type[_T]:
             setattr(cls, name, method)
     setattr(cls, "__dataclass_fields__", _Undeclared(cls, _compare))  # noqa: B010
     return cls
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def bulky(cls: type[_T]) -> type[_T]:
+    """Like `frozen`, for what is long: its `repr` is as much as one line holds."""
+    setattr(cls, "__repr__", _one_line)  # noqa: B010
+    return frozen(cls)
 
 
 @dataclass_transform(eq_default=False, field_specifiers=(field,))
@@ -136,6 +143,11 @@ def _filler(cls: Any) -> Fill:
 
 def _text(self: Any) -> str:
     return f"{type(self).__name__}({', '.join(f'{each.name}={getattr(self, each.name)!r}' for each in fields(self))})"
+
+
+def _one_line(self: object) -> str:
+    text = " ".join(_text(self).split())
+    return text if len(text) < 160 else f"{text[:150]} ..)"
 
 
 def _refuse(self: object, name: str, *_: object) -> None:

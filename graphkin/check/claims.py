@@ -4,6 +4,7 @@ A seal tells that the claims are as they were written. It is no lock: whoever ch
 `check` promises does not hang on it: whatever the file shows is right for the mechanism whose text it carries, at the
 drivers' values and the scales that it gives, and these scales are printed on it. A drawing that was sealed anew may
 show less than graphkin drew, and other signs that show no length (`signs`); where its letters stand is never measured.
+An arrow with a gap is as long as it says, with the piece that it says it leaves out.
 A tight drawing bears no title. What graphkin draws without a seal (what is given, what moves, what carries no
 mechanism) is not judged at all, and `read` says so.
 """

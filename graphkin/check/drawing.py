@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import sys
 from collections.abc import Mapping
 from functools import cached_property
@@ -63,9 +64,13 @@ class DrawingFile:
 
     @cached_property
     def vectors(self) -> tuple[tuple[Mapping[str, str], complex, complex], ...]:
-        """Attributes, tail and head [mm, y up]. A vector is a `line`; anything else cannot be one."""
-        lines = [element for element in self.of_class("vector") if element.tag == "line"]
-        return tuple((line.attributes, line.lines[0][0], line.lines[0][-1]) for line in lines)
+        """Attributes, tail and head [mm, y up], where they belong if it is drawn aside or broken. A vector is a `line`;
+        anything else cannot be one."""
+        return tuple((line.attributes, *ends(line)) for line in self._arrows)
+
+    @cached_property
+    def _arrows(self) -> list[ShownMark]:
+        return [element for element in self.of_class("vector") if element.tag == "line"]
 
     @cached_property
     def measures_links(self) -> bool:
@@ -74,9 +79,13 @@ class DrawingFile:
 
     @cached_property
     def points(self) -> tuple[tuple[Mapping[str, str], complex], ...]:
-        """Attributes and place [mm, y up]."""
+        """Attributes and place [mm, y up], where it belongs if it is the head of a vector that is drawn broken."""
         circles = [element for element in self.of_class("point") if element.tag == "circle"]
-        return tuple((circle.attributes, circle.middle) for circle in circles)
+        moved = {(line.attributes.get("data-plane"), line.attributes.get("data-head")): piece
+                 for line in self._arrows if (piece := _left_out(line))}  # fmt: skip
+        keys = [(circle.attributes.get("data-plane"), circle.attributes.get("data-name")) for circle in circles]
+        return tuple((circle.attributes, circle.middle + moved.get(key, 0))
+                     for circle, key in zip(circles, keys, strict=True))  # fmt: skip
 
 
 def stated(element: ShownMark) -> tuple[str, ...]:
@@ -193,3 +202,19 @@ def plane_of(drawing: DrawingFile, attributes: Mapping[str, str]) -> Plane:
         if plane == known:
             return known
     raise BadDrawing(Where(drawing.file), "value", f"data-plane={plane}")
+
+
+def ends(vector: ShownMark) -> tuple[complex, complex]:
+    """The ends of a vector's line, moved back by what it says it is drawn to its left, and on by what it leaves out."""
+    tail, head = vector.lines[0][0], vector.lines[0][-1]
+    aside = re.fullmatch(r"-?\d\.\d{4}", vector.attributes.get("data-aside", ""))
+    off = 1j * (head - tail) / (abs(head - tail) or 1.0) * float(aside[0]) if aside else 0j
+    return tail - off, head - off + _left_out(vector)
+
+
+def _left_out(vector: ShownMark) -> complex:
+    """The piece of a vector that it says it leaves out, of one with a gap [mm, y up]."""
+    along = vector.lines[0][-1] - vector.lines[0][0]
+    broken = re.fullmatch(r"\d+\.\d{4}", vector.attributes.get("data-broken", ""))
+    gap = vector.style.get("stroke-dasharray", "none") not in ("none", "")
+    return along / (abs(along) or 1.0) * float(broken[0]) if broken and gap else 0j

@@ -15,7 +15,7 @@ from graphkin.base.geometry import number, place
 from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
 from graphkin.check.claims import changed, judged
-from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
+from graphkin.check.drawing import UNITS, DrawingFile, Fault, ends, mechanism_of, numbers, plane_of, read, scales_of
 from graphkin.check.expected import Widened, is_called_so, is_named_so, point_value, vector_value, widened
 from graphkin.check.links import link_name, worst_of_path, worst_place
 from graphkin.check.mark_faults import Layers, loose_ends, wrong_heads
@@ -175,7 +175,8 @@ class RulerReport:
     faults: tuple[Fault, ...]
     notes: tuple[Fault, ...] = ()
 
-    def passed(self, tolerance_mm: float) -> bool:
+    def passed(self, tolerance_mm: float = 0.01) -> bool:
+        """True where nothing is off by more."""
         return not self.faults and all(entry.off_mm <= tolerance_mm for entry in self.measured)
 
     def wrong(self, tolerance_mm: float) -> int:
@@ -297,7 +298,8 @@ class _CentrelessDrawing:
                 continue
             # its value in words is its length, to the digits that are written
             value, plane = re.search(r"= ([0-9.e+-]+) m/s²?$", vector.tip), plane_of(self.drawing, vector.attributes)
-            size = abs(vector.lines[0][-1] - vector.lines[0][0]) * self.scales[plane]
+            tail, head = ends(vector)
+            size = abs(head - tail) * self.scales[plane]
             if value is None or not abs(float(value[1]) - size) <= 1e-3 * size + 1e-3 * self.scales[plane]:
                 yield Fault("tip", vector.attributes.get("data-name", ""))
 

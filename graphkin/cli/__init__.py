@@ -25,7 +25,7 @@ COMMANDS = {
     "sweep": "moving", "find": "moving", "equations": "drawing",
     "centres": "centres", "linkage": "linkages", "design": "design",
     "problems": "problems", "grade": "marking", "tolerance": "marking",
-    "handout": "handouts",
+    "handout": "handouts", "page": "page",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
     "help": "reference", "new": "library",
 }  # fmt: skip
@@ -64,10 +64,11 @@ class Program(click.Group):
         try:
             with streams.written():
                 return super().invoke(ctx)
-        except KeyboardInterrupt:
+        except KeyboardInterrupt as end:
             from graphkin.say.catalogue import say
 
-            click.echo("\n" + say("common.broken off", "zh" if ctx.meta.get("lang") == "zh" else "en"), err=True)
+            said = str(end) or say("common.broken off", "zh" if ctx.meta.get("lang") == "zh" else "en")
+            click.echo("\n" + said, err=True)
             ctx.exit(_BROKEN_OFF)
 
     def resolve_command(

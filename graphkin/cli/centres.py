@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from graphkin.base.value import frozen
-from graphkin.cli import shared
+from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
 from graphkin.errors import Lang, UnknownCentre, UnknownPoint, Where
 
@@ -90,7 +90,8 @@ class _CentreCommand:
         if len(mechanisms) > 1 and draws:
             raise click.UsageError("-o and --steps draw one mechanism")
         if draws:
-            pages = self._pages(self._centres(mechanisms[0]))
+            with streams.waiting():
+                pages = self._pages(self._centres(mechanisms[0]))
             shared.write_drawings(pages, self.output, self.steps, self.force)
         else:
             shared.print_each(mechanisms, lambda source: self._lines(self._centres(source)), self.as_json, self.lang)
@@ -98,8 +99,8 @@ class _CentreCommand:
     def _centres(self, source: str) -> Centres:
         from graphkin.studies.centres import centres as find
 
-        position = shared.position(shared.read(source), self.at)
-        return find(position.method, position.drawing.plot)
+        drawing = shared.drawing(shared.read(source), self.at)
+        return find(drawing.method, drawing.plot)
 
     def _curves(self, found: Centres) -> Centrodes:
         """The centrodes, or the path of a centre, that the options name."""
@@ -128,42 +129,21 @@ class _CentreCommand:
         return bobillier(pole, self.point)
 
     def _lines(self, found: Centres) -> Iterator[str]:
-        from graphkin.studies.centres import as_json
+        """Of what the options name; a blank line between two answers, of which data have the first."""
+        from graphkin.api.answers import data_of, lines_of
 
-        if self.link:
-            yield from self._lines_about(found)
-        elif self.pair or self.centre:
-            from graphkin.say.centre_about import curve_lines
-            from graphkin.studies.centres.centrodes import centrodes_json
+        answers = [self._curves(found)] if self.pair or self.centre else self._about(found) if self.link else [found]
+        if self.as_json:
+            yield shared.json_line(data_of(answers[0]))
+            return
+        for k, answer in enumerate(answers):
+            yield from ([""] if k else []) + lines_of(answer, self.lang)
 
-            curves = self._curves(found)
-            yield from [shared.json_line(centrodes_json(curves))] if self.as_json else curve_lines(curves, self.lang)
-        elif self.as_json:
-            yield shared.json_line(as_json(found))
-        else:
-            from graphkin.say.centre_steps import centre_rows
-            from graphkin.say.centre_velocities import advantage_lines, explain_centres
-            from graphkin.say.text_table import table
-
-            mechanism = found.method.mechanism
-            yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(self.lang))))
-            yield from table(list(centre_rows(found, self.lang)))
-            yield ""
-            yield from explain_centres(found, self.lang)
-            yield from advantage_lines(found, self.lang)
-
-    def _lines_about(self, found: Centres) -> Iterator[str]:
-        from graphkin.say.centre_about import about_words, bobillier_words
-        from graphkin.studies.centres.about import about, about_json
+    def _about(self, found: Centres) -> list[object]:
+        from graphkin.studies.centres.about import about
 
         pole = about(found, self.link)
-        if self.as_json:
-            yield shared.json_line(about_json(pole))
-            return
-        yield from about_words(pole, self.lang)
-        if self.point:
-            yield ""
-            yield from bobillier_words(self._bobillier(found, pole), self.lang)
+        return [pole, self._bobillier(found, pole)] if self.point else [pole]
 
     def _pole_of_two_velocities(self) -> None:
         from graphkin.outputs import svg
@@ -196,27 +176,21 @@ class _CentreCommand:
 
     def _sheets(self, found: Centres) -> tuple[Sheet, Iterable[Sheet], str]:
         """The sheet that the options name, one for each step, and what they are called."""
+        from graphkin.api.answers import sheet_of
+        from graphkin.sheet.about_sheet import bobillier_sheet
         from graphkin.sheet.page import step_sheets
-
-        if not self.link:
-            from graphkin.sheet.centre_sheet import centre_sheet
-
-            whole = centre_sheet(found, paper=self.paper, lang=self.lang, fit=self.fit)
-            return whole, step_sheets(whole, range(1, len(found.centring.stages) + 1)), "centres"
         from graphkin.studies.centres.about import about
 
+        if not self.link:
+            whole = sheet_of(found, self.lang, self.paper, fit=self.fit)
+            return whole, whole.step_sheets(range(1, len(found.centring.stages) + 1)), "centres"
         pole = about(found, self.link)
         if not self.point:
-            from graphkin.sheet.about_sheet import about_sheet
-
-            whole = about_sheet(pole, paper=self.paper, lang=self.lang)
+            whole = sheet_of(pole, self.lang, self.paper)
             return whole, (whole,), f"about-{self.link}"
-        from graphkin.sheet.about_sheet import bobillier_sheet
-
         curvature = self._bobillier(found, pole)
-        whole = bobillier_sheet(pole, curvature, paper=self.paper, lang=self.lang)
-        count = len(curvature.construction.stages)
-        return whole, step_sheets(whole, range(1, count + 1)), f"bobillier-{self.point}"
+        drawn = bobillier_sheet(pole, curvature, paper=self.paper, lang=self.lang)
+        return drawn, step_sheets(drawn, range(1, len(curvature.construction.stages) + 1)), f"bobillier-{self.point}"
 
     def _rolling_sheets(self, found: Centres) -> tuple[Sheet | str, Iterable[Sheet], str]:
         """The same of centrodes: the sheet, or the drawing that moves."""

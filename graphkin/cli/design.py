@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import functools
 from collections.abc import Callable
 from pathlib import Path
@@ -10,30 +9,19 @@ from typing import TYPE_CHECKING, TypeVar
 
 import click
 
+from graphkin.api.answers import LENGTHS, designed
 from graphkin.cli import shared
-from graphkin.errors import BadPair, Lang, Where
+from graphkin.errors import Lang
 
 if TYPE_CHECKING:
     from graphkin.studies.design import Design
 
 _Command = TypeVar("_Command", bound=Callable[..., object])
 
-LENGTHS = {"length", "frame", "crank", "coupler", "rod", "stroke", "offset", "ac1"}
-
-
 def _option(name: str, text: str, required: bool = False) -> Callable[[_Command], _Command]:
-    """A length, or else an angle, as a text that `_si` reads."""
-    key = name.lower().replace("-", "_")
+    """A length, or else an angle, as a text that `designed` reads."""
+    key = name.replace("-", "_")
     return click.option(f"--{name}", key, metavar="MM" if key in LENGTHS else "DEG", required=required, help=text)
-
-
-def _si(values: dict[str, str | None]) -> dict[str, float]:
-    """Options in SI by name; those that are not given are left out."""
-    return {
-        name: shared.quantity(f"--{name.replace('_', '-')}", "length" if name in LENGTHS else "angle", text)
-        for name, text in values.items()
-        if text is not None
-    }
 
 
 def answering(make: Callable[..., Design]) -> Callable[..., None]:
@@ -61,15 +49,10 @@ def answering(make: Callable[..., Design]) -> Callable[..., None]:
 
 
 def _print(solution: Design, as_json: bool, lang: Lang) -> None:
-    if as_json:
-        from graphkin.outputs.study_json import as_json as data
+    from graphkin.say.design import error
 
-        click.echo(shared.json_line(data(solution)))
-        return
-    from graphkin.say.design import error, lines
-
-    click.echo("\n".join(lines(solution, lang)))
-    if (missing := error(solution)) is not None:
+    shared.print_answer(solution, as_json, lang)
+    if not as_json and (missing := error(solution)) is not None:
         raise missing
 
 
@@ -77,26 +60,24 @@ def _write(
     solution: Design, output: Path | None, steps: Path | None, toml: Path | None, paper: str | None, force: bool,
     lang: Lang,
 ) -> None:  # fmt: skip
-    from graphkin.outputs import files, svg
+    from graphkin.api.answers import sheet_of
+    from graphkin.outputs import files
     from graphkin.say.design import as_toml, error
-    from graphkin.sheet.design_sheet import design_sheet
-    from graphkin.sheet.page import step_sheets
 
     if (missing := error(solution)) is not None:
         raise missing
     pages: list[tuple[Path, bytes | str]] = []
     if output is not None or steps is not None:
-        whole = design_sheet(solution, paper=paper, lang=lang)
-        pages += [(output, svg.svg(whole))] if output is not None else []
+        whole = sheet_of(solution, lang, paper)
+        pages += [(output, whole.svg())] if output is not None else []
         if steps is not None:
-            sheets = enumerate(step_sheets(whole), start=1)
-            pages += [(steps / f"{solution.kind}-{k:02d}.svg", svg.svg(page)) for k, page in sheets]
+            sheets = enumerate(whole.step_sheets(), start=1)
+            pages += [(steps / f"{solution.kind}-{k:02d}.svg", page.svg()) for k, page in sheets]
     if toml is not None:
         files.refuse(toml, force, (b"graphkin",))
     shared.write_drawings(pages, output, steps, force, err=True)
     if toml is not None and solution.best is not None:
-        with files.beside(toml, force, (b"graphkin",)) as draft:
-            draft.write_text("# graphkin\n" + as_toml(solution.best, solution.kind), encoding="utf-8", newline="\n")
+        files.write(toml, "# graphkin\n" + as_toml(solution.best, solution.kind), force, (b"graphkin",))
         click.echo(str(toml), err=True)
 
 
@@ -114,7 +95,7 @@ def design() -> None:
     """
 
 
-ratio_option = click.option("--K", "k", type=float, required=True, help="Time ratio K of the slow to the quick stroke.")
+ratio_option = click.option("--K", "K", type=float, required=True, help="Time ratio K of the slow to the quick stroke.")
 
 
 @design.command()
@@ -127,12 +108,9 @@ ratio_option = click.option("--K", "k", type=float, required=True, help="Time ra
 @_option("gamma-min", "With this least transmission angle.")
 @_option("AC1", "With this distance of the crank's pivot from C1.")
 @answering
-def rocker(k: float, **values: str | None) -> Design:
+def rocker(**values: str | None) -> Design:
     """A crank-rocker from the rocker's length, its swing and K; without a further condition, the whole family."""
-    from graphkin.studies import design as designing
-
-    sizes = _si(values)
-    return designing.rocker(sizes.pop("length"), sizes.pop("swing"), k, **sizes)
+    return designed("rocker", **values)
 
 
 @design.command()
@@ -143,12 +121,9 @@ def rocker(k: float, **values: str | None) -> Design:
 @_option("rod", "With this rod length.")
 @_option("gamma-min", "With this least transmission angle.")
 @answering
-def slider(k: float, **values: str | None) -> Design:
+def slider(**values: str | None) -> Design:
     """An offset slider-crank from its stroke and K; without a further condition, the whole family."""
-    from graphkin.studies import design as designing
-
-    sizes = _si(values)
-    return designing.slider(sizes.pop("stroke"), k, **sizes)
+    return designed("slider", **values)
 
 
 @design.command("guide-bar")
@@ -156,64 +131,31 @@ def slider(k: float, **values: str | None) -> Design:
 @_option("frame", "The distance of the pivots.")
 @_option("crank", "Or the crank's length.")
 @answering
-def guide_bar(k: float, **values: str | None) -> Design:
+def guide_bar(**values: str | None) -> Design:
     """An oscillating guide bar from K and the frame's or the crank's length."""
-    from graphkin.studies import design as designing
-
-    return designing.guide_bar(k, **_si(values))
+    return designed("guide-bar", **values)
 
 
 @design.command()
-@click.option("--at", "places", multiple=True, required=True, metavar="'X,Y X,Y'",
+@click.option("--at", multiple=True, required=True, metavar="'X,Y X,Y'",
               help="Hinges B and C at one position, mm (or B and a direction, deg); two or three.")
 @_option("coupler", "The coupler's length, where its directions are given.")
-@click.option("--A", "pivot_a", metavar="X,Y", help="With two positions: the pivot of B, on its bisector.")
-@click.option("--D", "pivot_d", metavar="X,Y", help="With two positions: the pivot of C, on its bisector.")
+@click.option("--A", "A", metavar="X,Y", help="With two positions: the pivot of B, on its bisector.")
+@click.option("--D", "D", metavar="X,Y", help="With two positions: the pivot of C, on its bisector.")
 @answering
-def positions(places: tuple[str, ...], coupler: str | None, pivot_a: str | None, pivot_d: str | None) -> Design:
+def positions(**values: str | None) -> Design:
     """A four-bar that carries its coupler through two or three positions."""
-    from graphkin.studies import design as designing
-
-    length = None if coupler is None else shared.quantity("--coupler", "length", coupler)
-    points = [_two_hinges(text, length) for text in places]
-    a, d = (None if text is None else _place(option, text) for option, text in (("--A", pivot_a), ("--D", pivot_d)))
-    return designing.coupler_positions(points, pivot_a=a, pivot_d=d)
-
-
-def _two_hinges(text: str, length: float | None) -> tuple[complex, complex]:
-    """B and C from their places, or from B and the coupler's direction."""
-    first, space, second = text.strip().partition(" ")
-    if not space or ("," in second) != (length is None):
-        raise BadPair(Where("--at"), text)
-    hinge = _place("--at", first)
-    if length is None:
-        return hinge, _place("--at", second.strip())
-    return hinge, hinge + cmath.rect(length, shared.quantity("--at", "angle", second.strip()))
+    return designed("positions", **values)
 
 
 @design.command()
-@click.option("--pair", "pairs", multiple=True, required=True, metavar="PHI:PSI",
+@click.option("--pair", multiple=True, required=True, metavar="PHI:PSI",
               help="Input and output angle that belong together, deg; three times.")
 @_option("frame", "The distance of the pivots.", required=True)
 @_option("crank", "With this crank length; only the differences of the angles count then.")
 @_option("phi0", "The crank's direction at input angle 0.")
 @_option("psi0", "The rocker's direction at output angle 0.")
 @answering
-def angles(pairs: tuple[str, ...], **values: str | None) -> Design:
+def angles(**values: str | None) -> Design:
     """A four-bar whose crank and rocker come together to three pairs of angles."""
-    from graphkin.studies import design as designing
-
-    sizes, turns = _si(values), []
-    for text in pairs:
-        first, colon, second = text.partition(":")
-        if not colon:
-            raise BadPair(Where("--pair"), text)
-        turns.append((shared.quantity("--pair", "angle", first), shared.quantity("--pair", "angle", second)))
-    return designing.angle_pairs(turns, sizes.pop("frame"), **sizes)
-
-
-def _place(option: str, text: str) -> complex:
-    x, comma, y = text.partition(",")
-    if not comma:
-        raise BadPair(Where(option), text)
-    return complex(shared.quantity(option, "length", x.strip()), shared.quantity(option, "length", y.strip()))
+    return designed("angles", **values)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 
 import click
 
-from graphkin.cli import shared
+from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
 from graphkin.cli.watching import each_mechanism
 from graphkin.errors import GraphkinError, Lang
@@ -18,7 +18,6 @@ from graphkin.errors import GraphkinError, Lang
 if TYPE_CHECKING:
     from graphkin.construction import Plane
     from graphkin.outputs.paint import Ink
-    from graphkin.planning import Method
     from graphkin.sheet import Style
 
 
@@ -61,27 +60,28 @@ def draw(
       graphkin draw p3-20 --path E --arrows
       graphkin draw mine.toml --watch
     """
-    from graphkin.outputs import drawings, svg
-
     if style == "given" and (steps is not None or only not in (None, "position")):
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
     _check_paths(paths, arrows, style, only, output)
     machine = shared.read(mechanism)
     output = _file(output, machine.name)
+    if animate and (steps is not None or tight or style != "construction" or paths or at):
+        others = "--steps, --tight, --style, --path, --angle and --at"
+        raise click.UsageError(f"--animate shows the motion: leave out {others}")
+    if animate and output.suffix.lower() not in (".svg", ".png"):
+        raise click.UsageError(f"{output}: what moves must end in .svg or .png")
+    drawing = shared.drawing(machine, at, coincident, method)
     if animate:
-        if steps is not None or tight or style != "construction" or paths or at:
-            others = "--steps, --tight, --style, --path, --angle and --at"
-            raise click.UsageError(f"--animate shows the motion: leave out {others}")
-        _write_motion(output, shared.plan(machine, coincident, method), paper, only, dpi or 100.0, ink, force, lang)
+        moving = drawing.animate(output, paper=paper, lang=lang, only=only, dpi=dpi or 100.0, ink=ink, force=force)
+        click.echo(str(moving))
         return
-    drawing = shared.position(machine, at, coincident, method).drawing
-    sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
-    written = drawings.WRITERS[output.suffix.lower() or ".svg"]
-    source = drawings.DrawingSource(sheet, drawing.method, drawing.plot, lang, dpi or 200.0, ink)
-    pages: list[tuple[Path, bytes | str]] = [(output, written(source))]
+    with streams.waiting():
+        sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
+    kind = output if output.suffix else Path("-.svg")
+    pages: list[tuple[Path, bytes | str]] = [(output, sheet.content(kind, dpi or 200.0, ink))]
     if steps is not None:
         sheets = drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight)
-        pages += [(steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink)) for k, page in enumerate(sheets, 1)]
+        pages += [(steps / f"{machine.name}-{k:02d}.svg", page.svg(ink)) for k, page in enumerate(sheets, 1)]
     shared.write_drawings(pages, output, steps, force)
 
 
@@ -102,22 +102,6 @@ def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane
         raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
     if only is not None and output is not None and output.suffix.lower() == ".ggb":
         raise click.UsageError("in GeoGebra each figure moves with the one before: leave out --only")
-
-
-def _write_motion(
-    output: Path, method: Method, paper: str | None, only: Plane | None, dpi: float, ink: Ink, force: bool, lang: Lang
-) -> None:
-    """The whole motion, one sheet a position, as a file that moves."""
-    from graphkin.outputs import drawings
-    from graphkin.sheet.motion_frames import motion_frames
-
-    if (moving := drawings.MOVING.get(output.suffix.lower())) is None:
-        raise click.UsageError(f"{output}: what moves must end in {' or '.join(drawings.MOVING)}")
-    drawings.refuse(output, force)
-    drawings.refuse_edited(output, force)
-    frames = motion_frames(method, paper=paper, lang=lang, only=only)
-    drawings.write(output, moving(frames, dpi, ink), force)
-    click.echo(str(output))
 
 
 @click.command()
@@ -151,17 +135,16 @@ def explain(
         raise click.UsageError(f"{output}: the file to write must end in .html, .tex or .md")
     if output is not None and as_drawn:
         raise click.UsageError("--as-drawn is printed: leave out -o")
-    drawing = shared.position(shared.read(mechanism), at, coincident, method).drawing
+    drawing = shared.drawing(shared.read(mechanism), at, coincident, method)
     if output is None:
         click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
         return
     from graphkin.handouts import markup
-    from graphkin.outputs.files import beside
+    from graphkin.outputs import files
 
     solution = markup.solution(drawing, lang, everything=everything, only=only)
     text = markup.WRITERS[output.suffix.lower()](solution)
-    with beside(output, force, (markup.MARK.encode(), b"graphkin handout")) as draft:
-        draft.write_text(text, encoding="utf-8", newline="\n")
+    files.write(output, text, force, (markup.MARK.encode(), b"graphkin handout"))
     click.echo(str(output))
 
 
@@ -189,7 +172,7 @@ def equations(
     from graphkin import equations as writing
 
     def document(source: str) -> writing.Document:
-        return writing.document(shared.position(shared.read(source), at).moved_method, method, lang)
+        return writing.document(shared.placed(source, at), method, lang)
 
     if output is not None and output.suffix.lower() not in writing.WRITERS:
         raise click.UsageError(f"{output}: the file to write must end in .txt, .html or .tex")
@@ -229,8 +212,8 @@ def _results(source: str, at: DriverOptions, as_json: bool, lang: Lang) -> Itera
     from graphkin.say.results import solve_lines
 
     machine = shared.read(source)
-    position = shared.position(machine, at)
-    data = results.results(machine, position.method, lang, position.values)
+    method, values = shared.position(machine, at)
+    data = results.results(machine, method, lang, values)
     if as_json:
         yield shared.json_line(data)
     else:
@@ -257,9 +240,10 @@ def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lan
     if not math.isfinite(tolerance):
         raise click.UsageError("--tolerance takes a finite number")
     status = 0
-    for drawing in drawings:
+    for drawing in streams.counted(drawings, True):
         try:
-            report = measure(drawing, tolerance)
+            with streams.waiting(len(drawings) == 1):
+                report = measure(drawing, tolerance)
         except GraphkinError as error:
             refused = {"format": 1, "file": str(drawing), "error": error.message(lang)}
             click.echo(shared.json_line(refused) if as_json else error.message(lang), err=not as_json)

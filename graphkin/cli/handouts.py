@@ -7,15 +7,13 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli import shared
+from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
     from graphkin.handouts import Handout, Stage
     from graphkin.model.mechanism import Mechanism
-
-_MARKS = (b"graphkin handout",)
 
 
 @click.command()
@@ -53,7 +51,7 @@ def handout(
       graphkin handout ex3-1 ex3-5 p3-6a --answers -o book.pdf --lang zh
       graphkin handout homework --stage blank --scan 0 -o sheets/
     """
-    from graphkin.handouts import in_languages
+    from graphkin.handouts import in_languages, saving
     from graphkin.outputs import files
 
     problems, seed = _problems(mechanisms, seed, at)
@@ -70,11 +68,12 @@ def handout(
         shared.refuse_one_file((machine.name for machine, _ in problems), kind)
         output.mkdir(parents=True, exist_ok=True)
         books = [(output / f"{machine.name}.pdf", [(machine, who)]) for machine, who in problems]
-    for path, several in books:
-        files.refuse(path, force, _MARKS)
+    for path, several in streams.counted(books, True):
+        files.refuse(path, force, saving.MARKS)
         machines, whose = zip(*several, strict=True)
-        made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex,
-                            number=number)  # fmt: skip
+        with streams.waiting(len(books) == 1):
+            made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose,
+                                duplex=duplex, number=number)  # fmt: skip
         pages = _write(path, made, paper, font, scan, force)
         scan = None if scan is None else scan + pages  # sheet numbers go on from file to file, and those of problems
         number = number if number is None or any(whose) else number + 1
@@ -99,15 +98,11 @@ def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[l
 
 def _write(path: Path, made: Handout, paper: str, font: Path | None, scan: int | None, force: bool) -> int:
     """Write a handout; the number of its pages of paper."""
-    from graphkin.handouts.markup import html
-    from graphkin.handouts.typst import page_count, pdf
-    from graphkin.outputs import files
+    from graphkin.handouts.saving import SavedHandout
+    from graphkin.handouts.typst import page_count
 
-    on_paper = path.suffix.lower() != ".html"
-    content = pdf(made, paper, font, scan) if on_paper else html(made, paper).encode()
-    count = page_count(content) if on_paper else 0
-    with files.beside(path, force, _MARKS) as draft:
-        draft.write_bytes(content)
+    SavedHandout(**vars(made)).save(path, paper=paper, font=font, scan=scan, force=force)
+    count = page_count(path.read_bytes()) if path.suffix.lower() != ".html" else 0
     if scan is not None:
         click.echo(f"#{scan}-{scan + count - 1} {path.name}", err=True)
     click.echo(str(path))

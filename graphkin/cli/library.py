@@ -38,9 +38,10 @@ def list_(
 
         click.echo("\n".join(family_lines(lang)))
         if output is not None:
+            from graphkin.outputs.saving import NotebookSheet
             from graphkin.sheet.linkage_sheet import family_sheet
 
-            shared.write_sheet(output, family_sheet(lang), force)
+            click.echo(str(NotebookSheet.of(family_sheet(lang)).save(output, force=force)), err=True)
         return
     if output is not None:
         raise click.UsageError("-o draws the kinds of linkages: --kinds")
@@ -98,11 +99,10 @@ def structure(
     data = shared.wants_json(as_json, output, len(mechanisms))
 
     def lines(source: str) -> Iterator[str]:
-        from graphkin.say.structure import structure_lines
-        from graphkin.studies import assur
+        from graphkin.api.answers import data_of, lines_of, structure
 
-        method = shared.position(shared.read(source), at).moved_method
-        return iter([shared.json_line(assur.as_json(method))]) if data else structure_lines(method, lang)
+        parts = structure(shared.placed(source, at))
+        return iter([shared.json_line(data_of(parts))] if data else lines_of(parts, lang))
 
     shared.print_each(mechanisms, lines, data, lang, output, force)
 

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
+from graphkin.api.answers import from_lengths
+from graphkin.api.answers import linkage as linkage_of
 from graphkin.cli import shared
 from graphkin.cli.shared import DriverOptions
-from graphkin.errors import Lang, OutOfRange, Where
+from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 
 if TYPE_CHECKING:
     from graphkin.studies.linkages import Linkage, Report
-
-LEAST_PART = 1e-9  # beside the longest link, one shorter than this part of it is none
-
 
 @click.command()
 @click.argument("mechanisms", metavar="[MECHANISM...]", nargs=-1, shell_complete=shared.library_names)
@@ -57,53 +56,28 @@ def linkage(
     if fix and (as_json or output is not None):
         raise click.UsageError("--fix prints a mechanism as TOML; leave out --json and -o")
     if output is None and mechanisms and not fix:
-        shared.print_each(mechanisms, lambda source: _lines(_reports(shared.read_at(source, at), lang), as_json),
+        shared.print_each(mechanisms, lambda source: _lines(linkage_of(shared.read_at(source, at)), as_json, lang),
                           as_json, lang)  # fmt: skip
         return
-    subject = shared.read_at(mechanisms[0], at) if mechanisms else _from_lengths(*given[0], by)
+    subject = shared.read_at(mechanisms[0], at) if mechanisms else from_lengths(*given[0], by)
     if fix:
         click.echo(_inverted(subject, fix, given[0][0] if given else ""), nl=False)
         return
-    reports = list(_reports(subject, lang))
-    click.echo("\n".join(_lines(reports, as_json)))
+    reports = linkage_of(subject)
+    click.echo("\n".join(_lines(reports, as_json, lang)))
     if output is not None:
+        from graphkin.outputs.saving import NotebookSheet
         from graphkin.sheet.linkage_sheet import limit_sheet
 
         title = subject.headline(lang) if isinstance(subject, Mechanism) and mechanisms != ("-",) else ""
-        shared.write_sheet(output, limit_sheet([one for one, _ in reports], lang, paper=paper, title=title), force)
+        sheet = NotebookSheet.of(limit_sheet(reports, lang, paper=paper, title=title))
+        click.echo(str(sheet.save(output, force=force)), err=True)
 
 
-def _from_lengths(kind: str, sizes: tuple[str, ...], driver: str) -> Linkage:
-    """The linkage of `--fourbar`, `--slider` or `--guide`."""
-    from graphkin.studies import linkages
+def _lines(reports: Sequence[Report], as_json: bool, lang: Lang) -> list[str]:
+    from graphkin.api.answers import data_of, lines_of
 
-    lengths = [shared.quantity(f"--{kind}", "length", size) for size in sizes]
-    for length, text in zip(lengths, sizes, strict=True):
-        if 0 < abs(length) < LEAST_PART * max(map(abs, lengths)):
-            raise OutOfRange(Where(f"--{kind}"), text)
-    return linkages.from_lengths(kind, *lengths, driver=driver)
-
-
-def _reports(subject: Mechanism | Linkage, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
-    """Of a linkage, or of each one in a mechanism: its report, and that in words."""
-    from graphkin.say.linkages import found_lines, lines
-    from graphkin.studies import linkages
-
-    if not isinstance(subject, Mechanism):
-        report = linkages.report(subject)
-        yield report, list(lines(report, lang))
-        return
-    for recognised in linkages.some_found_in(subject):
-        report = linkages.reported(recognised)
-        yield report, list(found_lines(recognised, report, lang))
-
-
-def _lines(reports: Iterable[tuple[Report, list[str]]], as_json: bool) -> Iterator[str]:
-    """A blank line between two linkages."""
-    from graphkin.studies.linkages import as_json as data
-
-    for k, (report, lines) in enumerate(reports):
-        yield from [shared.json_line(data(report))] if as_json else ([""] if k else []) + lines
+    return [shared.json_line(data_of(report)) for report in reports] if as_json else lines_of(reports, lang)
 
 
 def _inverted(subject: Mechanism | Linkage, link: str, kind: str) -> str:

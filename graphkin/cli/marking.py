@@ -2,29 +2,24 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
-from graphkin.cli import shared
+from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
-from graphkin.errors import BadPencil, Lang, Where
+from graphkin.errors import Lang
 
 if TYPE_CHECKING:
-    from graphkin.homework.grading import MarkingOptions, Pencils, Problem, SetMarker
     from graphkin.homework.platforms import Reveal
     from graphkin.marking.records import Graded
 
-_Record = TypeVar("_Record")
 
 RESULT_FORMATS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report")
-MARKS = "marks.json"  # in a folder of results graphkin's own records, from which everything else there is made
 
 pencil_option = click.option("--pencil", metavar="MM,DEG", show_default="0.25,0.25",
     help="What a pencil errs by: a length on paper, and a direction (standard deviations).")  # fmt: skip
@@ -112,25 +107,18 @@ def tolerance(
       graphkin tolerance ex3-1 --angle 120
       graphkin tolerance ex3-1 --pencil 0.1,0.1 --power --lang zh
     """
+    from graphkin.api.answers import data_of, lines_of
     from graphkin.homework import grading
-    from graphkin.marking.marker import Marker
-    from graphkin.marking.power import power as power_of
-    from graphkin.marking.tolerances import tolerances
-    from graphkin.outputs import study_json as data
-    from graphkin.say.tolerances import power_lines, tolerance_lines
 
-    method = shared.position(shared.read(mechanism), at).moved_method
-    marker = Marker(grading.key_drawn(method, pencils_of(pencil, sigmas, relative)))
-    scatter = tolerances(marker.key, marker.method)
-    texts = [entry.text for entry in marker.key.entries if entry.points] if asked else None
-    tried = power_of(marker, trials, texts) if power else None
+    method = shared.placed(mechanism, at)
+    with streams.waiting():
+        scatter = grading.tolerance(method, pencil, sigmas, relative, marks=power)
+        answers = {"power": grading.power(method, asked=asked, trials=trials, key=scatter.key)} if power else {}
     if as_json:
-        more = {} if tried is None else {"power": data.power_data(tried)}
-        click.echo(shared.json_line({**data.tolerance_data(scatter), **more}))
-        return
-    click.echo("\n".join(tolerance_lines(scatter, lang)))
-    if tried is not None:
-        click.echo("\n" + "\n".join(power_lines(tried, lang)))
+        click.echo(shared.json_line({**data_of(scatter), **{name: data_of(one) for name, one in answers.items()}}))
+    else:
+        more = [line for one in answers.values() for line in ("", *lines_of(one, lang))]
+        click.echo("\n".join([*lines_of(scatter, lang), *more]))
 
 
 @frozen
@@ -155,7 +143,7 @@ class _Grading:
     def mark(self, key: str, submissions: Sequence[str]) -> None:
         """Every problem of the key by itself; then the folders of results, for all of them."""
         from graphkin.homework import grading
-        from graphkin.submissions import Limits
+        from graphkin.homework.result_files import ResultFiles
 
         if self.kinds and self.output is None:
             raise click.UsageError("--format needs -o: the folder to write into")
@@ -164,18 +152,17 @@ class _Grading:
         problems = grading.problems_of(key, submissions)
         if self.output is not None and not self.kinds and problems[0].name:
             raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
-        pencils = pencils_of(self.pencil, self.sigmas, self.relative)
-        names = tuple(name.strip() for name in self.letters.split(",") if name.strip())
-        settings = grading.MarkingOptions(Limits(turned=self.turned, names=names), self.jobs, words=self.lang)
+        pencils = grading.pencils_of(self.pencil, self.sigmas, self.relative)
+        limits = grading.limits_of(self.turned, self.letters)
+        options = grading.MarkingOptions(limits, self.jobs, words=self.lang)
         judges = [grading.judge_from(problem.key, pencils, self.roster) for problem in problems]
-        for problem, judge in zip(problems, judges, strict=True):
-            if self.output is None:
-                self._print(problem.name, grading.grade(judge, problem.paths, settings.limits, workers=self.jobs))
-            else:
-                path = self.output / problem.name / MARKS if self.kinds else self.output
-                self._write_records(path, judge, problem, settings)
-        if self.output is not None and self.kinds:
-            self._write_folders([self.output / problem.name / MARKS for problem in problems], judges, problems)
+        if self.output is None:
+            for problem, judge in zip(problems, judges, strict=True):
+                self._print(problem.name, grading.grade(judge, problem.paths, limits, workers=self.jobs))
+            return
+        files = ResultFiles(self.output, self.kinds, self.reveal, self.assignment, self.lang, self.force, self._printed)
+        for said in files.written(problems, judges, options):
+            click.echo(str(said), err=self.as_json or isinstance(said, str))
 
     def _print(self, problem: str, records: Iterable[Graded]) -> None:
         """Each as it comes."""
@@ -184,94 +171,23 @@ class _Grading:
 
         if problem and not self.as_json:
             click.echo(f"{problem}:")
-        for graded in _counted(records, True):
+        for graded in streams.counted(records, True):
             if self.as_json:
                 click.echo(_line(problem, marks_json.line(graded, self.lang)))
             else:
                 click.echo("\n".join(grade_lines(graded, self.lang)))
 
-    def _write_records(self, path: Path, judge: SetMarker, problem: Problem, settings: MarkingOptions) -> None:
-        """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
-        from graphkin.homework import grading, platforms
-        from graphkin.outputs import marks_json
-        from graphkin.say.marks import interrupted, kept_lines
-
-        if self.kinds:
-            platforms.prepared(path.parent)
-        record = partial(marks_json.record, lang=self.lang)
-        try:
-            with grading.Journal(path, self.force) as journal:
-                records = grading.resumed(judge, problem.paths, journal, settings, record)
-                marks_json.write(path, self._printed(problem.name, _counted(records, self.as_json)), self.force)
-        except KeyboardInterrupt:
-            click.echo(interrupted(path, self.lang), err=True)
-            raise
-        click.echo(str(path), err=self.as_json)
-        for line in kept_lines(journal.kept, journal.replaced, self.lang):
-            click.echo(line, err=True)
-
-    def _printed(self, problem: str, records: Iterable[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
-        """Each record, once its line is printed where lines are wanted."""
+    def _printed(self, problem: str, lines: Iterable[str]) -> Iterator[str]:
+        """Each record's line, once what programs get of it is printed where that is wanted."""
         from graphkin.outputs import marks_json
 
-        for record in records:
-            if self.as_json:
+        for line in streams.counted(lines, self.as_json):
+            if self.as_json and (record := marks_json.record_of(line)) is not None:
                 click.echo(_line(problem, marks_json.line_of(record)))
-            yield record
-
-    def _write_folders(
-        self, files: Sequence[Path], judges: Sequence[SetMarker], problems: Sequence[Problem]
-    ) -> None:
-        """Everything else, made of the records; several problems of a student are seen together. What teachers wrote
-        beside files of marks that are marked anew goes with these."""
-        from graphkin.homework import platforms
-
-        book, called = {file.parent.name: platforms.read_results(file) for file in files}, dict[str, str]()
-        several = [{one.student: one.trace for one in results if one.status == "marked"}
-                   for results in book.values()] if len(files) > 1 else []  # fmt: skip
-        for file, judge, problem in zip(files, judges, problems, strict=True):
-            results, pictures = book[file.parent.name], platforms.PolygonPictures(judge)
-            names = {} if judge.roster is None else judge.roster.called
-            called |= {student: name for student, name in names.items() if name or student not in called}
-            merged = [path.parent for path in map(Path, problem.paths) if path.name == MARKS and path != file]
-            for kind in dict.fromkeys((*self.kinds, *(["csv"] if merged else []))):
-                if kind == "json":
-                    continue
-                done = platforms.write_results(
-                    file.parent, results, kind, self.lang, self.reveal, assignment=self.assignment,
-                    pictures=pictures, force=self.force, several=several, merged=merged, names=names,
-                )  # fmt: skip
-                click.echo("\n".join(map(str, done.paths)), err=self.as_json)
-                for line in done.left_out:
-                    click.echo(line, err=True)
-        for kind in dict.fromkeys(kind for kind in self.kinds if kind in ("csv", "xlsx") and several):
-            assert self.output is not None
-            path = platforms.write_gradebook(self.output, book, kind, self.lang, called, self.force)
-            click.echo(str(path), err=self.as_json)
+            yield line
 
 
 def _line(problem: str, data: Mapping[str, Plain]) -> str:
     return shared.json_line({**data, "problem": problem} if problem else data)
 
 
-def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:
-    """The records, counted for one who waits at a terminal on which nothing else is being printed."""
-    quiet = not sys.stderr.isatty() or (printed and sys.stdout.isatty())
-    with click.progressbar(records, file=sys.stderr, show_pos=True, hidden=quiet) as bar:
-        yield from bar
-
-
-def pencils_of(pencil: str | None, sigmas: float | None = None, relative: float | None = None) -> Pencils:
-    """The errors of a pencil and what is allowed, by the options that were said. Raises BadPencil."""
-    from graphkin.homework.grading import Pencils
-
-    said = {name: value for name, value in (("sigmas", sigmas), ("relative", relative)) if value is not None}
-    if pencil is not None:
-        try:
-            length, angle = (float(part) for part in pencil.split(","))
-        except ValueError:
-            raise BadPencil(Where("--pencil"), pencil) from None
-        if not (0 <= length <= 10 and 0 <= angle <= 30):
-            raise BadPencil(Where("--pencil"), pencil)
-        said |= {"length_mm": length, "angle_deg": angle}
-    return Pencils(**said, said=tuple(said))

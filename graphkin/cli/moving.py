@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli import shared
+from graphkin.cli import shared, streams
 from graphkin.errors import Lang, TooManyRows, Where
 
 if TYPE_CHECKING:
@@ -138,7 +138,6 @@ def find(
       graphkin find p3-21 "stroke s piston" --vary DH=55:125:5
     """
     from graphkin import api
-    from graphkin.say.finding import finding_table, lines
     from graphkin.studies import finding
 
     machine = shared.read(mechanism)
@@ -147,16 +146,18 @@ def find(
             raise click.UsageError("--vary takes one dimension at a time")
         if output is not None:
             raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
-        table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
-        click.echo(shared.json_line(finding.table_json(table)) if as_json else "\n".join(finding_table(table, lang)))
+        with streams.waiting():
+            table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
+        shared.print_answer(table, as_json, lang)
         sys.exit(3 if all(row.error for row in table.rows) else 0)
-    method = api.plan(machine)
-    solution = finding.find(method, condition, ranges, by)
-    click.echo(shared.json_line(finding.as_json(solution)) if as_json else "\n".join(lines(solution, lang)))
+    with streams.waiting():
+        solution = finding.find(api.plan(machine), condition, ranges, by)
+    shared.print_answer(solution, as_json, lang)
     if output is not None:
-        from graphkin.outputs import drawings, svg
+        from graphkin.outputs.saving import NotebookSheet
         from graphkin.sheet.finding_sheet import drawn
 
-        if (drawing := drawn(method, solution, lang, paper=paper)) is not None:
-            drawings.write(output, svg.svg(drawing[0]), force)
-            click.echo(str(output) + (f"  (+{drawing[1]})" if drawing[1] else ""), err=True)
+        sheet, more = drawn(solution, lang, paper=paper)
+        if sheet is not None:
+            saved = NotebookSheet.of(sheet).save(output, force=force)
+            click.echo(f"{saved}  (+{more})" if more else str(saved), err=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from graphkin.cli import shared
-from graphkin.cli.marking import pencil_option, pencils_of
+from graphkin.cli.marking import pencil_option
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from graphkin.handouts.problem_folder import SetOrder
     from graphkin.homework.problems import Variant
 
+BOARD = "board"
 PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong", "xuexitong-xlsx")
 
 
@@ -28,8 +30,9 @@ PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong", "xuexitong
 @click.option("--seed", default="1", show_default=True, help="Another word gives other numbers.")
 @click.option("-o", "--output", required=True, type=click.Path(path_type=Path, file_okay=False), metavar="DIR",
               help="Folder to write.")
-@click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
-              help="Write the whole set for a platform, too, answers and mistakes in it; again for each.")
+@click.option("--format", "kinds", type=click.Choice((*PLATFORMS, BOARD)), multiple=True,
+              help="Write the whole set for a platform, too, answers and mistakes in it; or, without these, a drawing "
+              "board for each student; again for each.")
 @click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that draw and write.")
 @pencil_option
 @shared.force_option
@@ -50,26 +53,41 @@ def problems(
     Example:
       graphkin problems shaper.toml --students class.csv --seed 2027 -o homework
       graphkin problems shaper.toml --students 60 -o homework --format moodle --format xuexitong --lang zh
+      graphkin problems shaper.toml --students class.csv -o homework --format board
     """
     from graphkin.handouts import problem_folder as folder
+    from graphkin.homework import grading
     from graphkin.homework import problems as sets
     from graphkin.say.problems import remark
 
     order = folder.SetOrder(
-        output, sets.read_template(template), sets.roster(students), seed, lang, pencils_of(pencil), force
+        output, sets.read_template(template), sets.roster(students), seed, lang, grading.pencils_of(pencil), force
     )
     variants = _write(order, jobs)
     click.echo(folder.told_of(output))
-    if kinds:
-        from graphkin.homework import grading, platforms
+    if BOARD in kinds:
+        _write_boards(order, variants, jobs)
+    if platform_kinds := [kind for kind in kinds if kind != BOARD]:
+        from graphkin.homework import platforms
 
         whole = folder.problem_set(order.template, variants, grading.judge_from(str(output)), lang)
-        for kind in dict.fromkeys(kinds):
+        for kind in dict.fromkeys(platform_kinds):
             path = folder.file_of(output, kind)
             platforms.write_set(path, whole, kind, lang, force)
             click.echo(str(path))
     if shared_numbers := [variant.student.id for variant in variants if variant.shared]:
         click.echo(remark(shared_numbers, lang), err=True)
+
+
+def _write_boards(order: SetOrder, variants: Sequence[Variant], jobs: int) -> None:
+    """A drawing board for each student."""
+    from graphkin.page.board_set import write_boards
+    from graphkin.submissions import worker_pool
+
+    workers: AbstractContextManager[Executor | None] = worker_pool(jobs) if jobs > 1 else nullcontext()
+    with workers as executor:
+        for path in write_boards(order, variants, executor):
+            click.echo(str(path))
 
 
 def _write(order: SetOrder, jobs: int) -> list[Variant]:

@@ -9,7 +9,11 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+from functools import cached_property
 from importlib import import_module
+from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 import click
@@ -20,7 +24,16 @@ from graphkin.errors import Lang
 
 _INHERITED = ("Readable", "Measured")
 _ALSO = {
-    "Builder": "files.builder", "Readable": "model.readout", "Measured": "model.units", "Series": "studies.sweeps",
+    "Builder": "files.builder", "Variants": "files.variants", "Trial": "api.variants", "Readable": "model.readout",
+    "Measured": "model.units", "Series": "studies.sweeps", "Method": "planning", "Plot": "construction",
+    "NotebookSheet": "outputs.saving", "VectorMark": "sheet.marks", "PointMark": "sheet.marks", "Text": "sheet.marks",
+    "DiagramPage": "outputs.diagram.page", "SavedHandout": "handouts.saving", "Solved": "api.batches",
+    "Swept": "api.batches", "Findings": "studies.finding", "Centres": "studies.centres", "Design": "studies.design",
+    "Solution": "studies.design", "Tolerances": "marking.tolerances", "Graded": "marking.records",
+    "Judged": "marking.records", "VaryingTable": "studies.finding", "Structure": "studies.assur",
+    "Report": "studies.linkages", "Power": "marking.power", "SavedDocument": "equations", "RulerReport": "check",
+    "Position": "studies.finding", "Marked": "marking.records", "MistakePower": "marking.power",
+    "KeyEntry": "marking.key", "Variant": "homework.problems",
 }  # fmt: skip
 """Classes that public names give or share."""
 _QUOTED = re.compile(r"(: |-> )'([^']*)'")
@@ -43,6 +56,9 @@ def _page(name: str) -> Iterator[str]:
     yield "-" * len(name)
     yield inspect.getdoc(value) or ""
     if inspect.isclass(value):
+        if is_dataclass(value):
+            holds = ", ".join(f"{each.name}: {each.type}" for each in fields(value) if not each.name.startswith("_"))
+            yield from ("", *wrap(f"Holds {holds}", 110, subsequent_indent="    ", break_on_hyphens=False))
         for member, method in _members(value):
             yield from ("", f"  .{member}{_signature(method)}")
             yield from (f"      {line}".rstrip() for line in (inspect.getdoc(_function(method)) or "").splitlines())
@@ -55,7 +71,8 @@ def _members(cls: type) -> Iterator[tuple[str, object]]:
         if not kin.__module__.startswith("graphkin") or (kin is not cls and kin.__name__ in _INHERITED):
             continue
         for member, value in vars(kin).items():
-            if member.startswith("_") or member in seen or not inspect.getdoc(_function(value)):
+            own = str(getattr(_function(value), "__module__", "")).startswith("graphkin") and _function(value).__doc__
+            if member.startswith("_") or member in seen or not own:
                 continue
             if inspect.isroutine(value) or isinstance(value, property | classmethod | staticmethod):
                 seen.add(member)
@@ -64,12 +81,14 @@ def _members(cls: type) -> Iterator[tuple[str, object]]:
 
 def _function(member: object) -> Any:
     """The function behind a property, a class method or a static method."""
-    return member.fget if isinstance(member, property) else getattr(member, "__func__", member)
+    if isinstance(member, property | cached_property):
+        return member.fget if isinstance(member, property) else member.func
+    return getattr(member, "__func__", member)
 
 
 def _signature(value: object) -> str:
     """`(mechanism: Mechanism, ..) -> Sweep`; nothing of a property."""
-    if isinstance(value, property):
+    if isinstance(value, property | cached_property):
         return ""
     try:
         shown = str(inspect.signature(_function(value)))
@@ -81,18 +100,29 @@ def _signature(value: object) -> str:
 @click.command("help")
 @click.argument("topic", metavar="[file|api|COMMAND]", default="")
 @click.argument("chosen", nargs=-1, metavar="[NAME]...")
+@click.option("--html", "whole", is_flag=True, help="The whole manual with pictures, as one web page.")
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="With --html: the file to write.")
+@shared.force_option
 @shared.speaking
-def help_(topic: str, chosen: tuple[str, ...], lang: Lang) -> None:
+def help_(topic: str, chosen: tuple[str, ...], whole: bool, output: Path | None, force: bool, lang: Lang) -> None:
     """Print the reference of the mechanism file, of the Python interface, or what a command says of itself.
 
-    After api: the names that are wanted; all without any.
+    After api: the names that are wanted; all without any. The manual has all of it.
 
     \b
     Example:
       graphkin help file
       graphkin help api sweep Mechanism
       graphkin help sweep
+      graphkin help --html -o manual.html
     """
+    if whole or output is not None:
+        if topic or output is None or not whole:
+            raise click.UsageError("the manual is one page: graphkin help --html -o manual.html")
+        from graphkin.cli import manual
+
+        manual.write(output, force, lang, {name: text(name) for name in names()})
+        return
     if topic == "api":
         if unknown := [name for name in chosen if name not in names()]:
             raise click.UsageError(f"no {', '.join(unknown)} in the interface. There are: {', '.join(names())}")

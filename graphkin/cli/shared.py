@@ -9,8 +9,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
-from functools import cached_property
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -25,14 +24,13 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from graphkin.api import Drawing
-    from graphkin.model.mechanism import Dimension, Mechanism
+    from graphkin.model.mechanism import Mechanism
     from graphkin.planning import Method
-    from graphkin.sheet import Sheet
 
 _Command = TypeVar("_Command", bound=Callable[..., object])
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape", "letter", "letter-landscape")
-DRAWN_AS = tuple(drawings.WRITERS)
+DRAWN_AS = drawings.DRAWN
 """The kinds of files that a position is drawn as: those of `outputs.drawings`."""
 
 
@@ -172,9 +170,11 @@ class DriverOptions:
         return bool(self.angles or self.displacements)
 
     def values(self, method: Method) -> list[float] | None:
-        """All driver values [rad, m], those of the command line put in; None for the drawn position."""
+        """All driver values in SI, with their units, those of the command line put in; None: the drawn position."""
         if not self:
             return None
+        from graphkin.model.units import Number, driven
+
         angles, slides = [math.radians(angle) for angle in self.angles], [s / 1000 for s in self.displacements]
         rest: dict[str, list[float]] = {"angle": angles, "slide": slides, "spin": []}
         if not all(math.isfinite(value) for values in rest.values() for value in values):
@@ -185,7 +185,7 @@ class DriverOptions:
             if rest[kind]:
                 name = method.mechanism.name
                 raise click.UsageError(f"{name} has no driver left for {option} (of {len(values)} drivers)")
-        return values
+        return [Number(value, driven(d.kind == "slide")) for value, d in zip(values, method.drivers, strict=True)]
 
 
 def driver_options(command: Callable[..., None]) -> Callable[..., None]:
@@ -198,45 +198,34 @@ def driver_options(command: Callable[..., None]) -> Callable[..., None]:
     return angle_option(displacement_option(wrapped))
 
 
-@frozen
-class PlannedPosition:
-    """A planned mechanism at driver values [rad, m], or as its file has it (None)."""
-
-    method: Method
-    values: list[float] | None
-
-    @cached_property
-    def drawing(self) -> Drawing:
-        """The constructions at these values, proved."""
-        from graphkin import api
-
-        return api.Drawing.at(self.method, self.values)
-
-    @property
-    def moved(self) -> Mechanism:
-        """The mechanism with these values as its drawn position, for readers that take no driver values."""
-        from graphkin.proof.readings import mechanism_at
-
-        return self.method.mechanism if self.values is None else mechanism_at(self.method, self.values)
-
-    @property
-    def moved_method(self) -> Method:
-        """The method whose drawn position this is."""
-        from graphkin import api
-
-        return self.method if self.values is None else api.plan(self.moved)
-
-
-def position(machine: Mechanism, at: DriverOptions, coincident: str = "", method: str = "special") -> PlannedPosition:
-    """A mechanism planned as the options ask for, at the position that `--angle` and `--at` ask for."""
+def position(
+    machine: Mechanism, at: DriverOptions, coincident: str = "", method: str = "special"
+) -> tuple[Method, list[float] | None]:
+    """A mechanism planned as the options ask for, and the driver values that `--angle` and `--at` ask for, if any."""
     planned = plan(machine, coincident, method)
-    return PlannedPosition(planned, at.values(planned))
+    return planned, at.values(planned)
+
+
+def drawing(
+    machine: Mechanism, at: DriverOptions, coincident: str = "", method: str = "special"
+) -> Drawing:
+    """The constructions there, proved."""
+    from graphkin import api
+
+    return api.Drawing.of(*position(machine, at, coincident, method))
+
+
+def placed(source: str, at: DriverOptions) -> Method:
+    """The method whose drawn position this is, for readers that take no driver values."""
+    from graphkin import api
+
+    return api.drawing.placed(*position(read(source), at))
 
 
 def read_at(source: str, at: DriverOptions) -> Mechanism:
     """The mechanism of a MECHANISM argument, drawn where `--angle` and `--at` put it; not planned without them."""
     machine = read(source)
-    return position(machine, at).moved if at else machine
+    return placed(source, at).mechanism if at else machine
 
 
 def plan(machine: Mechanism, coincident: str, method: str) -> Method:
@@ -276,28 +265,29 @@ def print_each(
 ) -> None:  # fmt: skip
     """The lines of every mechanism; one that cannot be solved stops none of the others. Status 3 then."""
     failed: list[str] = []
-    pages = _pages(sources, lines, as_json, lang, failed)
+    pages = _pages(sources, lines, as_json, lang, failed, output is None)
     if output is None:
         for page in pages:
             click.echo(page)
     elif whole := list(pages):
-        from graphkin.outputs.files import beside
+        from graphkin.outputs import files
 
         end = [] if as_json else ["", "graphkin"]  # a text says at its end whose it is, to be written again
-        with beside(output, force, (b'{"format": 1', b"\ngraphkin\n")) as draft:
-            draft.write_text("\n".join([*whole, *end, ""]), encoding="utf-8", newline="\n")
+        files.write(output, "\n".join([*whole, *end, ""]), force, (b'{"format": 1', b"\ngraphkin\n"))
         click.echo(str(output))
     if failed:
         sys.exit(3)
 
 
 def _pages(
-    sources: Sequence[str], lines: Callable[[str], Iterable[str]], as_json: bool, lang: Lang, failed: list[str]
-) -> Iterator[str]:
+    sources: Sequence[str], lines: Callable[[str], Iterable[str]], as_json: bool, lang: Lang, failed: list[str],
+    printed: bool,
+) -> Iterator[str]:  # fmt: skip
     """The text of each mechanism; those that cannot be solved are put into `failed`."""
-    for k, source in enumerate(sources):
+    for k, source in enumerate(streams.counted(sources, printed)):
         try:
-            page = list(lines(source))
+            with streams.waiting(len(sources) == 1):
+                page = list(lines(source))
         except GraphkinError as error:
             failed.append(source)
             if not as_json:
@@ -337,23 +327,8 @@ def write_drawings(
         click.echo(str(path), err=err or printed)
 
 
-def write_sheet(output: Path, sheet: Sheet, force: bool) -> None:
-    """One sheet beside what is printed, as SVG."""
-    from graphkin.outputs import drawings, svg
+def print_answer(answer: object, as_json: bool, lang: Lang) -> None:
+    """An answer of a study, in words or as one line of JSON."""
+    from graphkin.api.answers import data_of, lines_of
 
-    drawings.write(output, svg.svg(sheet), force)
-    click.echo(str(output), err=True)
-
-
-def quantity(option: str, dimension: Dimension, text: str) -> float:
-    """A number of an option, in mm or deg or with a unit, as SI; what is wrong names the option."""
-    from graphkin.errors import Where
-    from graphkin.files.values import read_quantity
-
-    written: float | str = text
-    with suppress(ValueError):
-        written = float(text)
-    try:
-        return read_quantity(written, dimension)
-    except GraphkinError as error:
-        raise error.at(Where(option)) from None
+    click.echo(json_line(data_of(answer)) if as_json else "\n".join(lines_of(answer, lang)))

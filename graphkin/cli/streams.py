@@ -6,12 +6,19 @@ import errno
 import io
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import count
+from threading import Event, Thread
+from time import monotonic
+from typing import TypeVar
 
 import click
 
 from graphkin.errors import CannotWrite, Lang
+
+_Item = TypeVar("_Item")
+_PATIENCE, _TICK = 2.0, 0.5  # so long nobody is told to wait; how often the bar moves [s]
 
 NO_READER = (errno.EPIPE, errno.EINVAL) if sys.platform == "win32" else (errno.EPIPE,)
 """Errors of writing into a pipe that nobody reads any more."""
@@ -63,6 +70,41 @@ def ended(error: OSError, lang: Lang = "en") -> int:
     refused = CannotWrite.by(error.filename or "<stdout>", error)
     click.echo(refused.message(lang), err=True)
     return refused.exit_code
+
+
+def counted(items: Iterable[_Item], printed: bool) -> Iterator[_Item]:
+    """The items, counted for one who waits at a terminal on which nothing else is being printed; one alone is not."""
+    quiet = not sys.stderr.isatty() or (printed and sys.stdout.isatty())
+    quiet = quiet or (isinstance(items, Sequence) and len(items) < 2)
+    if quiet:
+        yield from items
+        return
+    with click.progressbar(items, file=sys.stderr, show_pos=True) as bar:
+        yield from bar
+
+
+@contextmanager
+def waiting(alone: bool = True) -> Iterator[None]:
+    """A bar that moves, with the time, at a terminal where work takes more than two seconds, unless another counts."""
+    if not (alone and sys.stderr.isatty()):
+        yield
+        return
+    done, start = Event(), monotonic()
+
+    def move() -> None:
+        if not done.wait(_PATIENCE):
+            seconds = lambda _: f"{monotonic() - start:.0f} s"  # noqa: E731
+            with click.progressbar(count(), file=sys.stderr, show_eta=False, item_show_func=seconds) as bar:
+                while not done.wait(_TICK):
+                    bar.update(1)
+
+    mover = Thread(target=move, daemon=True)
+    mover.start()
+    try:
+        yield
+    finally:
+        done.set()
+        mover.join()
 
 
 def spoken(context: click.Context, _: click.Parameter, lang: str | None) -> str | None:

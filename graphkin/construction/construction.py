@@ -45,6 +45,16 @@ class Equation:
         if (unknowns := sum(term.unknowns for term in self.left + self.right)) != 2:
             raise NotClosable(f"{unknowns} unknown scalars, not 2")
 
+    @property
+    def sides(self) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
+        """Both sides as they are written: one that is the motion sought itself stands first."""
+        swapped = self.is_sought(self.right) and not self.is_sought(self.left)
+        return (self.right, self.left) if swapped else (self.left, self.right)
+
+    def is_sought(self, side: tuple[Term, ...]) -> bool:
+        """True of a side that is nothing but the motion sought."""
+        return len(side) == 1 and side[0].of == self.of and not (side[0].seen_from or side[0].over)
+
 
 @frozen
 class Node:

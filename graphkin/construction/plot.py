@@ -87,8 +87,8 @@ def within_a_turn(angle: Real) -> Real:
 class Plot:
     """Named points and quantities of the finished drawing; every value a scalar or an array over positions.
 
-    position     points of the mechanism [m]; velocity [m/s], acceleration [m/s^2]: points of the polygons,
-                 measured from the pole
+    position     points of the mechanism [m], `position["B"]`; velocity [m/s], acceleration [m/s^2]: points of the
+                 polygons, measured from the pole, `velocity["b2"]`, `acceleration["b3'"]`
     theta, omega, alpha          by link [rad, rad/s, rad/s^2]
     s, s_rate, s_acceleration    by slide [m, m/s, m/s^2]
     sines        sine of the angle at which two lines or circles met, by plane and point

@@ -16,9 +16,9 @@ from pathlib import Path
 from graphkin.equations.document import By, Document
 from graphkin.equations.writers import write_html, write_tex, write_text
 from graphkin.equations.written import document
-from graphkin.outputs.files import beside
+from graphkin.outputs import files
 
-__all__ = ["WRITERS", "By", "Document", "document", "write", "write_html", "write_tex", "write_text"]
+__all__ = ["WRITERS", "By", "Document", "SavedDocument", "document", "write", "write_html", "write_tex", "write_text"]
 
 WRITERS = {".txt": write_text, ".html": write_html, ".tex": write_tex}
 _SIGNED = {".txt": "{text}\n(graphkin)\n", ".html": "{text}<!-- graphkin -->\n", ".tex": "{text}% graphkin\n"}
@@ -27,6 +27,18 @@ _SIGNED = {".txt": "{text}\n(graphkin)\n", ".html": "{text}<!-- graphkin -->\n",
 
 def write(path: Path, document: Document, force: bool = False) -> None:
     """Write a document by its file's ending. Raises FileInTheWay, NoFolder, CannotWrite."""
-    kind = path.suffix.lower()
-    with beside(path, force, (b"graphkin",)) as draft:
-        draft.write_text(_SIGNED[kind].format(text=WRITERS[kind](document)), encoding="utf-8", newline="\n")
+    if (kind := path.suffix.lower()) not in WRITERS:
+        raise files.UnknownEnding(str(path), tuple(WRITERS))
+    files.write(path, _SIGNED[kind].format(text=WRITERS[kind](document)), force, (b"graphkin",))
+
+
+class SavedDocument(Document):
+    """Analytic equations: `print` them, or `save("x.html")`, `.txt`, `.tex`."""
+
+    def __str__(self) -> str:
+        return write_text(self)
+
+    def save(self, path: str | Path, *, force: bool = False) -> Path:
+        """Write them, by the file's ending."""
+        write(Path(path), self, force)
+        return Path(path)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.equations.expressions import Sum, Symbol
 from graphkin.equations.formulas import ZERO, Letter, Node, Op, Row
 from graphkin.errors import Lang
@@ -59,7 +59,7 @@ class FigureNode:
 Block = DocumentHeading | DocumentSentence | Display | DocumentTable | FigureNode
 
 
-@frozen
+@bulky
 class Document:
     """The equations of one mechanism by one method."""
 

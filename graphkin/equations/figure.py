@@ -21,7 +21,7 @@ from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.page import Page, Panel
 from graphkin.sheet.paper import Paper, finest
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.window import Figure, Window, corners, cut_out
+from graphkin.sheet.window import Extent, Figure, Window, corners
 
 _ROOM = complex(130.0, 95.0)  # the largest the mechanism's points may reach [mm]
 _MARGIN = 9.0  # room that letters need around it [mm]
@@ -41,7 +41,10 @@ def figure(model: Model, caption: str, lang: Lang) -> Sheet:
     arrows = list(by_length.values())
     low, high = corners([*places, *(end for arrow in arrows for end in _ends(model, arrow))])
     draw = partial(_draw, model, places, arrows)
-    window, whole = cut_out(draw, finest(high - low, _ROOM), _MARGIN)
+    scale = finest(high - low, _ROOM)
+    extent = Extent.of([low, high], draw, scale, letters=_MARGIN)
+    whole = extent.cut_out(scale)
+    window = extent.window(whole, scale)
     panel = Panel(draw(window), window, whole.inset(1, 1, 1), plane=None)
     page = Page(Paper("figure", whole.right, whole.bottom, 0.0), [panel], method.mechanism, (), lang, title=caption)
     return page.sheet().upto(_VECTORS).redrawn(lambda mark: replace(mark, step=None))

@@ -6,8 +6,8 @@ from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
     "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
-    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotSwept", "StandsStill", "TooManyRows", "UnknownQuantity",
-    "ValueForEach",
+    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "StandsStill", "TooManyRows", "UnevenArrays",
+    "UnknownQuantity", "ValueForEach",
 ]  # fmt: skip
 
 
@@ -72,6 +72,14 @@ class NotSwept(Choice, KeyError):
     zh = "{where}：这次扫描中没有 {given!r}，需要时请写入 `of`。{hint}"
 
 
+class NotAMechanism(AboutText, TypeError):
+    en = (
+        "{where}: a mechanism is wanted, and this is of type {given}. Give its name in the library, its file, or what "
+        "`load` (a file), `loads` (a text), `from_dict` (tables) or the `done()` of a builder gives."
+    )
+    zh = "{where}：此处应为机构，而给出的类型是 {given}。请给出库中的名称、机构文件，或 `load`（文件）、`loads`（文本）、`from_dict`（数据）以及构造器的 `done()` 所得的机构。"
+
+
 class NoPosition(LocatedError):
     driver: str
     low: str
@@ -86,11 +94,20 @@ class NoPosition(LocatedError):
 class ValueForEach(LocatedError, ValueError):
     count: int
     drivers: tuple[str, ...]
-    en = "{where}: {needed} drivers, {count} values. Give one value for each of {names}, in this order [rad, m]."
-    zh = "{where}：原动件有 {needed} 个，给了 {count} 个值。请按 {names} 的顺序各给一个 [rad, m]。"
+    en = "{where}: {needed} drivers, {count} values. Give one value for each of {names}, in this order [deg, mm]."
+    zh = "{where}：原动件有 {needed} 个，给了 {count} 个值。请按 {names} 的顺序各给一个 [deg, mm]。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return {**super()._words(lang), "needed": len(self.drivers), "names": ", ".join(self.drivers)}
+
+
+class UnevenArrays(LocatedError, ValueError):
+    counts: tuple[int, ...]
+    en = "{where}: arrays of {numbers} values. Give one value for each mechanism, equally many in every array."
+    zh = "{where}：各数组分别有 {numbers} 个值。请为每个机构各给一个值，各数组长度相同且不为零。"
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "numbers": ", ".join(map(str, self.counts))}
 
 
 class StandsStill(LocatedError):

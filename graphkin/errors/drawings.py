@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import GraphkinError, Lang, LocatedError, WordTable
+from graphkin.errors.base import GraphkinError, Lang, LocatedError, Where, WordTable
 
 __all__ = [
     "BadDrawing", "CannotWrite", "NoChineseLetters", "NoDrawing", "NoFolder", "NoFont", "NoLetter", "NothingToMeasure",
+    "TooLargeForPaper", "UnknownPaper",
 ]  # fmt: skip
 
 
@@ -107,3 +108,30 @@ class NoLetter(GraphkinError):
         "apt install fonts-noto-core fonts-noto-cjk), or name its file with --font PATH."
     )
     zh = "现有字体都没有字符 {letter!r}，会印成方框。请安装含该字符的字体（Debian：apt install fonts-noto-core fonts-noto-cjk），或用 --font 路径指定字体文件。"
+
+
+class TooLargeForPaper(GraphkinError):
+    """A given scale at which the drawing fits no paper."""
+
+    where: Where
+    key: str
+    given: float
+    fits: float
+    paper: str
+    unit: str
+
+    en = (
+        "{where}: at {given:g} {unit} the drawing does not fit on {paper}. {fits:g} would fit; "
+        "or leave the scale out and it is chosen."
+    )
+    zh = "{where}：按 {given:g} {unit}，图形放不进 {paper} 图纸。可改用 {fits:g}，或不写比例尺，由程序选取。"
+
+
+class UnknownPaper(GraphkinError):
+    """A paper that is not in the table."""
+
+    name: str
+    known: str
+
+    en = "There is no paper {name!r} here. Take one of {known}."
+    zh = "没有 {name!r} 这种图纸。可选：{known}。"

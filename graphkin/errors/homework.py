@@ -7,13 +7,13 @@ from typing import ClassVar
 from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, LocatedError, WordTable
 
 __all__ = [
-    "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenSubmission", "HandedTwice", "LetterTwice",
-    "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoNumbers", "NoPaperScale", "NoRange",
-    "NoRightNumber", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant", "NotAQuestion",
-    "NotAResult", "NotASet", "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform", "NotMarkable",
-    "NothingToMark", "OffTheDrawing", "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SameNumbers", "SenseDisputed",
-    "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong", "TurnedPage", "TwoNames", "UnknownStudent",
-    "WantsExtra",
+    "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenBoard", "BrokenSubmission", "CentresNotMarked", "ForeignBoard", "HandedTwice",
+    "LetterTwice", "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoNumbers", "NoPaperScale",
+    "NoRange", "NoRightNumber", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant",
+    "NotAQuestion", "NotAResult", "NotASet", "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform",
+    "NotMarkable", "NothingToMark", "OffTheDrawing", "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SameNumbers",
+    "SenseDisputed", "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong", "TurnedPage", "TwoNames",
+    "UnknownStudent", "WantsExtra",
 ]  # fmt: skip
 
 
@@ -261,9 +261,30 @@ class NoSenseDrawn(LocatedError):
     zh = "{where}：无法由图量得 {quantities}：所画矢量沿杆的方向。"
 
 
+class CentresNotMarked(LocatedError):
+    """Instant centres that were handed in: they have no place in a key."""
+
+    quantities: tuple[str, ...]
+    en = "{where}: not marked here, as places of instant centres are looked at by the teacher: {quantities}."
+    zh = "{where}：瞬心位置不自动评阅，请由教师核对：{quantities}。"
+
+
 class NotAQuestion(Choice):
     en = "{where}: {given!r} names no quantity of this mechanism and is passed over. {hint}"
     zh = "{where}：{given!r} 不是本机构的量，已略过。{hint}"
+
+
+class BrokenBoard(LocatedError):
+    """The file of a drawing board whose data were cut or changed; `what` is the place in them."""
+
+    what: str
+    en = "{where}: the data of this drawing board are not whole ({what}). Open the file on the board and hand it in anew."
+    zh = "{where}：此画板文件的数据不完整（{what}）。请在画板中打开该文件，重新提交。"
+
+
+class ForeignBoard(LocatedError):
+    en = "{where}: this drawing board is of another problem: its mechanism is not the one that is marked here."
+    zh = "{where}：此画板文件是另一题的：其机构与本题不同。"
 
 
 class NotAnAnswer(AboutText):

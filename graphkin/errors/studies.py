@@ -7,8 +7,8 @@ from graphkin.errors.base import AboutLink, AboutText, Choice, GraphkinError, La
 __all__ = [
     "BadCondition", "BadVelocities", "CannotClose", "CannotDriveBy", "CannotScale", "CouplerChanges", "FrameStands",
     "NegativeSize", "NoBobillier", "NoCentrode", "NoDesign", "NoDimension", "NoFixing", "NoLineOf", "NoLinkage",
-    "NoUnitHere", "NotALength", "NotOnBisector", "NotOneBody", "NotScaled", "OneCondition", "OnePlace", "OnlyStretched",
-    "OtherUnits", "SameWanted", "UnknownCentre", "WantedRange", "WrongNumber",
+    "NoUnitHere", "NotALength", "NotOnBisector", "NotOneBody", "NotScaled", "NothingDrawn", "OneCondition", "OnePlace",
+    "OnlyStretched", "OtherUnits", "SameWanted", "UnknownCentre", "WantedRange", "WrongNumber",
 ]  # fmt: skip
 
 
@@ -21,6 +21,12 @@ class BadCondition(AboutText):
         "{where}：{given!r} 不是一个条件。请写成如 `v C = 0`、`theta 5 = 30`、`omega 2 = omega 3`、`a E > 3 g`、"
         "`max v E`、`range theta 3`、`stroke s ram`、`slowest BC`、`v E = 0.5 by omega 1`。"
     )
+
+
+class NothingDrawn(GraphkinError):
+    of: str
+    en = "{of}: nothing of this kind can be shown so, or it is nowhere. Read its values instead."
+    zh = "{of}：这种结果没有可显示的内容，或不在任何位置。请直接读取其数值。"
 
 
 class OtherUnits(LocatedError):

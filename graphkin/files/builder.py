@@ -21,6 +21,7 @@ Number = float | str  # mm, deg, rad/s as in the file; or a text with a unit
 Point = tuple[float, float]
 
 _M = TypeVar("_M", bound=Mechanism)
+_Value = TypeVar("_Value")
 
 _PLAIN_TABLES = ("frame", "links", "sketch", "scales")
 _TABLES_OF_MANY = ("slide", "gear", "roll", "cam", "driver", "pose")
@@ -41,10 +42,11 @@ class Builder(Generic[Made]):
     >>> four_bar = (
     ...     graphkin.Mechanism.new("four-bar")
     ...     .fix(A=(0, 0), D=(60, 0))
-    ...     .link(1, AB=20).link(2, BC=50).link(3, DC=40)
+    ...     .link(1, AB=20).link(3, DC=40)
+    ...     .link(2, BC=50, BE=30, CBE=40, ccw="BCE")  # seen from above B, C, E run counter-clockwise
     ...     .drive("AB", angle=60, omega=10)
     ...     .sketch(C=(45, 38))
-    ...     .asking("omega 3", "v C")
+    ...     .asking("omega 3", "v E")
     ...     .done()
     ... )
     >>> graphkin.Drawing.of(four_bar).omega["3"]
@@ -54,6 +56,9 @@ class Builder(Generic[Made]):
     name: str
     document: Mapping[str, object]
     read: Callable[..., Made]
+
+    def __repr__(self) -> str:
+        return f"<Builder of {self.name}: {', '.join(self.document)}>"
 
     def titled(self, en: str = "", zh: str = "", source: str = "") -> Self:
         """Its title in both languages, and its source."""
@@ -145,8 +150,12 @@ def _names(points: str | Sequence[object] | None) -> object:
 def changed_text(mechanism: Mechanism, values: Mapping[str, object]) -> str:
     """The mechanism's file with other values, each named as `Mechanism.with_` says. Raises NoSuchValue for a name that
     means nothing in this file, or more than one thing."""
-    changes = {_path(mechanism, tidy(name.strip())): value for name, value in values.items()}
-    return replaced_values(mechanism.text, changes)
+    return replaced_values(mechanism.text, places_of(mechanism, values))
+
+
+def places_of(mechanism: Mechanism, values: Mapping[str, _Value]) -> dict[KeyPath, _Value]:
+    """The values by their places in the file. Raises NoSuchValue."""
+    return {_path(mechanism, tidy(name.strip())): value for name, value in values.items()}
 
 
 def reposed(mechanism: _M, drivers: Sequence[float], poses: Sequence[float], sketch: Mapping[str, complex]) -> _M:

@@ -12,7 +12,7 @@ from graphkin import errors
 from graphkin.base.value import filled
 from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.files.toml import tidied
-from graphkin.model.mechanism import FRAME, Driver, KeyPath, Link, Mechanism
+from graphkin.model.mechanism import EQUATIONS, FRAME, Driver, KeyPath, Link, Mechanism
 from graphkin.model.pairs import Pair
 from graphkin.model.quantities import formed, meant, read
 
@@ -194,7 +194,7 @@ def check_questions(draft: Draft, mechanism: Mechanism) -> None:
         except GraphkinError as problem:
             draft.problems.append(problem.at(draft.where("ask", number)))
     for question in mechanism.worth:
-        if question not in mechanism.ask:
+        if question not in (*mechanism.ask, *EQUATIONS.values()):
             draft.problems.append(errors.UnknownQuantity(draft.where("points", question), question, mechanism.ask))
 
 

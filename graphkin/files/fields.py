@@ -22,13 +22,12 @@ from graphkin.model.mechanism import Dimension
 if TYPE_CHECKING:
     from pydantic_core.core_schema import ValidationInfo
 
-MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
+LENGTH_PATTERN, ANGLE_PATTERN = (rf"^([A-Z][0-9]*'*){{{points}}}$" for points in (2, 3))
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
 QUESTION_PATTERN = "[ ,0-9]"  # every question has one of these; no key that is a word has
 MOST_POINTS = 1e6
 Schema = dict[str, Any]
 """The rule for a value, as pydantic's core or as JSON Schema reads it: `type`, and what belongs to that type."""
-NUMBER: Schema = {"type": ["number", "string"]}  # the rule of JSON Schema for any quantity
 
 _T = TypeVar("_T")
 
@@ -76,14 +75,14 @@ def _of_type(kind: str, expected: type, inner: Schema) -> Schema:
     return _before(checked, inner)
 
 
-def anything(json: Schema) -> FieldKind:
-    """A value that is looked at later."""
-    return FieldKind({"type": "any"}, json)
+def quantity_rule(dimension: Dimension, least: str = "") -> Schema:
+    """Where the JSON Schema has its rule for a quantity, of any size, `above zero` or `from zero` on."""
+    return {"$ref": f"#/$defs/{' '.join([dimension, *least.split()]).replace(' ', '_')}"}
 
 
-def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -> FieldKind:
+def quantity_of(dimension: Dimension, check: Callable[[float], float] = float, least: str = "") -> FieldKind:
     """A number or a text with a unit."""
-    return _kind(lambda value: check(si_quantity(value, dimension)), NUMBER, dimension)
+    return _kind(lambda value: check(si_quantity(value, dimension)), quantity_rule(dimension, least), dimension)
 
 
 def _text(kind: str, read: Callable[[str], str] = values.tidy, **json: str) -> FieldKind:
@@ -141,9 +140,13 @@ def _vector(value: object) -> tuple[str, str]:
 
 
 LENGTH, ANGLE = quantity_of("length"), quantity_of("angle")
-RADIUS, EDGE_RADIUS = quantity_of("length", values.above_zero), quantity_of("length", values.zero_or_more)
+RADIUS = quantity_of("length", values.above_zero, "above zero")
+EDGE_RADIUS = quantity_of("length", values.zero_or_more, "from zero")
+MEASURE = FieldKind({"type": "any"}, {LENGTH_PATTERN: RADIUS.json, ANGLE_PATTERN: quantity_rule("angle", "from zero")})
+"""Lengths and angles of a link, which are looked at later."""
 _ALSO_READER = {"type": "with-info", "function": _guarded(_further_value)}
-ALSO = FieldKind({"type": "function-plain", "function": _ALSO_READER}, NUMBER)
+ALSO = FieldKind({"type": "function-plain", "function": _ALSO_READER},
+                 {"anyOf": [quantity_rule("length"), quantity_rule("angle")]})  # fmt: skip
 SCALE = _kind(values.scale_value, {"type": "number", "exclusiveMinimum": 0})
 FLAG = _kind(_flag, {"type": "boolean"})
 TEXT = _text("text", lambda text: " ".join(text.split()))
@@ -200,9 +203,10 @@ def key(kind: FieldKind, **default: Any) -> Any:
     return field(**default, metadata={"kind": kind})
 
 
-def further(pattern: str, kind: FieldKind) -> dict[str, _T]:
-    """All keys of a table that are not named, by a dictionary; an editor expects this pattern of them."""
-    return field(default_factory=dict, metadata={"further": kind, "pattern": pattern})
+def further(kind: FieldKind, pattern: str = "") -> dict[str, _T]:
+    """All keys of a table that are not named, by a dictionary; an editor expects this pattern, or the kind's own."""
+    rules = {pattern: kind.json} if pattern else kind.json
+    return field(default_factory=dict, metadata={"further": kind, "rules": rules})
 
 
 @dataclass_transform(kw_only_default=True, frozen_default=True, field_specifiers=(key, further))
@@ -216,7 +220,7 @@ def table(cls: type[_T]) -> type[_T]:
     if required := [name for name, each in keys(made).items() if _required(each)]:
         json["required"] = required
     if rest is not None:
-        json["patternProperties"] = {rest.metadata["pattern"]: rest.metadata["further"].json}
+        json["patternProperties"] = rest.metadata["rules"]
     _KINDS[made] = FieldKind(_checking(made, rest), json)
     return cls
 

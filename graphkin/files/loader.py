@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
-from graphkin.errors import Lang
+from graphkin.errors import Lang, NotAMechanism, Where
 from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes
 from graphkin.files.source import Deferred, decoded_text, mechanism_name, read_bytes, read_text, read_toml
 from graphkin.files.toml import Document
@@ -19,6 +19,7 @@ from graphkin.model import mechanism
 if TYPE_CHECKING:
     from graphkin.files.builder import Builder
     from graphkin.files.schema import Titles
+    from graphkin.files.variants import Variants
 
 
 class MechanismFile(mechanism.Mechanism):
@@ -56,6 +57,25 @@ class MechanismFile(mechanism.Mechanism):
 
         return loads(changed_text(self, {**(values or {}), **more}), name=self.name, file=self.file)
 
+    def variants(self, values: Mapping[str, object] | None = None, /, **more: object) -> Variants[MechanismFile]:
+        """Many mechanisms with other numbers in their file, named as in `with_`: arrays (n,), of coordinates
+        (x, y) with arrays in them, or arrays (n, 2); one value is for all of them.
+
+        `variants[k]` is what `with_` gives of the k-th values. `replay`, `motion`, `sweep`, `sweep_many` and
+        `solve_many` take them all at once. Raises UnevenArrays, and NoSuchValue as `with_` does.
+
+        >>> import graphkin
+        >>> import numpy as np
+        >>> inexact = graphkin.load("ex3-1").variants(AB=np.linspace(23.9, 24.1, 1000), omega=10)
+        >>> found = graphkin.replay(inexact)
+        >>> round(float(found.omega["3"].std()), 4), found["a_k B3B2"][:2].magnitude.round(3), len(found.refused)
+        (0.009, array([2.493, 2.493]), 0)
+        """
+        from graphkin.files.builder import places_of
+        from graphkin.files.variants import Variants
+
+        return Variants.of(self, places_of(self, {**(values or {}), **more}), loads)
+
     def to_toml(self) -> str:
         """The mechanism's file: what `graphkin.loads` reads, and `graphkin draw` draws.
 
@@ -90,6 +110,8 @@ def load(source: str | Path) -> MechanismFile:
 
 def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> MechanismFile:
     """The mechanism a text describes; `name` and `file` are what messages and drawings call it."""
+    if not isinstance(text, str):
+        raise NotAMechanism(Where("text"), type(text).__name__)
     document, lines = read_toml(text, file)
     draft = Draft(file, lines)
     return _drawn_up(draft, document, name, text)
@@ -106,6 +128,8 @@ def from_dict(document: Mapping[str, object], *, name: str = "mechanism") -> Mec
     """
     from graphkin.files.toml import toml
 
+    if not isinstance(document, Mapping):
+        raise NotAMechanism(Where("document"), type(document).__name__)
     return loads(toml(document), name=name, file=f"<{name}>")
 
 
@@ -143,15 +167,13 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
     pairs = as_sketched(file, draft.links, pairs, (*drivers, *poses), sketch)
-    slides = [pair.name for pair in pairs if pair.table == "slide"]
-    titled = {name: _titles(table.title) for name, table in zip(slides, file.slide, strict=True)}
+    slides = zip((pair.name for pair in pairs if pair.table == "slide"), file.slide, strict=True)
+    slide_titles = {name: title for name, table in slides if (title := _titles(table.title))}
     machine = MechanismFile(
         name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
         _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
-        slide_titles={name: title for name, title in titled.items() if title},
+        slide_titles=slide_titles, stories=_titles(file.text), given=Deferred(partial(stated_values, document)),
         worth={**dict.fromkeys(file.ask, 1.0), **file.points.worth}, follows=CREDIT[file.points.follows],
-        stories=_titles(file.text),
-        given=Deferred(partial(stated_values, document)),
     )  # fmt: skip
     check_questions(draft, machine)
     draft.stop_if_wrong()

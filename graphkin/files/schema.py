@@ -42,7 +42,7 @@ class FrameTable:
     """`[frame]`: its own name, and the fixed points by theirs."""
 
     name: str = key(fields.LINK_KEY, default="0")
-    points: Mapping[str, Place] = further(fields.POINT_PATTERN, fields.PLACE)
+    points: Mapping[str, Place] = further(fields.PLACE, fields.POINT_PATTERN)
 
 
 @table
@@ -52,7 +52,7 @@ class LinkTable:
     points: Sequence[str] | None = key(fields.list_of(fields.POINT_NAME), default=None)
     ccw: Sequence[Sequence[str]] | None = key(fields.TRIPLES, default=None)
     shape: Mapping[str, Place] | None = key(fields.mapping(fields.POINT_NAME, fields.PLACE), default=None)
-    measures: Mapping[str, object] = further(fields.MEASURE_PATTERN, fields.anything(fields.NUMBER))
+    measures: Mapping[str, object] = further(fields.MEASURE)
 
 
 @table
@@ -148,14 +148,14 @@ class PointsTable:
     """`[points]`: what each question is worth, by its text, and a value that follows rightly from a wrong one."""
 
     follows: Follows = key(fields.FOLLOWS, default="full")
-    worth: Mapping[str, float] = further(fields.QUESTION_PATTERN, fields.WORTH)
+    worth: Mapping[str, float] = further(fields.WORTH, fields.QUESTION_PATTERN)
 
 
 @table
 class SketchTable:
     """`[sketch]`: points by their names."""
 
-    points: Mapping[str, Place] = further(fields.POINT_PATTERN, fields.PLACE)
+    points: Mapping[str, Place] = further(fields.PLACE, fields.POINT_PATTERN)
 
 
 @table

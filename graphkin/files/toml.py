@@ -73,7 +73,7 @@ def value_text(value: object, place: str = "") -> str:
         case Real():
             return repr(float(value))
         case complex():
-            return f"[{value.real!r}, {value.imag!r}]"
+            return f"[{float(value.real)!r}, {float(value.imag)!r}]"
         case str():
             return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
         case date() | datetime() | time():

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from datetime import date, datetime, time
 
 from graphkin import errors
@@ -91,6 +92,16 @@ def si_quantity(value: object, dimension: Dimension) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise errors.WrongType(NOWHERE, "quantity", shown_value(value))
     return read_quantity(value, dimension)
+
+
+def quantity_at(where: str, dimension: Dimension, written: float | str) -> float:
+    """A number of an option or an argument, in mm or deg or with a unit, in SI; what is wrong names that."""
+    with suppress(ValueError, TypeError):
+        written = float(written)
+    try:
+        return read_quantity(written, dimension)
+    except errors.GraphkinError as error:
+        raise error.at(errors.Where(where)) from None
 
 
 def read_quantity(written: float | str, dimension: Dimension) -> float:

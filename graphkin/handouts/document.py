@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label
@@ -59,13 +59,14 @@ class NameLine:
 
 @frozen
 class HandoutPicture:
-    """A drawing in its true size, in words what it shows, and its number: `Fig. 1`; `of_all`: it belongs to the whole
-    problem before it, not to the last section alone."""
+    """A drawing in its true size, in words what it shows, and its number: `Fig. 1`, with a note behind it; `of_all`: it
+    stands between the question of a problem and the room for answers."""
 
     sheet: Sheet
     words: str
     number: str = ""
     of_all: bool = False
+    note: str = ""
 
 
 @frozen
@@ -126,7 +127,7 @@ Block = (
 )  # fmt: skip
 
 
-@frozen
+@bulky
 class Handout:
     """One or several problems, in one language or in both: each begins with a part of its own."""
 

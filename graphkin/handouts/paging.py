@@ -28,13 +28,17 @@ class PagePart:
 
 
 def page_parts(blocks: Sequence[Block]) -> list[PagePart]:
-    """A heading stays with what it heads, a sentence with the formulas, rows, boxes and blanks that it leads to."""
+    """A heading stays with what it heads, a sentence with formulas, rows, boxes and blanks that it leads to; and all
+    of a problem is together, from its title to the room for answers behind its figure."""
     parts: list[PagePart] = []
     first, leads = 0, False  # the first part of what the next drawing belongs to
     for block in blocks:
         follows = isinstance(block, _FOLLOWING)
-        if isinstance(block, document.HandoutPicture) and first < len(parts):
-            parts.append(PagePart((block,), 0 if block.of_all else first))
+        if isinstance(block, document.HandoutPicture) and block.of_all:
+            first = max(n for n, part in enumerate(parts) if getattr(part.blocks[0], "level", 2) == 1)
+            parts[first:] = [PagePart((*(one for part in parts[first:] for one in part.blocks), block))]
+        elif isinstance(block, document.HandoutPicture) and first < len(parts):
+            parts.append(PagePart((block,), first))
             first = len(parts)
         elif first < len(parts) and (leads or follows):
             parts[-1] = PagePart((*parts[-1].blocks, block))
@@ -47,7 +51,7 @@ def page_parts(blocks: Sequence[Block]) -> list[PagePart]:
 
 def _leads(block: Block) -> bool:
     match block:
-        case document.HandoutHeading() | document.NameLine():
+        case document.HandoutHeading() | document.NameLine() | document.HandoutPicture(of_all=True):
             return True
         case document.Paragraph(words):
             return "".join(run.text for run in words).endswith((":", "："))

@@ -5,7 +5,6 @@ After it: the results of drawing and analysis beside each other, and the mistake
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -15,31 +14,33 @@ import numpy as np
 from graphkin.analytic import motion
 from graphkin.api import Drawing, plan
 from graphkin.base import geometry
+from graphkin.base.cache import kept
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Plane
+from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
 from graphkin.homework.grading.keys import key_drawn, paper_scales
+from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.key import Key, columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Centre, read
-from graphkin.model.quantities.reading import respelled
 from graphkin.outputs.letters import lettered
 from graphkin.planning.drawn_position import shown
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 from graphkin.running.drawn_sides import drawn_sides
-from graphkin.say import entry, names
+from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
-from graphkin.say.marks import mistake
+from graphkin.say.marks import mistake_in_signs
 from graphkin.say.numbers import number
 from graphkin.say.problems import posed_entries
-from graphkin.say.reading import Reading, capitalized
+from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
 from graphkin.sheet.lettering import Label, formula, plain
 from graphkin.sheet.paper import KEYS
+from graphkin.sheet.window import constructions
 
 ROOM = complex(160.0, 120.0)  # of any polygon that is drawn as large as a handout draws it [mm]
 
@@ -55,12 +56,18 @@ class Section:
 
 @frozen
 class HandoutProblem:
-    """One problem at its scales, by plane; `whose`: the student it is for, where it is one's own."""
+    """One problem at its scales, by plane; `whose`: the student it is for, where it is one's own; `before`: so many
+    figures stand before it in its handout."""
 
     drawing: Drawing
     scales: Mapping[Plane, float]
     lang: Lang
     whose: str = ""
+    before: int = 0
+
+    def figure(self, number: int) -> str:
+        """`Fig. 2`: the name of a figure, by its number in the problem."""
+        return say("handouts.figure", self.lang, number=self.before + number)
 
     @cached_property
     def _sections(self) -> tuple[Section, ...]:
@@ -79,7 +86,12 @@ class HandoutProblem:
 
     def construction(self, plane: Plane) -> Construction:
         """The construction of a polygon."""
-        return self.drawing.method.velocity if plane == "velocity" else self.drawing.method.acceleration
+        return constructions(self.drawing.method)[plane]
+
+    @cached_property
+    def posed_at(self) -> tuple[Plot, bool] | None:
+        """As `shown_at` has it: the position in which the problem is posed."""
+        return shown_at(self.drawing.method, self.drawing.plot)
 
     @cached_property
     def goal(self) -> SolutionGoal:
@@ -175,7 +187,7 @@ def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
         sizes = (geometry.number(v.value) if v.vector is None else abs(geometry.place(v.vector)) for v in values)
         entry, off = entries.get(text), ""
         if entry is not None and entry.doubt in ("dead point", "too small"):
-            off = say(f"verdicts.verdict {entry.doubt}", problem.lang)
+            off = say(f"handouts.allowed {entry.doubt}", problem.lang)
         elif entry is not None:
             off = f"± {entry.tolerance * unit.factor:.2g}"
         shown = [plain(number(size * unit.factor)) for size in sizes]
@@ -197,7 +209,7 @@ def common_mistakes(problem: HandoutProblem) -> Iterator[Block]:
     for row, made in enumerate(key.singles.names):
         if any(moved[row][asked]):
             first.setdefault(made[0][0], row)
-    common = [first[id] for id in _COMMON if id in first][:_SHOWN]
+    common = [first[id] for id in COMMON if id in first][:_SHOWN]
     if common:
         yield HandoutHeading(plain(say("handouts.common", problem.lang)))
     for row in common:
@@ -220,16 +232,12 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
         if quantity is not None and np.isfinite(value):
             unit = EDGE[quantity.unit]
             shown.append(f"{problem.goal.symbol(quantity)} = {number(value * unit.factor)} {unit.sign}".strip())
-    name = mistake(key.singles.names[row][0], problem.lang)
-    texts = {entry.text for entry in key.entries}
-    signs = respelled(name, lambda text: names.symbols(text) if text in texts else text)
-    raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
-    text = capitalized(raised) if raised[1:2].isalpha() else raised
+    text = mistake_in_signs(key.singles.names[row][0], {entry.text for entry in key.entries}, problem.lang)
     given = say("common.and", problem.lang).join(shown)
     return lettered(say("handouts.gives", problem.lang, mistake=text, values=given), problem.points)
 
 
-_COMMON = (
+COMMON = (
     "coriolis-omitted", "coriolis-reversed", "normal-omitted", "image-mirrored", "image-wrong-point", "wrong-radius",
     "absolute-for-relative", "normal-outward", "omega-sense", "coriolis-half", "wrong-length", "sliding-across",
     "centre-ratio", "arm-ignored", "velocity-along-link", "tangential-along", "driver-along-crank", "conversion",
@@ -237,9 +245,10 @@ _COMMON = (
 """Mistakes of students, the most frequent first."""
 
 
+@kept(4)
 def _key(problem: HandoutProblem) -> Key | None:
-    """The key of the problem; None where nothing is asked that is marked."""
+    """The key of the problem, to be read; None where nothing is asked that is marked."""
     try:
-        return key_drawn(problem.drawing.method)
+        return key_drawn(problem.drawing.method, marks=False)
     except GraphkinError:
         return None

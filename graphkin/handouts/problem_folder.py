@@ -22,15 +22,15 @@ from graphkin.errors import CannotWrite, GraphkinError, Lang, NotASet
 from graphkin.handouts.hand_in import hand_in_page, workbook_rows
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
-from graphkin.handouts.stages import given_figure, handout, scales_to_use
-from graphkin.homework.grading import SetMarker, key_for, set_text
+from graphkin.handouts.stages import figure_of, handout, scales_to_use
+from graphkin.homework.grading import SetMarker, key_for, pencils_of, set_text
 from graphkin.homework.grading.keys import USUAL, Pencils
 from graphkin.homework.grading.sets import TEACHER
 from graphkin.homework.platforms.markup import ZIP_MARKS, pack
 from graphkin.homework.platforms.question import ProblemSet, question_of
 from graphkin.homework.platforms.set_formats import SETS
 from graphkin.homework.platforms.tables import workbook_files
-from graphkin.homework.problems import Template, Variant, drawn_variants
+from graphkin.homework.problems import Template, Variant, drawn_variants, read_template, roster
 from graphkin.marking.discriminability import SetDiscriminability, set_discriminability
 from graphkin.marking.marker import Marker
 from graphkin.marking.power import alarms
@@ -43,19 +43,19 @@ from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.entry import text_lines
 from graphkin.say.problems import MADE
 from graphkin.say.tolerances import discriminability_lines
-from graphkin.submissions import Student
+from graphkin.submissions import Student, worker_pool
 from graphkin.submissions.submission import fingerprint, safe_name
 
 STUDENTS = "students"
 MARK = "graphkin problems"  # by which graphkin knows files of its own, which it writes anew
-PAGE, MECHANISM, KEY = ".html", ".toml", ".key.json"  # each student's
+PAGE, MECHANISM, KEY, BOARD = ".html", ".toml", ".key.json", ".board.html"  # each student's
 HAND_IN, WORKBOOK = "_hand-in.html", "_answers.xlsx"  # no student's file begins so
 TOLD = "set.mistakes.txt"
 LIST = "set.json"  # no student's file has two dots in its name but a key
 _BEGUN = "set.begun.jsonl"  # a line a student whose files are whole; gone when all are
 _AT_ONCE = 8  # students whose files are being written
 _TRIED = 3  # problems whose false alarms are counted
-_MARKS = [MARK.encode(), b'"kind": "graphkin key', b"graphkin handout", *ZIP_MARKS]
+_MARKS = [MARK.encode(), b'"kind": "graphkin key', b"graphkin handout", b"graphkin page", *ZIP_MARKS]
 
 
 @frozen
@@ -88,6 +88,10 @@ class SetOrder:
         teacher = self.folder / TEACHER
         return [self.folder / STUDENTS / f"{name}{PAGE}", teacher / f"{name}{MECHANISM}", teacher / f"{name}{KEY}"]
 
+    def board(self, student: Student) -> Path:
+        """The page with a student's drawing board, where the set has any."""
+        return self.folder / STUDENTS / f"{self.names[student.id]}{BOARD}"
+
 
 @frozen
 class _Whole:
@@ -99,6 +103,18 @@ class _Whole:
 
     def line(self) -> str:
         return json.dumps([self.student, self.numbers, self.rates])
+
+
+def problems(
+    template: str | Path, students: str | int | Path, output: str | Path, *, seed: str = "1", lang: Lang = "en",
+    pencil: str | Sequence[float] | None = None, jobs: int = 0, force: bool = False,
+) -> list[Variant]:  # fmt: skip
+    """Write a problem for each student into a folder, as `graphkin problems` does; students: a roster, or how many."""
+    order = SetOrder(
+        Path(output), read_template(Path(template)), roster(str(students)), seed, lang, pencils_of(pencil), force
+    )
+    with worker_pool(jobs) if jobs > 1 else contextlib.nullcontext() as executor:
+        return [one for one in write_problems(order, executor) if isinstance(one, Variant)]
 
 
 def write_problems(order: SetOrder, executor: Executor | None = None) -> Iterator[Variant | Path]:
@@ -130,7 +146,8 @@ def write_problems(order: SetOrder, executor: Executor | None = None) -> Iterato
             yield variant
     _write_common(order, [variants[student.id] for student in order.students], whole)
     begun.unlink(missing_ok=True)
-    gone = [path for name in sorted(listed - {*order.names.values()}) for path in order.files(name)]
+    left = sorted(listed - {*order.names.values()})
+    gone = [path for name in left for path in (*order.files(name), order.folder / STUDENTS / f"{name}{BOARD}")]
     for path in filter(_is_own, gone):
         path.unlink()
         yield path
@@ -268,9 +285,9 @@ def problem_set(template: Template, variants: Iterable[Variant], judge: SetMarke
         marker = judge.marker(variant.student.id)
         assert marker is not None, "the set has a key for each of its students"
         problem = drawn_problem(variant.mechanism, lang, _called(variant.student))
-        picture, there = given_figure(problem)
+        picture = figure_of(problem)
         lines = [line.strip() for line in text_lines(problem.posed, lang)]
-        lines += () if there else (say("problems.figure elsewhere", lang),)
+        lines += (picture.note,)
         scales = "".join(sign.plain for sign in signs(scales_to_use(problem)))
         lines += (scales, say("platforms.answers", lang))
         text, figure = "\n".join(filter(None, lines)), inline(picture.sheet).encode()

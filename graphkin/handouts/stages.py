@@ -15,7 +15,6 @@ from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
 from graphkin.handouts.worksheet import answer_boxes, empty_rows, measured, room, worth
-from graphkin.homework.problems.posed import shown_at
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.letters import lettered
 from graphkin.say import entry
@@ -24,8 +23,9 @@ from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
-from graphkin.sheet.paper import written
+from graphkin.sheet.paper import finest, written
 
+_HIGH, _LOW, _LINE, _ROW = 200.0, 70.0, 6.2, 7.5  # of a page but for a problem's lines and answers, and of each [mm]
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
@@ -52,11 +52,15 @@ def handout(
         numbers = range(number or 1, (number or 1) + len(problems))
     contents = say("handouts.contents", lang) if len(problems) > _NO_LIST else ""
     blocks: list[Block] = []
+    before = 0  # so many figures: those of several problems are numbered through, but each student's own
     for k, (problem, own_number) in enumerate(zip(problems, numbers, strict=True)):
         blocks += [document.NewPage(duplex)] if k or contents else []
         own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
         said = " · ".join(filter(None, (problem.whose, own)))
-        blocks += _numbered(_staged(problem, stage, upto), lang, own_number, said)
+        own_problem = replace(problem, before=before)
+        staged = [*_numbered(own_problem, stage, upto, own_number, said)]
+        before += 0 if problem.whose else sum(isinstance(block, document.HandoutPicture) for block in staged)
+        blocks += staged
     if answers:
         blocks += [document.NewPage(duplex), document.HandoutHeading(plain(say("handouts.answers", lang)), 1)]
         for problem, own_number in zip(problems, numbers, strict=True):
@@ -84,23 +88,18 @@ def in_languages(
     return replace(first, blocks=tuple(blocks))
 
 
-def _numbered(blocks: Iterator[Block], lang: Lang, number: int, said: str) -> Iterator[Block]:
-    """A problem whose title bears its number, and whose figures are numbered."""
+def _numbered(problem: HandoutProblem, stage: Stage, upto: int, number: int, said: str) -> Iterator[Block]:
+    """A problem at a stage, whose title bears its number, and whose figures are numbered."""
     figures = 0
-    for block in blocks:
+    for block in _staged(problem, stage, upto):
         match block:
             case document.HandoutHeading(words, 1):
-                yield replace(block, words=(*plain(_titled("", lang, number)), *words), said=said)
+                yield replace(block, words=(*plain(_titled("", problem.lang, number)), *words), said=said)
             case document.HandoutPicture():
                 figures += 1
-                yield replace(block, number=figure_name(lang, figures))
+                yield replace(block, number=problem.figure(figures) + block.note)
             case _:
                 yield block
-
-
-def figure_name(lang: Lang, number: int) -> str:
-    """`Fig. 2`."""
-    return say("handouts.figure", lang, number=number)
 
 
 def _titled(title: str, lang: Lang, number: int) -> str:
@@ -117,11 +116,11 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
         case "problem":
             yield from posed(problem)
         case "blank":
-            yield from posed(problem, to_draw=True)
-            for plane in problem.polygons:
+            yield from posed(problem)
+            elsewhere: tuple[Plane, ...] = () if problem.posed_at is None or problem.posed_at[1] else ("position",)
+            for plane in (*elsewhere, *problem.polygons):
                 yield from _worksheet(problem, plane)
         case "half":
-            yield from posed(problem, to_draw=True)
             yield from _half(problem, upto)
         case "solution":
             yield from _solution(problem)
@@ -130,37 +129,36 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
 
 
 def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
-    """Empty equations, gridded paper with the pole, a table to measure into: where that paper is tall, before it."""
+    """Empty equations, gridded paper with the pole, a table to measure into: where paper is tall, before it. Of the
+    mechanism that paper alone."""
     yield document.NewPage()
     yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
-    for _ in problem.construction(plane).equations[:MOST_EQUATIONS]:
-        yield empty_rows(problem, terms=TERMS[plane])
+    drawn = plane == "position"
+    entries = (each for section in problem.parts if section.plane == plane for each in section.entries)
+    equations = [each for each in entries if isinstance(each, entry.VectorEquation)]
+    for _ in () if drawn else problem.construction(plane).equations[:MOST_EQUATIONS]:
+        yield empty_rows(problem, equations, TERMS[plane])
     grid = room(problem, plane)
     tall = grid.height > ROOM.imag
-    yield from [measured(problem, 1, grid.width)] if tall else []
-    before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
+    yield from [measured(problem, 1, grid.width)] if tall and not drawn else []
+    before, after = say("handouts.draw here", problem.lang, which=drawn, scale="\0").split("\0")
     yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
     yield grid
-    yield from [] if tall else [measured(problem, 3, grid.width)]
+    yield from [] if tall or drawn else [measured(problem, 3, grid.width)]
 
 
-def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
-    """The data and the question, the mechanism to scale, the scales to use, boxes for the answers.
-
-    to_draw  there is room to draw below: the figure stands where it is asked for, whatever could be measured on it
-    """
+def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None) -> Iterator[Block]:
+    """The data and the question, the scales to use, the mechanism, boxes for the answers."""
     yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
     if not problem.whose:
         blanks = ("name", "student number", "class")
         yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang).capitalize() for key in blanks))
     blocks = [*blocks_of(problem.posed, problem.lang, problem.points)]
     first = next((k for k, block in enumerate(blocks) if isinstance(block, document.HandoutHeading)), 0)
-    sentence = say("handouts.see figure", problem.lang, figure=figure_name(problem.lang, 1))
+    sentence = say("handouts.see figure", problem.lang, figure=problem.figure(1))
     yield from (*blocks[:first], document.Paragraph(plain(sentence)), *blocks[first:])
-    picture, there = given_figure(problem, to_draw)
-    yield picture
-    yield from () if there else (document.Paragraph(plain(say("problems.figure elsewhere", problem.lang))),)
     yield document.Paragraph(scales_to_use(problem))
+    yield figure or figure_of(problem)
     if problem.asked.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield answer_boxes(problem)
@@ -171,24 +169,41 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
 def scales_to_use(problem: HandoutProblem) -> Label:
     """Those of the mechanism and of the polygons that are drawn, as a sentence."""
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    before, between = (say(key, problem.lang) for key in ("common.colon", "common.semicolon"))
-    scales = joined([written(plane, problem.scales[plane]) for plane in planes], between)
-    return (*plain(say("handouts.scales", problem.lang) + before), *scales)
+    scales = joined([written(plane, problem.scales[plane]) for plane in planes], say("common.semicolon", problem.lang))
+    before, after = say("handouts.scales", problem.lang, scales="\0").split("\0")
+    return (*plain(before), *scales, *plain(after))
 
 
-def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[document.HandoutPicture, bool]:
-    """The mechanism with what is given; a student's own not where what is asked could be measured on it, if it gets
-    anywhere else. And whether it is where it is asked for."""
-    method, plot = problem.drawing.method, problem.drawing.plot
-    shown = shown_at(method, plot) if problem.whose and not to_draw else None
-    if shown is None or shown[1]:
-        return _figure(problem, "position", "given"), True
-    return _figure(replace(problem, drawing=replace(problem.drawing, plot=shown[0])), "position", "given"), False
+def figure_of(problem: HandoutProblem, solved: bool = False) -> document.HandoutPicture:
+    """The mechanism with what is given, so large that the problem has room on its page; with a note where it stands
+    elsewhere, as what is asked could be measured on it, or is smaller.
+
+    solved  its position is drawn here: it stands where that is, with all that is drawn of it if there is room
+    """
+    method, shown = problem.drawing.method, None if solved else problem.posed_at
+    there = shown is None or shown[1]
+    if shown is not None:
+        problem = replace(problem, drawing=replace(problem.drawing, plot=shown[0]))
+    figure = _figure(problem, "position", "construction" if solved else "given")
+    notes = [] if there else [say("handouts.elsewhere", problem.lang)]
+    least = max(_LOW, _HIGH - _LINE * len(problem.posed) - _ROW * len(problem.asked.wanted))
+    if (high := figure.sheet.paper.height) > least:
+        scale = finest(complex(0, high * problem.scales["position"]), complex(1, least))
+        machine = replace(method.mechanism, scales={**method.mechanism.scales, "length": scale})
+        reduced = replace(problem.drawing, mechanism=machine, method=replace(method, mechanism=machine))
+        figure = _figure(replace(problem, drawing=reduced), "position", "given")
+        notes.append(say("handouts.smaller", problem.lang))
+    note = say("common.note", problem.lang, note=say("common.semicolon", problem.lang).join(notes)) if notes else ""
+    return replace(figure, of_all=True, note=note)
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
-    """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and it, empty."""
-    last, figures = 0, 1
+    """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and it, empty.
+    The figure of the problem serves the solution, too, unless it is smaller."""
+    figure = figure_of(problem, solved=True)
+    whole = figure.sheet.scales["position"] == problem.scales["position"]
+    yield from posed(problem, figure)
+    last, figures = 0, 0 if whole else 1
     for section, following in problem.upto(upto):
         entries, lead = section.entries, tuple[entry.Entry, ...]()
         if following is not None and entries and isinstance(entries[-1], entry.Sentence):
@@ -197,12 +212,12 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
         last = max([last, *(act.page for act in acts if act is not None)])
         figures += section.plane is not None
         yield from _section(problem, replace(section, entries=entries), figures)
-        if section.plane is not None:
+        if section.plane is not None and not (whole and section.plane == "position"):
             yield _figure(problem, section.plane, "construction", last)
         if following is not None:
-            yield from blocks_of(lead, problem.lang, problem.points)
             yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
-            yield empty_rows(problem, following)
+            yield from blocks_of(lead, problem.lang, problem.points)
+            yield empty_rows(problem, [following])
             yield measured(problem, 2)
 
 
@@ -226,7 +241,7 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
 def _section(problem: HandoutProblem, section: Section, figure: int = 0) -> Iterator[Block]:
     """A section under its heading, which names the figure that goes with it."""
     lang = problem.lang
-    reference = say("handouts.with figure", lang, figure=figure_name(lang, figure)) if section.plane else ""
+    reference = say("handouts.with figure", lang, figure=problem.figure(figure)) if section.plane else ""
     yield document.HandoutHeading(plain(section.heading + reference))
     yield from blocks_of(section.entries, lang, problem.points)
 
@@ -266,4 +281,4 @@ def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | Non
         drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
     words = say(key, lang, what=HEADINGS[lang][plane], title=problem.title)
-    return document.HandoutPicture(drawn, words, of_all=style == "given")
+    return document.HandoutPicture(drawn, words)

@@ -27,7 +27,7 @@ _LATIN = ("Times New Roman", "Liberation Serif", "Tinos", "Libertinus Serif")
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
 _ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
-_BOUND = re.compile(r"(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|rad|deg|in|ft)\b)")  # spaces at which no line ends
+_BOUND = re.compile(r"^ (?== [−\d])|(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|rad|deg|in|ft)\b)")
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
 _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
@@ -55,6 +55,7 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
   breakable: breakable, width: 100%, above: above, below: 0mm, body)
 #let foot = state("foot", (bar: "", words: ""))
 #let said = state("said", "")
+#let named = state("named", "")
 #let bar(words) = {{
   set text(size: 7pt)
   stack(dir: ttb, spacing: 1mm,
@@ -76,6 +77,10 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 }}
 #set page(width: {width}mm, height: {height}mm, margin: (x: {margin}mm, top: {top}mm, bottom: {bottom}mm),
   background: {background},
+  // each further page of what is handed in has a line for the name
+  header: context if named.get() != "" and query(<named>).all(it => it.location().page() != here().page()) {{
+    align(right, text(size: 8pt, named.get()) + h(2mm) + box(width: 45mm, stroke: (bottom: 0.18mm)))
+  }},
   footer: context {{
     set text(size: 8pt)
     grid(columns: (1fr, auto), align: (left + bottom, right + bottom),
@@ -224,13 +229,15 @@ def _side(scan: int | None) -> float:
 def _markup(block: Block, pictures: Pictures, wide: float) -> str:
     """A block in typst's markup; drawings are kept under the names by which it asks for them; wide: the page [mm]."""
     match block:
-        case document.HandoutHeading(words, level, said):  # with what the feet say from here on
-            foot = f"#said.update({_string(' · ' + said)})\n" if said else ""
+        case document.HandoutHeading(words, level, said):  # with what feet and heads say from here on
+            foot = f"#said.update({_string(said and ' · ' + said)})\n#metadata(none)<named>\n#named.update(\"\")\n"
+            foot = foot if level == 1 else ""
             return f"{foot}#heading(level: {level})[{_words(words)}]\n"
         case document.NameLine(words):
             rules = "".join(f"[#{_string(word)}], line(length: 100%, stroke: 0.18mm), " for word in words)
             shape = f"columns: (auto, 1fr) * {len(words)}, align: bottom, column-gutter: 2mm"
-            return f"#block(above: 4mm, below: 4mm, grid({shape}, {rules}))\n"
+            head = f"#metadata(none)<named>\n#named.update({_string(words[0])})\n"
+            return f"{head}#block(above: 4mm, below: 4mm, grid({shape}, {rules}))\n"
         case document.Paragraph(words, act):
             number = f"#act({_string(act)}) " if act else ""
             return f"#par[{number}{_words(words)}]\n"
@@ -238,7 +245,7 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
             return f"#pad(left: 8mm, par[{_words(words)}])\n"
         case document.TermRows():
             return f"#block(breakable: false, pad(left: 8mm, {_rows(block, wide)}))\n"
-        case document.HandoutPicture(sheet, words, number, _):
+        case document.HandoutPicture(sheet, words, number):
             image = _image(pictures, svg(sheet), sheet.paper.width, words)
             return f"#figure({image}, caption: [#{_string(number)}], numbering: none, gap: 2mm)\n"
         case document.GridRoom():
@@ -264,13 +271,15 @@ def _rows(rows: document.TermRows, wide: float) -> str:
 
 
 def _table(table: document.HandoutTable, wide: float) -> str:
-    """A table whose heads do not break; under gridded paper it ends where that ends."""
+    """A table whose heads do not break, as high as its cells need; under gridded paper it ends where that ends."""
     cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
     first = ", ".join(f"[{_words(head)}]" for head in table.heads)
     room = table.under or min(30.0 * len(table.heads), wide - 10)
     least = [width(head, _LETTERS) + _INSET for head in table.heads]
+    wraps = any(width(cell, _LETTERS) + _INSET > room / len(least) for row in table.rows for cell in row)
     columns = ", ".join("1fr" if each < room / len(least) else f"{mm(each)}mm" for each in least)
-    shape = f"columns: ({columns}), rows: {mm(_ROW)}mm, align: center + horizon, stroke: 0.18mm"
+    rows = "auto" if wraps else f"{mm(_ROW)}mm"
+    shape = f"columns: ({columns}), rows: {rows}, align: center + horizon, stroke: 0.18mm"
     place = "center" if table.under else "left"
     return f"align({place}, block(width: {mm(room)}mm, table({shape}, table.header({first}), {', '.join(cells)})))"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import hashlib
 import math
+from collections.abc import Sequence
 
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
@@ -12,11 +13,13 @@ from graphkin.construction import LayOff, Plane
 from graphkin.handouts.document import GridRoom, HandoutTable, TermRows
 from graphkin.handouts.problem import ROOM, HandoutProblem
 from graphkin.marking.answers import asked_of
-from graphkin.model.quantities import EDGE, Centre, Rotation, at_position
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import EDGE, Centre, Moving, Rotation, Track, at_position
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
 from graphkin.say.problems import positions
 from graphkin.sheet.lettering import Label, formula, plain, point_label
+from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.window import corners
 
 _MORE = 1.2
@@ -28,19 +31,29 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
     """The same room for every problem, with the pole somewhere, by lot, from where its polygon has room: neither tells
     anything of the polygon. Where a scale of the file's own makes that larger, the box of the polygon and a fifth more.
     """
-    construction, points = problem.construction(plane), problem.drawing.plot.points(plane)
-    names = (construction.pole, *construction.nodes)
-    low, high = corners([place(points[name]) / problem.scales[plane] for name in names if name in points])
+    machine, points = problem.drawing.mechanism, problem.drawing.plot.points(plane)
+    construction = problem.construction(plane)
+    steps, names = construction.steps, (construction.pole, *construction.nodes)
+    if plane == "position":  # from the first fixed point, with the direction of +x
+        steps, names = (), (next(iter(machine.named(FRAME)), ""), *machine.points)
+    pole = names[0]
+    start = points.get(pole, 0j)
+    places = [place(points[name]) for name in names if name in points]
+    if plane == "position":  # with wheels, as far as these have room
+        for at in mechanism_places(problem.drawing.method, problem.drawing.plot):
+            size = (corners([*places, at])[1] - corners([*places, at])[0]) / problem.scales[plane]
+            places += [at] if max(size.real / ROOM.real, size.imag / ROOM.imag) < 1 / _MORE else []
+    low, high = corners([(at - place(start)) / problem.scales[plane] for at in places])
     wide, tall = _whole((high - low).real, ROOM.real), _whole((high - low).imag, ROOM.imag)
-    right, up = (byte / 255 for byte in hashlib.sha256((problem.drawing.mechanism.text + plane).encode()).digest()[:2])
-    pole = complex(_placed(low.real, high.real, wide, right), tall - _placed(low.imag, high.imag, tall, up))
+    right, up = (byte / 255 for byte in hashlib.sha256((machine.text + plane).encode()).digest()[:2])
+    at = complex(_placed(low.real, high.real, wide, right), tall - _placed(low.imag, high.imag, tall, up))
     direction = 0.0
-    for step in construction.steps:  # the first arrow that is laid off is given with the driver
+    for step in steps:  # the first arrow that is laid off is given with the driver
         if isinstance(step, LayOff) and abs(arrow := place(points[step.term.head] - points[step.term.tail])) > 0:
             direction = cmath.phase(arrow) % math.pi
             break
-    mark = plain(f"{round(math.degrees(direction), 1):g}°")
-    return GridRoom(wide, tall, pole, point_label(construction.pole), direction, mark)
+    mark = point_label("x") if plane == "position" else plain(f"{round(math.degrees(direction), 1):g}°")
+    return GridRoom(wide, tall, at, point_label(pole), direction, mark)
 
 
 def _placed(low: float, high: float, room: float, lot: float) -> float:
@@ -54,14 +67,13 @@ def _whole(length: float, usual: float) -> float:
     return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
 
 
-def empty_rows(problem: HandoutProblem, equation: VectorEquation | None = None, terms: int = 3) -> TermRows:
-    """Lines to write an equation on: as many terms as it has, or as any may have."""
+def empty_rows(problem: HandoutProblem, equations: Sequence[VectorEquation], terms: int = 0) -> TermRows:
+    """Lines to write an equation on: with the sides of the longest of these, which have at least so many terms."""
     lang = problem.lang
     heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
     columns: list[tuple[Label, Label, Label] | None] = []
-    sides = [len(side) for side in equation.sides] if equation is not None else [1, terms - 1]
-    if equation is not None and equation.front:
-        sides = [1, *sides]
+    every = [[*([1] if each.front else []), *map(len, each.sides)] for each in equations]
+    sides = max([1, terms - 1], *every, key=sum)
     for k, count in enumerate(sides):
         columns += [(plain("="), (), ())] if k else []
         for n in range(count):
@@ -77,12 +89,15 @@ def measured(problem: HandoutProblem, count: int, under: float = 0.0) -> Handout
 
 @frozen
 class AnswerRow:
-    """A place for an answer: `ω3 #2`, its unit, whether it has a sense, and what it is worth."""
+    """A place for an answer: `ω3 #2`, its unit, whether it has a sense, a direction or two coordinates, and what it is
+    worth."""
 
     symbol: str
     unit: str
     turns: bool
     points: str
+    directed: bool = False
+    is_place: bool = False
 
 
 def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
@@ -92,10 +107,11 @@ def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
     for at in range(1, 2 + positions(mechanism)):
         for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
             if quantity is not None:
-                unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
+                unit = EDGE[quantity.unit].sign
                 turns = isinstance(quantity, Rotation) and quantity.word != "theta"
                 symbol = at_position(problem.goal.symbol(quantity), at)
-                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, "")))
+                kinds = isinstance(quantity, Moving), isinstance(quantity, Centre | Track)
+                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, ""), *kinds))
     return rows
 
 
@@ -108,11 +124,13 @@ def worth(problem: HandoutProblem) -> str:
 
 
 def answer_boxes(problem: HandoutProblem) -> HandoutTable:
-    """A box an answer, with its unit, and one for the sense where it has one; what it is worth, where that differs."""
+    """A box an answer, with its unit, and one for sense or direction where it has any; what it is worth, where that
+    differs."""
     rows = answer_rows(problem)
-    columns = ["quantity", "answer", "unit", "sense", "points"]
+    columns = ["quantity", "answer", "unit", "direction" if any(row.directed for row in rows) else "sense", "points"]
     end = None if problem.whose or worth(problem) else -1
-    labels = [(formula(row.symbol), (), plain(row.unit), () if row.turns else plain("—"), plain(row.points))
-              for row in rows]  # fmt: skip
+    labels = [(formula(row.symbol), plain("(\u2003\u2003\u2002, \u2003\u2003\u2002)" if row.is_place else ""),
+               plain(row.unit), plain("" if row.turns else "\u2003\u2003\u2003°" if row.directed else "—"),
+               plain(row.points)) for row in rows]  # fmt: skip
     heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
     return HandoutTable(heads[:end], tuple(row[:end] for row in labels))

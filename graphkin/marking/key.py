@@ -12,7 +12,7 @@ from typing import Literal
 
 import numpy as np
 
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 
 Sort = Literal["sense", "size", "angle"]
 Doubt = Literal["", "steep", "dead point", "too small"]
@@ -114,7 +114,7 @@ class KeyStep:
     gives: tuple[str, ...]
 
 
-@frozen
+@bulky
 class Key:
     """A problem's key.
 

@@ -30,10 +30,11 @@ _FAILED = 0.05  # where the links do not meet in a larger part of the drawings, 
 _NOTHING = 1e-9  # a value that is a smaller part of the largest of its kind is 0
 
 
-def make_key(method: Method, marking: Marking, quantities: Sequence[Quantity] = ()) -> Key:
+def make_key(method: Method, marking: Marking, quantities: Sequence[Quantity] = (), marks: bool = True) -> Key:
     """The key of a mechanism at its drawn position.
 
     quantities  further ones that may be handed in, beside what is asked and what is met on the way
+    marks       it marks work; else it is read only, and of mistakes it has the values alone, not what a pencil adds
     """
     mechanism, plot = method.mechanism, replay_all(method)
     asked = asked_of(mechanism)
@@ -64,7 +65,8 @@ def make_key(method: Method, marking: Marking, quantities: Sequence[Quantity] = 
     title = {str(lang): text for lang, text in mechanism.title.items()}
     return Key(
         mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(mechanism),
-        _together(drawn), hypotheses_of(method, plot, every, entries, marking, singles), title, steps_of(method),
+        _together(drawn), hypotheses_of(method, plot, every, entries, marking if marks else None, singles), title,
+        steps_of(method),
     )  # fmt: skip
 
 
@@ -222,13 +224,16 @@ def _correlated(ranks: np.ndarray) -> np.ndarray:
 
 
 def hypotheses_of(
-    method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[KeyEntry], marking: Marking,
+    method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[KeyEntry], marking: Marking | None,
     columns: Sequence[tuple[Rewrite, ...]],
 ) -> Hypotheses:  # fmt: skip
     """The outcomes of mistakes, those of a column made together. Rows that say the same are kept: they are one set."""
     if not columns:
         return Hypotheses((), np.empty((0, len(entries))), np.empty((0, len(entries))))
     values = combined(method, plot, quantities, columns).values
+    names = tuple(tuple(rewrite.name for rewrite in column) for column in columns)
+    if marking is None:
+        return Hypotheses(names, values, np.full(values.shape, np.nan))
     drawings = drawings_of(method, marking, _FEWER)
     sorts = [entry.sort for entry in entries]
     sizes = np.array([sort == "size" for sort in sorts], dtype=bool)
@@ -254,7 +259,6 @@ def hypotheses_of(
     # what a mistake leaves as it is scatters as it does: few drawings say little of that near a dead point
     scatters = np.where(untouched, [entry.scatter for entry in entries], scatters)
     scatters = np.where(np.isfinite(values), scatters, np.nan)
-    names = tuple(tuple(rewrite.name for rewrite in column) for column in columns)
     return Hypotheses(names, values, scatters, together)
 
 

@@ -16,6 +16,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.marking.after_mistake import aftermath
 from graphkin.marking.answers import readable
+from graphkin.marking.board_marks import board_marks
 from graphkin.marking.carried import Carried, CarriedProblem
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import SLIP, Diagnosis, Diagnostician
@@ -204,7 +205,7 @@ class Marker:
         diagnosed: Sequence[Diagnosis], costs: np.ndarray,
     ) -> AfterMistake:  # fmt: skip
         """Of the values that a student's named mistakes explain all follow but one for each: the first in costs that it
-        moves."""
+        moves. What is far from what own values give, but nearer to the mistake, is said of this."""
         explains, left = np.zeros_like(wrong), (wrong & ~carried.agrees) | astray
         values = np.full(given.shape, np.nan)
         named = [k for k, one in enumerate(diagnosed) if one.explanations]
@@ -217,13 +218,17 @@ class Marker:
             values[drawn] = outcomes.values
             explains[drawn] |= self.problem.near(given[drawn], outcomes.values) & wrong[drawn]
             explains[drawn] |= outcomes.turned & astray[drawn]
-        explains &= left
+        with np.errstate(invalid="ignore"):
+            off = np.abs(given - carried.values)
+            nearer = carried.agrees & (off > self.table.tolerance) & (np.abs(given - values) < off)
+        both, explains = explains & nearer, explains & left
         first = np.zeros_like(wrong)
         for k in named:
             for name in diagnosed[k].likeliest:
                 own = explains[k] & ~first[k] & (self._moved_by.get(name, True) | astray[k])
                 if own.any():
                     first[k, np.where(own, costs[k], np.inf).argmin()] = True
+        explains |= both
         return AfterMistake(values, explains, explains & (given != 0) & ~first)  # nothing is gained by nought
 
     @cached_property
@@ -298,7 +303,9 @@ class Marker:
         if astray and not diagnosis.explanations:
             first = min(astray, key=lambda n: self._ranks[n])
             departure = Departure(self.key.entries[first].text, *self._order[first].names())
-        return Marked(work.student, tuple(judged.values()), diagnosis, departure)
+        board = board_marks(self.method, self.plot, self.problem.arrows, work)
+        lines = (*judged.values(), *board.lines)
+        return Marked(work.student, lines, diagnosis, departure, board.faults, board.step)
 
     def _judged(
         self, work: StudentWork, entry: KeyEntry, n: int, given: float, right: bool, sense_only: bool, carried: Carried,

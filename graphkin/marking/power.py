@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import Explainer
 from graphkin.marking.discriminability import Observed, observed
@@ -49,7 +49,7 @@ class MistakePower:
         return self.observed is not None and self.observed.tellable
 
 
-@frozen
+@bulky
 class Power:
     """The power of a problem to tell mistakes.
 

@@ -51,7 +51,7 @@ def read_off(
     plot   the right one, for the lengths of links
     drawn  points by plane and letter, SI, from any of them
     """
-    own = _OwnPoints(method, plot, drawn)
+    own = OwnPoints(method, plot, drawn)
     rates = dict(own.rates())
     values = {quantity.text: own.value(quantity, rates, arrows) for quantity in quantities}
     whole = {text: value for text, value in values.items() if value is not None}
@@ -76,7 +76,7 @@ def pointing(
     # own rotations: as they are written, for all links that turn together; else as the drawing shows them
     base = {link: turn.base for link, turn in plot.facts.turns.items()}
     in_words = {(rotation.word, base.get(rotation.link)) for rotation in written}
-    for (word, link), value in _OwnPoints(method, plot, drawn).rates():
+    for (word, link), value in OwnPoints(method, plot, drawn).rates():
         shown = readable(method.mechanism, f"{word} {link}")
         if math.isfinite(value) and isinstance(shown, kinds.Rotation) and (word, base[link]) not in in_words:
             own[shown] = value
@@ -93,7 +93,7 @@ def pointing(
 
 
 @frozen
-class _OwnPoints:
+class OwnPoints:
     """A student's points, and the right lengths of links."""
 
     method: Method
@@ -144,17 +144,18 @@ class _OwnPoints:
                 top, bottom = (self.value(half, rates, arrows) for half in quantity.halves)
                 return top / bottom if top is not None and bottom else None
             case kinds.Component():
-                vector = self._vector(quantity.whole, arrows)
+                vector = self.vector(quantity.whole, arrows)
                 return None if vector is None else number(on_axis(vector, quantity.axis))
             case kinds.Moving():
-                vector = self._vector(quantity, arrows)
+                vector = self.vector(quantity, arrows)
                 return None if vector is None else abs(vector)
             case kinds.Displacement() | kinds.Place() | kinds.Track() | kinds.Centre():
                 return None
             case _:
                 assert_never(quantity)
 
-    def _vector(self, quantity: kinds.Moving, arrows: ArrowPlaces) -> complex | None:
+    def vector(self, quantity: kinds.Moving, arrows: ArrowPlaces) -> complex | None:
+        """A vector as it is drawn."""
         of = arrows.of(quantity)
         if of is None or (arrow := self.arrow(of[0])) is None:
             return None

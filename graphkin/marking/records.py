@@ -6,12 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from typing import Literal
 
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError
 from graphkin.marking.diagnosis import SLIP, Diagnosis, Explanation, Trace, added
 from graphkin.marking.key import Name
+from graphkin.model.mechanism import EQUATIONS
 from graphkin.model.quantities import at_position, position_of
+from graphkin.submissions.submission import BoardWork
 
 Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small", "not read"]
 """The last three count nothing either way: values that paper cannot tell, and one that only the teacher can read."""
@@ -41,11 +43,13 @@ class StudentWork:
     """The work of one student: numbers by quantity, as quantities are read.
 
     unread  answers in which no number was found, as they were written
+    board   the equations and the steps of a drawing board
     """
 
     student: str
     numbers: Mapping[str, HandedNumber]
     unread: Mapping[str, str] = field(default_factory=dict)
+    board: BoardWork | None = None
 
 
 @frozen
@@ -79,6 +83,52 @@ class Judged:
     written: str = ""
     of_mistake: bool = False
 
+    @property
+    def of_equations(self) -> bool:
+        """True of the choices in vector equations, which are counted."""
+        return self.text in EQUATIONS.values()
+
+
+@frozen
+class EquationFault:
+    """A choice in a vector equation that is not right.
+
+    row      "direction" or "magnitude"
+    written  the token that was chosen, "" where none was; right: one that is
+    sense    the line is right, and its sense is wrong or is not said
+    """
+
+    plane: Plane
+    equation: int
+    term: str
+    row: str
+    written: str
+    right: str
+    sense: bool = False
+
+
+@frozen
+class StepDeparture:
+    """The first step of a drawing that leaves the right way.
+
+    step   its number; plane: where it was drawn
+    kind   "through", "direction" or "line" of a line; "length", "reversed", "turned", "tail" or "ends" of an
+           arrow; "tip", "crossing" or "image" of a point
+    what   the arrow or the point it draws; of a line its direction as a token, of one drawn in another direction the
+           point that it goes through
+    drawn, right   what was taken, "" where that has no name, and what is right: a point, a direction as a token or an
+                   angle [deg], a length [mm]
+    line   of "line": the right direction as a token
+    """
+
+    step: int
+    plane: Plane
+    kind: str
+    what: str
+    drawn: str = ""
+    right: str = ""
+    line: str = ""
+
 
 @frozen
 class Departure:
@@ -93,12 +143,14 @@ class Departure:
 @frozen
 class Marked:
     """A student's verdicts, and the mistakes behind the wrong values; where nothing explains them, where they leave
-    the right way."""
+    the right way. Of a drawing board the choices that are not right, and the step that leaves the right way."""
 
     student: str
     judged: tuple[Judged, ...]
     diagnosis: Diagnosis
     departure: Departure | None = None
+    faults: tuple[EquationFault, ...] = ()
+    step: StepDeparture | None = None
 
     @property
     def score(self) -> float | None:
@@ -112,7 +164,7 @@ class Marked:
 Drawn = Mapping[Plane, Mapping[str, complex]]  # points of a drawing by plane and letter, SI, from any of them
 
 
-@frozen
+@bulky
 class Graded:
     """The outcome of one submission.
 
@@ -124,6 +176,7 @@ class Graded:
     prints    fingerprints of what was handed in, of how it was read, of what was asked, and of the key; empty where it
               is to be tried again
     remarks   for the teacher alone: what should be looked at
+    board     the equations and the steps of a drawing board
     """
 
     student: str
@@ -135,10 +188,12 @@ class Graded:
     drawn: Drawn = field(default_factory=dict)
     prints: tuple[str, ...] = ()
     remarks: tuple[GraphkinError, ...] = ()
+    board: BoardWork | None = None
 
 
 def by_position(work: StudentWork, count: int) -> list[StudentWork]:
-    """The numbers of each position, under the names they have there; of one that there is not, they are dropped."""
+    """The numbers of each position, under the names they have there; of one that there is not, they are dropped. A
+    board is of the first."""
     numbers_at: list[dict[str, HandedNumber]] = [{} for _ in range(count)]
     unread_at: list[dict[str, str]] = [{} for _ in range(count)]
     for text in (*work.numbers, *work.unread):
@@ -147,7 +202,9 @@ def by_position(work: StudentWork, count: int) -> list[StudentWork]:
             numbers_at[at - 1][bare] = work.numbers[text]
         elif at <= count:
             unread_at[at - 1][bare] = work.unread[text]
-    return [replace(work, numbers=numbers, unread=unread) for numbers, unread in zip(numbers_at, unread_at)]
+    boards = [work.board, *[None] * (count - 1)]
+    return [replace(work, numbers=numbers, unread=unread, board=board)
+            for numbers, unread, board in zip(numbers_at, unread_at, boards, strict=True)]  # fmt: skip
 
 
 def _at(name: Name, at: int) -> Name:
@@ -182,4 +239,5 @@ def as_one(student: str, parts: Sequence[Marked]) -> Marked:
                 explanations.append(replace(one, explains=explains))
     departures = (replace(part.departure, text=at_position(part.departure.text, at))
                   for at, part in enumerate(parts, 1) if part.departure is not None)  # fmt: skip
-    return Marked(student, judged, Diagnosis(tuple(explanations), evidence), next(departures, None))
+    diagnosis = Diagnosis(tuple(explanations), evidence)
+    return Marked(student, judged, diagnosis, next(departures, None), parts[0].faults, parts[0].step)

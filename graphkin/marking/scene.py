@@ -18,7 +18,7 @@ from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
-from graphkin.model.naming import Seen
+from graphkin.model.naming import Seen, spelled
 from graphkin.model.quantities import Moving, Quantity
 from graphkin.planning import Method
 from graphkin.planning.equivalent import Contact
@@ -217,6 +217,11 @@ class Scene:
 
     def rotation_name(self, quantity: str, link: str) -> str:
         return f"{quantity} {self.method.mechanism.called(self.method.structure.home(link))}"
+
+    def omega_sign(self, link: str) -> str:
+        """ω3, ω_lever of an angular velocity in a formula; ω_e of an equivalent link."""
+        name = spelled(self.method.mechanism.called(link))
+        return f"ω{name}" if name[0].isdigit() else f"ω_{name}"
 
     def image_name(self, images: list[kinds.Image]) -> str:
         """△BCE: the corners of a link's image."""

@@ -10,7 +10,7 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.base.geometry import Value, number
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.construction import Construction, LayOff, Plane, Plot, Simultaneous, Term, terms
 from graphkin.marking.answers import ArrowPlaces, arrows_of, drawn_answer, readable, size_of
 from graphkin.marking.hand import Redrawing, redraw
@@ -171,7 +171,7 @@ class Cost:
     over_all: float
 
 
-@frozen
+@bulky
 class Tolerances:
     """Quantities with what they may be off, and steps, the costliest first.
 
@@ -202,10 +202,13 @@ def tolerances(key: Key, method: Method) -> Tolerances:
     right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
     whole, asked = spread(values, right, sorts), np.array([entry.points != 0 for entry in key.entries], dtype=bool)
     names = {"position": _guides(method)}
-    costs = []
+    costs, pencil = [], pencil_of(key.marking)
+    unmoved = Drawings.of(method, pencil, Slips(seed_of(method.mechanism), _FEWER, lambda mark: False))
     for mark in list(every.slips.seen):
-        slips = Slips(seed_of(method.mechanism), _FEWER, lambda one, mark=mark: one == mark)  # type: ignore[misc]
-        alone = spread(Drawings.of(method, pencil_of(key.marking), slips).values(quantities)[0], right, sorts)
+        slips = Slips(seed_of(method.mechanism), _FEWER, mark.__eq__)
+        # an error of a polygon leaves the mechanism as it is
+        drawn = Drawings.of(method, pencil, slips) if mark.plane == "position" else replace(unmoved, slips=slips)
+        alone = spread(drawn.values(quantities)[0], right, sorts)
         with np.errstate(invalid="ignore", divide="ignore"):
             parts = np.nan_to_num((alone / whole) ** 2, nan=0.0, posinf=0.0)
         parts = np.append(parts, np.mean(parts[asked]) if asked.any() else 0.0)

@@ -26,6 +26,10 @@ KeyPath: TypeAlias = tuple[str | int, ...]
 Dimension = Literal["length", "angle", "angular velocity", "angular acceleration", "velocity", "acceleration"]
 
 FRAME = "frame"  # the fixed link's own name in every mapping by link; `Mechanism.frame` is what people call it
+EQUATIONS: Mapping[Literal["velocity", "acceleration"], str] = {
+    "velocity": "equations velocity", "acceleration": "equations acceleration",
+}  # fmt: skip
+"""What the vector equations of a plane are called where points are given for them."""
 
 _Kind = TypeVar("_Kind", bound=Pair)
 

@@ -87,6 +87,12 @@ def image_name(mechanism: Mechanism, plane: Plane, label: str) -> str:
     return label[0].lower() + label[1:] + primes(mechanism, plane)
 
 
+def in_order(first: str, second: str) -> tuple[str, str]:
+    """Two points of a line in the order a textbook writes them: AB, BD, CD; OA, O1B."""
+    one, other = sorted((first, second), key=lambda name: (not name.startswith("O"), name))
+    return one, other
+
+
 def driver_number(mechanism: Mechanism, name: str) -> int | None:
     """The driver that is called so; one that drives a slide also by the two points whose distance that is (`DH`)."""
     for number, driver in enumerate(mechanism.drivers):
@@ -126,6 +132,6 @@ def spelled(name: str) -> str:
         letter, kind, number, roll = match.groups()
         if kind is None:
             return f"{letter}e_{roll}"
-        return letter + _RODS[kind] + (str(int(number) + 1) if int(number) else "")
+        return letter + ("_" if letter else "") + _RODS[kind] + (str(int(number) + 1) if int(number) else "")
 
     return _ROD.sub(rod, name)

@@ -9,6 +9,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, assert_never, cast
 
@@ -25,6 +26,8 @@ from graphkin.model.quantities import Quantity, kinds, named
 from graphkin.model.units import Measured, Number, Numbers, Vector, Vectors, measured
 
 _M = TypeVar("_M", bound=Measured, covariant=True)
+_N = TypeVar("_N", bound=Measured, covariant=True)  # what is read of signed quantities
+_V = TypeVar("_V", bound=Measured, covariant=True)  # and of vectors
 MeasuredValue: TypeAlias = Number | Vector | Numbers  # a value with its unit, of one position or of many (n,)
 
 _TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
@@ -34,7 +37,7 @@ _TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
 class NamedValues(Mapping[str, _M]):
     """Values by the name of a link, a point or a slide; a name that is not there raises KeyError and says which are."""
 
-    def __init__(self, owner: Readable, word: str) -> None:
+    def __init__(self, owner: Readable[Any, Any], word: str) -> None:
         self._owner, self._word = owner, word
 
     @property
@@ -65,24 +68,27 @@ class NamedValues(Mapping[str, _M]):
         return "{" + ", ".join(f"{name!r}: {self[name]!r}" for name in self) + "}"
 
 
-class _QuantityTable(Generic[_M]):
+class _Table:
     """A table of a readable, by the word of its quantities."""
 
     def __init__(self, word: str) -> None:
         self._word = word
 
-    def __get__(self, owner: Readable, kind: type) -> NamedValues[_M]:
-        return NamedValues(owner, self._word)
-
-    def __set__(self, owner: Readable, value: object) -> None:
+    def __set__(self, owner: object, value: object) -> None:
         raise AttributeError(f"{self._word} is read off and cannot be set")
 
 
-_Signed = _QuantityTable[Number | Numbers]
-_Vectorial = _QuantityTable[Vector | Vectors]
+class _SignedTable(_Table):
+    def __get__(self, owner: Readable[_N, _V], kind: type) -> NamedValues[_N]:
+        return NamedValues(owner, self._word)
 
 
-class Readable:
+class _VectorTable(_Table):
+    def __get__(self, owner: Readable[_N, _V], kind: type) -> NamedValues[_V]:
+        return NamedValues(owner, self._word)
+
+
+class Readable(Generic[_N, _V]):
     """A thing that is read by name: a drawing, a sweep, a state.
 
     theta, omega, alpha   of a link: angle [rad], angular velocity [rad/s], angular acceleration [rad/s^2]
@@ -98,26 +104,28 @@ class Readable:
         @property
         def mechanism(self) -> Mechanism: ...
 
-    def quantity(self, text: str) -> MeasuredValue:
+    def quantity(self, text: str) -> _N | _V:
         raise NotImplementedError
 
-    theta, omega, alpha = _Signed("theta"), _Signed("omega"), _Signed("alpha")
-    s, x, y = _Signed("s"), _Signed("x"), _Signed("y")
-    position, v, a = _Vectorial("path"), _Vectorial("v"), _Vectorial("a")
+    theta, omega, alpha = _SignedTable("theta"), _SignedTable("omega"), _SignedTable("alpha")
+    s, x, y = _SignedTable("s"), _SignedTable("x"), _SignedTable("y")
+    position, v, a = _VectorTable("path"), _VectorTable("v"), _VectorTable("a")
 
 
 @frozen
-class State(Readable):
+class State(Readable[Number | Numbers, Vector | Vectors]):
     """Positions, velocities and accelerations at one position or at many, by one of the two roads.
 
     source      all of it as plain tables, or what reads them off when they are first asked for
     plot        the finished drawing, where this was drawn (`graphkin.replay`)
     places      by text where that holds a quantity as it is: the table, the name there and the unit, or an empty table
+    refused     of `Mechanism.variants`, by its number, what is wrong with one: its values are nan
     """
 
     source: Motions | Callable[[], Motions]
     plot: Plot | None = None
     places: Mapping[str, tuple[str, str, str]] | None = None
+    refused: Mapping[int, GraphkinError] = field(default_factory=dict)
 
     @cached_property
     def motions(self) -> Motions:
@@ -133,7 +141,7 @@ class State(Readable):
     def mechanism(self) -> Mechanism:
         return self.motions.mechanism
 
-    def quantity(self, text: str) -> MeasuredValue:
+    def quantity(self, text: str) -> Number | Numbers | Vector | Vectors:
         """Whatever `ask` can name, as a number with its unit. Raises what a wrong name raises."""
         if self.places is not None:
             table, name, unit = self.places[text]

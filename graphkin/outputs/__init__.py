@@ -9,6 +9,6 @@ How to add a format:
  2. a `match` over the kinds of marks that ends in `assert_never`, so that the type checker misses none;
  3. pens are in `sheet.paper.PENS`; `sheet.lettering.scripts` puts the runs of a label in their places, `typesetting`
     sets them in letters of other programs;
- 4. its ending and a function of a `DrawingSource` in `drawings.WRITERS`: the commands offer what stands there;
+ 4. its ending in `drawings.DRAWN` and a case of `drawings.content`: the commands offer what stands there;
  5. files are written through `files.beside`, with bytes by which graphkin knows its own.
 """

@@ -45,34 +45,46 @@ def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "acc
 
 
 def _rows(frames: Sequence[Sequence[Mark]]) -> list[Row]:
-    """The marks of all sheets in their order of painting, each once: by its kind, and its number among that kind."""
+    """The marks of all sheets; an end or a corner stays the first where it is drawn from another one now."""
+    rows = matched(frames)
+    for row in rows:
+        before: Stroke | None = None
+        for k, each in enumerate(row):
+            if isinstance(each, Stroke):
+                row[k] = before = each if before is None else as_before(each, before)
+    return rows
+
+
+def matched(frames: Sequence[Sequence[Mark]], by_step: bool = False) -> list[Row]:
+    """The marks of all positions in their order of painting, each once: by its kind, and its number among that kind;
+    by_step: marks of two steps are never one."""
     order: list[tuple[object, ...]] = []
     rows: dict[tuple[object, ...], Row] = {}
     for number, marks in enumerate(frames):
         at, count = 0, Counter[tuple[object, ...]]()
         for mark in marks:
-            kind = _kind(mark)
+            kind = (*_kind(mark), mark.step if by_step else None)
             count[kind] += 1
             key = (*kind, count[kind])
             if key not in rows:
                 rows[key] = [None] * len(frames)
                 order.insert(at, key)
-            else:
+            elif at >= len(order) or order[at] != key:  # else it is there
                 at = max(at, order.index(key))
             at += 1
             rows[key][number] = mark
-    for row in rows.values():
-        before: Sequence[complex] = ()
-        for k, each in enumerate(row):
-            if isinstance(each, Stroke):  # an end or a corner stays the first where it is drawn from another one now
-                if before and each.places != before:
-                    starts = range(len(each.places) if each.closed else 1)
-                    turned = [(*each.places[start:], *each.places[:start]) for start in starts]
-                    turned += [places[::-1] for places in turned]
-                    off = [sum(abs(a - b) for a, b in zip(places, before, strict=True)) for places in turned]
-                    row[k] = each = replace(each, places=turned[off.index(min(off))])
-                before = each.places
     return [rows[key] for key in order]
+
+
+def as_before(mark: Stroke, before: Stroke) -> Stroke:
+    """A stroke with its corners counted from where they were before."""
+    if mark.places == before.places:
+        return mark
+    starts = range(len(mark.places) if mark.closed else 1)
+    turned = [(*mark.places[start:], *mark.places[:start]) for start in starts]
+    turned += [places[::-1] for places in turned]
+    off = [sum(abs(a - b) for a, b in zip(places, before.places, strict=True)) for places in turned]
+    return replace(mark, places=turned[off.index(min(off))])
 
 
 def _kind(mark: Mark) -> tuple[object, ...]:
@@ -134,10 +146,12 @@ def _change(into: ET.Element, elements: Sequence[ET.Element], seconds: float) ->
 
 
 def _steps(name: str, values: Sequence[str], seconds: float) -> ET.Element:
-    """One value after the other; each as long as it stays."""
-    changes = [k for k in range(len(values)) if k == 0 or values[k] != values[k - 1]]
-    times = ";".join(short(k / len(values), 4) for k in changes)
-    return _animate(name, [values[k] for k in changes], seconds, keyTimes=times, calcMode="discrete")
+    """One value after the other; each from half a position before its own to half a position after it, so that none
+    lags behind what goes smoothly."""
+    count, around = len(values), [*values, values[0]]
+    changes = [k for k in range(1, count + 1) if around[k] != around[k - 1]]
+    times = ";".join(short(max(0.0, k - 0.5) / count, 4) for k in [0, *changes])
+    return _animate(name, [around[k] for k in [0, *changes]], seconds, keyTimes=times, calcMode="discrete")
 
 
 def _animate(name: str, values: Sequence[str], seconds: float, **more: str) -> ET.Element:

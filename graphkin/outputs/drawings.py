@@ -11,8 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from graphkin.base.value import frozen
-from graphkin.errors import BadDrawing, GraphkinError, Lang
+from graphkin.errors import BadDrawing, GraphkinError
 from graphkin.outputs import files
 
 if TYPE_CHECKING:
@@ -25,45 +24,36 @@ _MARKS = (files.NAMESPACE.encode(), b"graphkin sheet")
 _ADDED = ("other", "words")  # notes of the ruler on signs and letters that are more or fewer than were drawn
 
 
-@frozen
-class DrawingSource:
-    """A sheet to be written, and for a GeoGebra file the construction that the sheet shows."""
-
-    sheet: Sheet
-    method: Method
-    plot: Plot
-    lang: Lang
-    dpi: float = 200.0
-    ink: Ink = "accent"
-
-
-def _content(ending: str, source: DrawingSource) -> bytes:
-    """The file of a drawing; its format is loaded here."""
-    match ending:
+def content(path: Path, sheet: Sheet, drawing: tuple[Method, Plot] | None, dpi: float, ink: Ink) -> bytes:
+    """The file of a drawing, by the ending of its name; its format is loaded here. A GeoGebra file is made of the
+    method and the plot that are drawn. Raises UnknownEnding, NeedsExtra."""
+    match path.suffix.lower():
         case ".svg":
             from graphkin.outputs.svg import svg
 
-            return svg(source.sheet, source.ink).encode()
+            return svg(sheet, ink).encode()
         case ".pdf":
             from graphkin.outputs.paged import pdf
 
-            return pdf(source.sheet, source.lang, source.ink)
+            return pdf(sheet, sheet.lang, ink)
         case ".png":
             from graphkin.outputs.paged import png
 
-            return png(source.sheet, source.dpi, source.ink)
+            return png(sheet, dpi, ink)
         case ".dxf":
             from graphkin.outputs.dxf import dxf
 
-            return dxf(source.sheet)
-        case ".ggb":
+            return dxf(sheet)
+        case ".ggb" if drawing is not None:
             from graphkin.outputs.geogebra import ggb
 
-            return ggb(source.method, source.plot, source.sheet.scales, source.lang)
-        case _:
+            return ggb(*drawing, sheet.scales, sheet.lang)
+        case ".tex":
             from graphkin.outputs.tikz import tikz
 
-            return tikz(source.sheet, source.ink).encode()
+            return tikz(sheet, ink).encode()
+        case _:
+            raise files.UnknownEnding(str(path), tuple(kind for kind in DRAWN if kind != ".ggb" or drawing))
 
 
 def _moving(ending: str, sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
@@ -74,10 +64,8 @@ def _moving(ending: str, sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes
     return paged.moving_png(sheets, dpi, animation.SECONDS, ink)
 
 
-WRITERS: Mapping[str, Callable[[DrawingSource], bytes]] = {
-    ending: partial(_content, ending) for ending in (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
-}
-"""By the file's ending."""
+DRAWN = (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
+"""The endings of a position's files."""
 MOVING: Mapping[str, Callable[[Sequence[Sheet], float, Ink], bytes]] = {
     ending: partial(_moving, ending) for ending in (".svg", ".png")
 }
@@ -91,23 +79,23 @@ def refuse(path: Path, force: bool) -> None:
 
 def write(path: Path, content: bytes | str, force: bool) -> None:
     """Beside, then renamed; a text as UTF-8. Raises FileInTheWay, NoFolder, CannotWrite."""
-    with files.beside(path, force, _MARKS) as draft:
-        draft.write_bytes(content.encode() if isinstance(content, str) else content)
+    files.write(path, content, force, _MARKS)
 
 
 class EditedByHand(GraphkinError):
     path: str
     en = (
         "{path} was changed by hand since graphkin drew it (`graphkin check` tells where). Choose another name, "
-        "or replace it with --force."
+        "or replace it with --force (in Python: force=True)."
     )
     zh = "{path} 在 graphkin 绘制之后被手工修改过（`graphkin check` 可查看何处）。请换文件名，或用 --force 覆盖。"
 
 
 def refuse_edited(path: Path, force: bool) -> None:
-    """Raises EditedByHand for an SVG of graphkin's that no longer measures, or has other signs and letters than it was
-    drawn with. One that cannot be measured (a problem without answers, a drawing that moves, one of an older version)
-    counts as it was drawn."""
+    """Raises what `refuse` raises, and EditedByHand for an SVG of graphkin's that no longer measures, or has other
+    signs and letters than were drawn. One that cannot be measured (a problem without answers, a drawing that moves, one
+    of an older version) counts as it was drawn."""
+    refuse(path, force)
     if force or path.suffix.lower() != ".svg" or not path.is_file():
         return
     if not (content := path.read_bytes()) or b"<animate" in content:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import cmath
 import io
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, assert_never
 
 from graphkin.outputs.files import needed
@@ -68,7 +68,7 @@ class _DxfPage:
                 look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
                 if not mark.dashes:
                     self.space.add_lwpolyline(corners, close=mark.closed, dxfattribs=look)
-                for piece in _pieces(mark):
+                for piece in _pieces(mark.outline, mark.dashes):
                     self.space.add_lwpolyline([self._xy(place) for place in piece], dxfattribs=look)
             case Disc():
                 look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
@@ -77,18 +77,8 @@ class _DxfPage:
                 start, end = -math.degrees(mark.start), -math.degrees(mark.start + mark.sweep)
                 start, end = (end, start) if mark.sweep > 0 else (start, end)
                 self.space.add_arc(self._xy(mark.centre), mark.radius, start, end, dxfattribs=self._look(mark.pen, ""))
-            case VectorMark():  # the line as long as the vector is; the head lies on it
-                look = self._look(mark.pen, mark.plane)
-                tail, head = complex(*self._xy(mark.start)), complex(*self._xy(mark.end))
-                self.space.add_line((tail.real, tail.imag), (head.real, head.imag), dxfattribs=look)
-                if mark.length > 0.05:
-                    length = min(_HEAD, mark.length / 2)
-                    along = cmath.rect(length, cmath.phase(head - tail))
-                    tip = head - along / length * min(mark.back, mark.length / 3)
-                    left, right = (0.0 if mark.half == other else _WIDE for other in ("right", "left"))
-                    outline = (tip, tip - along + along * left * 1j, tip - along - along * right * 1j)
-                    solid = [(corner.real, corner.imag) for corner in outline]
-                    self.space.add_solid(solid, dxfattribs={"layer": look["layer"]})
+            case VectorMark():
+                self._arrow(mark)
             case PointMark():
                 self.space.add_circle(self._xy(mark.at), mark.radius, dxfattribs=self._look("outline", mark.plane))
             case Text():
@@ -101,6 +91,21 @@ class _DxfPage:
             case _:
                 assert_never(mark)
 
+    def _arrow(self, mark: VectorMark) -> None:
+        """The line as long as the vector is; the head lies on it."""
+        look = self._look(mark.pen, mark.plane)
+        tail, head = complex(*self._xy(mark.start)), complex(*self._xy(mark.end))
+        for piece in _pieces((tail, head), mark.dashes) if mark.dashes else [[tail, head]]:
+            self.space.add_line(*((end.real, end.imag) for end in piece), dxfattribs=look)
+        if mark.length <= 0.05:
+            return
+        along = cmath.rect(min(_HEAD, mark.length / 2), cmath.phase(head - tail))
+        tip = head - along / abs(along) * min(mark.back, mark.length / 3)
+        left, right = (0.0 if mark.half == other else _WIDE for other in ("right", "left"))
+        outline = (tip, tip - along + along * left * 1j, tip - along - along * right * 1j)
+        solid = [(corner.real, corner.imag) for corner in outline]
+        self.space.add_solid(solid, dxfattribs={"layer": look["layer"]})
+
     def _xy(self, place: Place) -> tuple[float, float]:
         return round(place.real, 6), round(self.sheet.paper.height - place.imag, 6)
 
@@ -110,12 +115,12 @@ class _DxfPage:
         return {"layer": _NAMES.get(plane, plane) or "0", "lineweight": weight}
 
 
-def _pieces(mark: Stroke) -> Iterator[list[Place]]:
+def _pieces(places: Sequence[Place], dashes: Sequence[float]) -> Iterator[list[Place]]:
     """What is drawn of a broken line."""
     from shapely import LineString
     from shapely.ops import substring
 
-    line, start = LineString([(place.real, place.imag) for place in mark.outline]), 0.0
-    for length, gap in zip(mark.dashes[::2], mark.dashes[1::2], strict=True):
+    line, start = LineString([(place.real, place.imag) for place in places]), 0.0
+    for length, gap in zip(dashes[::2], dashes[1::2], strict=True):
         yield [complex(x, y) for x, y in substring(line, start, start + length).coords]
         start += length + gap

@@ -24,9 +24,16 @@ class FileInTheWay(GraphkinError):
     path: str
     en = (
         "{path} exists and is not a file of this kind written by graphkin. Choose another name, or replace it "
-        "with --force."
+        "with --force (in Python: force=True)."
     )
     zh = "{path} 已存在，且不是 graphkin 写的同类文件。请换文件名，或用 --force 覆盖。"
+
+
+class UnknownEnding(GraphkinError):
+    path: str
+    endings: tuple[str, ...]
+    en = "{path}: this is written as {endings:,}. Let the file's name end in one of these."
+    zh = "{path}：只能写成 {endings:,} 文件，请用其中之一作扩展名。"
 
 
 @contextlib.contextmanager
@@ -49,6 +56,12 @@ def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
     finally:
         with contextlib.suppress(OSError):
             draft.unlink(missing_ok=True)
+
+
+def write(path: Path, content: bytes | str, force: bool, marks: Sequence[bytes]) -> None:
+    """The whole file; a text as UTF-8. Raises what `beside` raises."""
+    with beside(path, force, marks) as draft:
+        draft.write_bytes(content.encode() if isinstance(content, str) else content)
 
 
 @cache

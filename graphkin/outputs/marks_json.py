@@ -8,14 +8,16 @@ from __future__ import annotations
 import cmath
 import json
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import fields
 from pathlib import Path
 from typing import Any, get_args
 
 from graphkin.base.plain import Plain
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.marking.records import Graded
+from graphkin.marking.records import Graded, Marked
 from graphkin.outputs.files import beside
+from graphkin.submissions.board import work_data
 
 FORMAT = 1
 KIND = "graphkin marks"
@@ -24,7 +26,7 @@ HEAD = f'{{"kind": "{KIND}", "format": {FORMAT},\n"results": ['
 END = "]}"
 Json = dict[str, Plain]
 Record = Mapping[str, Any]  # a record as it is read
-_LINE = ("format", "student", "file", "status", "reason", "score", "departure", "remarks")
+_LINE = ("format", "student", "file", "status", "reason", "score", "departure", "equations", "step", "remarks")
 _QUANTITY = ("given", "right", "carried", "tolerance", "verdict", "sense")
 _MISTAKE = ("ids", "probability", "margin", "explains")
 
@@ -68,6 +70,7 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
         text, left, right = marked.departure.text, marked.departure.left, marked.departure.right
         whole["departure"] = {"quantity": text, "left": list(left), "right": list(right)}
     if marked is not None:
+        whole |= _of_board(graded, marked)
         whole["evidence"] = {id: _rounded(weight) for id, weight in marked.diagnosis.evidence.items()}
     if marked is not None and graded.drawn:
         whole["drawn"] = {
@@ -75,6 +78,16 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
             for plane, points in graded.drawn.items()
         }
     return whole | ({"fingerprints": list(graded.prints)} if graded.prints else {})
+
+
+def _of_board(graded: Graded, marked: Marked) -> Json:
+    """What there is of a drawing board: choices that are not right, the first wrong step, the board itself."""
+    own: Json = {}
+    if marked.faults:
+        own["equations"] = [{each.name: getattr(one, each.name) for each in fields(one)} for one in marked.faults]
+    if marked.step is not None:
+        own["step"] = {each.name: getattr(marked.step, each.name) for each in fields(marked.step)}
+    return own | ({} if graded.board is None else {"board": work_data(graded.board)})
 
 
 def _rounded(number: float) -> float:
@@ -104,17 +117,17 @@ def drawn_of(record: Record) -> dict[Plane, dict[str, complex]]:
     return planes
 
 
-def write(path: Path, records: Iterable[Record], force: bool = False) -> None:
-    """A line for each record. Raises FileInTheWay, NoFolder, CannotWrite."""
+def write(path: Path, lines: Iterable[str], force: bool = False) -> None:
+    """The lines of records. Raises FileInTheWay, NoFolder, CannotWrite."""
     with beside(path, force, MARKS) as draft, draft.open("w", encoding="utf-8") as file:
         file.write(HEAD)
-        for k, record in enumerate(records):
-            file.write((",\n" if k else "\n") + text(record))
+        for k, line in enumerate(lines):
+            file.write((",\n" if k else "\n") + line)
         file.write(f"\n{END}\n")
 
 
 def text(value: object) -> str:
-    """A record as it stands in its line."""
+    """A record as it stands in its line, in a journal and then among all."""
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 

@@ -32,7 +32,7 @@ class Colours:
         return cls(ink, any(mark.new for mark in sheet.marks))
 
     def of_mark(self, mark: Mark, layer: Layer) -> str:
-        if isinstance(mark, Stroke) and mark.pen == "leader":
+        if isinstance(mark, Stroke | VectorMark) and mark.pen == "leader":
             return _half(self.of_mark(replace(mark, pen="thin"), layer))
         if self.ink == "black" or (self.staged and not mark.new):
             return _INK

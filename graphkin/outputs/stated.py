@@ -23,6 +23,7 @@ def stated(mark: Mark) -> dict[str, str]:
         case VectorMark():
             said = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head", "part")}
             said |= zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)
+            said |= {key: f"{length:.4f}" for key in ("aside", "broken") if (length := getattr(mark, key))}
         case PointMark():
             said = {key: getattr(mark, key) for key in ("plane", "name", "of", "site")}
         case Stroke(shows=Shows() as shows) | Disc(shows=Shows() as shows):

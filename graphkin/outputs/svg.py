@@ -142,8 +142,7 @@ class SvgPen:
     def _form(self, mark: Mark, layer: Layer) -> Form:
         match mark:
             case Stroke():
-                gaps = {"stroke-dasharray": " ".join(map(mm, mark.dashes)), "stroke-linecap": "butt"}
-                gaps = gaps if mark.dashes else {}
+                gaps = _gaps(mark)
                 if len(mark.places) == 2 and not mark.closed:
                     return "line", _line(*mark.places) | gaps, ""
                 corners = "L".join(" ".join(_xy(place)) for place in mark.places)
@@ -168,7 +167,7 @@ class SvgPen:
 
     def _vector(self, mark: VectorMark, colour: str) -> Form:
         """A line and its size in words; the head's tip lies on the line, so far from its end, small on short arrows."""
-        form = _line(mark.start, mark.end)
+        form = _line(mark.start, mark.end) | _gaps(mark)
         part, back = head_size(mark)
         name = "-".join(filter(None, ("tip", colour.strip("#"), mm(10 * part), mm(back), mark.half)))
         if mark.length > 0.05:
@@ -183,7 +182,8 @@ class SvgPen:
             self.drawing.defs.add(head)
         if mark.plane not in self.sheet.scales:
             return "line", form, ""
-        size = mark.length * next(scale for plane, scale in self.sheet.scales.items() if plane == mark.plane)
+        scale = next(scale for plane, scale in self.sheet.scales.items() if plane == mark.plane)
+        size = (mark.length + mark.broken) * scale
         value = f"{size:.4g}" if mark.length > 0.0001 else "0"  # v_B3 = v_C = 0.2712 m/s
         title = f"{' = '.join((mark.name, *mark.also))} = {value} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
         return "line", form, [_element("title", {}, title)]
@@ -212,6 +212,11 @@ def _element(name: str, attributes: Attributes, inside: Inside = "") -> ET.Eleme
 def _line(start: Place, end: Place) -> dict[str, str]:
     (x1, y1), (x2, y2) = _xy(start), _xy(end)
     return {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
+
+
+def _gaps(mark: Stroke | VectorMark) -> dict[str, str]:
+    """The gaps of a broken line."""
+    return {"stroke-dasharray": " ".join(map(mm, dashes)), "stroke-linecap": "butt"} if (dashes := mark.dashes) else {}
 
 
 def _circle(centre: Place, radius: float) -> Form:
@@ -254,15 +259,3 @@ def _pointed(mark: VectorMark) -> str:
 
 _WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0.0), "right": (0.0, 0.6)}
 """How far such a head opens to the left and to the right, with the line around it as far as others do [mm]."""
-
-
-class NotebookSheet(Sheet):
-    """A sheet that a notebook shows as its SVG."""
-
-    def _repr_svg_(self) -> str:
-        return svg(self)
-
-
-def shown(sheet: Sheet) -> NotebookSheet:
-    """The sheet as a notebook shows it."""
-    return NotebookSheet(**vars(sheet))

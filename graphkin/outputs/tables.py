@@ -7,7 +7,6 @@ before it is written, or one object a position (`.jsonl`).
 
 from __future__ import annotations
 
-import io
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -25,7 +24,7 @@ from graphkin.outputs.files import beside, needed
 from graphkin.studies.sweeps import Course, Road, Sweep, in_parts
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from graphkin.outputs.diagram.page import DiagramPage
 
 FORMATS = (".csv", ".json", ".jsonl", ".parquet")
 MARKS = (b" [deg]", b" [mm]", b' [rad]": ', b' [m]": ', b'"format": 1', b"graphkin")
@@ -204,33 +203,45 @@ class SweepFrames(Sweep):
         """Whatever takes Arrow (polars, pandas, DuckDB) takes a sweep."""
         return self.to_arrow().__arrow_c_stream__(requested_schema)
 
-    def figure(self, lang: Lang = "en") -> Figure:
-        """The motion diagram, by matplotlib: to be changed, or saved with `savefig`. Raises NothingToDraw."""
+    def figure(self, lang: Lang = "en") -> DiagramPage:
+        """The motion diagram, a figure of matplotlib's: to be changed, or saved. Raises NothingToDraw."""
         from graphkin.outputs import diagram
 
         return diagram.figure(self.course, tuple(self), lang, self.by)
 
-    def _repr_svg_(self) -> str | None:
-        """A notebook shows the diagram; nothing of a sweep that has none, of instant centres alone."""
+    def save(self, path: str | Path, lang: Lang = "en", *, force: bool = False) -> Path:
+        """Write a table (.csv, .json, .jsonl, .parquet) or the motion diagram (.svg, .png, .pdf), by the file's ending.
+
+        force   even over a file that graphkin did not write
+        """
         from graphkin.outputs import diagram
 
-        text = io.StringIO()
+        file = Path(path)
+        if file.suffix.lower() in FORMATS:
+            write(file, self.course, tuple(self), self.by, force)
+        else:
+            diagram.write(file, self.course, tuple(self), lang, self.by, force)
+        return file
+
+    def _repr_svg_(self) -> str | None:
+        """A notebook shows the diagram; nothing of a sweep that has none, of instant centres alone."""
+        from graphkin.outputs.diagram import NothingToDraw
+
         try:
-            page = self.figure()
-        except diagram.NothingToDraw:
+            return self.figure()._repr_svg_()
+        except NothingToDraw:
             return None
-        with diagram.settings():
-            title = self.course.method.mechanism.headline("en")
-            page.savefig(text, format="svg", metadata=diagram.metadata(".svg", title))
-        return text.getvalue()
 
     def _repr_html_(self) -> str:
-        """Its first and last rows, in deg and mm."""
+        """The mechanism, which plays, over the first and last rows, in deg and mm."""
+        import graphkin
+
         table, count = self.columns(), self.t.size
         rows = [*range(count)] if count <= 2 * _SHOWN else [*range(_SHOWN), None, *range(count - _SHOWN, count)]
         cells = (("…" if k is None else f"{column[k]:.6g}" for column in table.values()) for k in rows)
         lines = [_html_row("th", table), *(_html_row("td", row) for row in cells)]
-        return f"<table>\n<caption>{escape(repr(self)[1:-1])}</caption>\n" + "\n".join(lines) + "\n</table>"
+        playing = graphkin.play(self.course.method)._repr_html_()
+        return f"{playing}\n<table>\n<caption>{escape(repr(self)[1:-1])}</caption>\n" + "\n".join(lines) + "\n</table>"
 
 
 def _html_row(kind: str, cells: Iterable[str]) -> str:

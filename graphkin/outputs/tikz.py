@@ -70,7 +70,7 @@ def _mark(mark: Mark) -> str:
             turn = f"start angle={_mm(math.degrees(mark.start))}, delta angle={_mm(math.degrees(mark.sweep))}"
             return rf"\draw[{_pen(mark.pen)}] {_place(start)} arc[{turn}, radius={_mm(mark.radius)}];"
         case VectorMark():
-            look = _pen(mark.pen) + (", arrow" if mark.length > 0.05 else "")
+            look = _pen(mark.pen, broken=mark.dashes) + (", arrow" if mark.length > 0.05 else "")
             return rf"\draw[{look}] {_place(mark.start)} -- {_place(mark.end)};"
         case PointMark():
             return rf"\draw[{_pen('outline', mark.fill)}] {_place(mark.at)} circle[radius={_mm(mark.radius)}];"

@@ -137,8 +137,7 @@ def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[terms.Term, ...]:
         tail = head
     hop = leg.unknown
     in_velocity, sliding = polygon.plane == "velocity", isinstance(hop, Slip)
-    absolute = hop.seen_from.link == FRAME and (in_velocity or sliding)
-    absolute |= in_velocity and polygon.key(hop.seen_from).link == FRAME
+    absolute = polygon.key(hop.seen_from).link == FRAME if in_velocity else sliding and hop.seen_from.link == FRAME
     part = "" if in_velocity or absolute else ("r" if sliding else "t")
     seen_from = "" if absolute else label(hop.seen_from)
     over, onto = label(hop.of), label(leg.end)

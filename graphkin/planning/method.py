@@ -13,7 +13,7 @@ from typing import assert_never
 
 from graphkin.base.cache import kept
 from graphkin.base.geometry import Real
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.construction import Construction, Facts, Plane, Site, Step, kinds
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning.special_points import Ternary
@@ -33,7 +33,7 @@ def facts_of(structure: Topology, values: Sequence[Real] | None, drawn: Mapping[
                  accelerations=tuple(driver.acceleration for driver in drivers), drawn=drawn)  # fmt: skip
 
 
-@frozen
+@bulky
 class Method:
     """The solution of a mechanism on paper: three constructions, planned once from its topology.
 

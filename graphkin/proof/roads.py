@@ -22,12 +22,12 @@ from graphkin.errors import GraphkinError, JoinedToNothing, RepeatedDriver, Road
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Rod
-from graphkin.model.variants import count_of, cut, single
 from graphkin.planning import Method, plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 
 if TYPE_CHECKING:
+    from graphkin.files.variants import Made, Variants
     from graphkin.running.variants import DrawnVariants
 
 __all__ = ["AGREE", "PLACES", "Proved", "apart", "apart_each", "compare", "held", "hold_rows", "proved"]
@@ -90,17 +90,16 @@ def _known(method: Method) -> list[tuple[float, float]]:
 
 
 def hold_rows(
-    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Real] | None, variants: DrawnVariants
+    method: Method, variants: Variants[Made], values: Sequence[Real] | None, drawn: DrawnVariants
 ) -> None:
     """Of many mechanisms drawn at once some, each by its own analysis. Raises RoadsDiffer."""
     from graphkin.running.variants import rows_of
 
-    count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
-    there = np.delete(np.arange(count), [*variants.refused])
+    there = np.delete(np.arange(variants.count), [*drawn.refused])
     for row in map(int, there[_spread(there.size)]):
-        own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
-        at = None if values is None else np.broadcast_arrays(*(cut(value, row, count) for value in values))
-        _hold(method, own, rows_of(variants.plot, row, Plot(variants.plot.facts)), at)
+        each = (np.broadcast_to(value, (*np.shape(value)[:-1], variants.count)) for value in values or ())
+        at = None if values is None else [value[..., row] for value in each]
+        _hold(method, variants[row], rows_of(drawn.plot, row, Plot(drawn.plot.facts)), at)
 
 
 def _hold(method: Method, mechanism: Mechanism, plot: Plot, values: Sequence[np.ndarray] | None) -> None:

@@ -119,8 +119,8 @@ def program_of(method: Method) -> ReplayProgram | None:
     key = id(method)
     if key not in _PROGRAMS:
         try:
-            near = method.near if method.moves_on else ()
-            _PROGRAMS[key] = recorded_program(method.constructions, method.facts(None), near)
+            near, facts = method.near if method.moves_on else (), method.facts(None)
+            _PROGRAMS[key] = recorded_program(method.constructions, lambda _: facts, len(facts.values), near=near)
         except CannotRecord:
             _PROGRAMS[key] = None
         finalize(method, _PROGRAMS.pop, key, None)

@@ -168,7 +168,7 @@ class Recording:
 
     tables of its plot, every value a number or `Recorded`; and "turn": angles of links between 0 and a full turn
     sides  of the crossings that may be taken either way, as the steps have them, by number of the choice; the tape's
-           inputs are the drivers' values, then a side of each of these
+           inputs are the drivers' values, a side of each of these, then what dimensions hang on
     near   what is asked of a position close by, the last inputs: angles by base link, displacements by `slide_key`
     inputs how many there are
     sure   the least of the sines of all crossings, and of what is above 0 where links that are fitted are found
@@ -182,10 +182,16 @@ class Recording:
     sure: int
 
 
-def record(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Recording:
-    """Replay position, velocity and acceleration once, for all values of the drivers and all sides of the crossings.
-    The drivers' rates and accelerations are numbers: what stands still costs nothing. `near` names what a position
-    close by has. Raises CannotRecord."""
+FactsOf = Callable[[Sequence[Real]], Facts]
+"""Facts by the numbers that dimensions and speeds hang on, which may be `Recorded`."""
+
+
+def record(
+    constructions: Sequence[Construction], facts: FactsOf, drivers: int, numbers: int = 0, near: Iterable[str] = ()
+) -> Recording:
+    """Replay position, velocity and acceleration once, for all values of the drivers, all sides of the crossings, and
+    so many numbers on which the facts hang. What else the facts have are numbers: what stands still costs nothing.
+    `near` names what a position close by has. Raises CannotRecord."""
     tape, inputs, read, fits = Tape(), list[int](), list[str](), list[Quantity]()
 
     def one_more() -> Real:
@@ -201,11 +207,11 @@ def record(constructions: Sequence[Construction], facts: Facts, near: Iterable[s
         rows = [(-known, coefficients) for known, coefficients in chains(step, plot, plane)]
         settle_rates(step, plot, plane, solved(rows, dict.fromkeys(unknowns_of(step), 1.0)))
 
-    values = tuple(one_more() for _ in facts.values)
+    values = tuple(one_more() for _ in range(drivers))
     choices = [step for step in constructions[0].steps if isinstance(step, kinds.Meet | kinds.Swing)]
     usual = {step.choice: step.side for step in choices if step.choice is not None}
     sides = {choice: one_more() for choice in usual}
-    plot = Plot(replace(facts, values=values), Lazy(near, close_by))
+    plot = Plot(replace(facts([one_more() for _ in range(numbers)]), values=values), Lazy(near, close_by))
     compass = replace(COMPASS, fit=lambda step, plot: fits.append(_fitted(step, plot)), together=together)
     for construction in constructions:
         replay(construction, plot, sides if construction.plane == "position" else None, compass)

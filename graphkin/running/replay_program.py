@@ -18,7 +18,7 @@ from graphkin.base.value import Lazy, filled, frozen
 from graphkin.construction import Construction, Facts, Plot, replay
 from graphkin.construction.fitting import sense_and_sine
 from graphkin.running.in_numpy import Calls, in_numpy, lent
-from graphkin.running.recorder import TABLES, Entry, GroupSense, Recorded, Recording, record
+from graphkin.running.recorder import TABLES, Entry, FactsOf, GroupSense, Recorded, Recording, record
 
 USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "turn")
 """Tables that are calculated at once; the others when they are read."""
@@ -32,19 +32,25 @@ Run = Callable[[Sequence[np.ndarray], np.ndarray, int, Iterable[slice]], list[np
 PLANES = ("position", "velocity", "acceleration")  # tables of vectors; the others are of numbers
 
 
-def recorded_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> ReplayProgram:
-    """The program of a method's three constructions; `near`: angles by base link and displacements by `slide_key` that
-    a position close by has. Raises CannotRecord where they can't be recorded."""
-    return ReplayProgram(tuple(constructions), facts, record(constructions, facts, near), {})
+def recorded_program(
+    constructions: Sequence[Construction], facts: FactsOf, drivers: int, numbers: int = 0, near: Iterable[str] = ()
+) -> ReplayProgram:
+    """The program of a method's three constructions, with so many drivers; `numbers` on which the facts hang; `near`:
+    angles by base link and displacements by `slide_key` that a position close by has. Raises CannotRecord where they
+    can't be recorded."""
+    recording = record(constructions, facts, drivers, numbers, near)
+    return ReplayProgram(tuple(constructions), facts, (drivers, numbers), recording, {})
 
 
 @frozen
 class ReplayProgram:
-    """Three constructions as one list of operations, for any values of the drivers and any sides of the crossings;
-    `parts` calculate some entries of a plot at once, by these."""
+    """Three constructions as one list of operations, for any values of the drivers, any sides of the crossings and any
+    numbers on which `facts` hang; `counts`: how many drivers and numbers; `parts` calculate some entries at once, by
+    these."""
 
     constructions: tuple[Construction, ...]
-    facts: Facts
+    facts: FactsOf
+    counts: tuple[int, int]
     recording: Recording
     parts: dict[frozenset[Entry], ProgramPart]
 
@@ -74,29 +80,35 @@ class ReplayProgram:
     def run(
         self,
         values: Sequence[Real], sides: Mapping[int, Real] | None = None, near: Mapping[str, Real] | None = None,
-        asked: set[Entry] | None = None, compiled: bool | None = None,
+        asked: set[Entry] | None = None, compiled: bool | None = None, numbers: Sequence[Real] = (),
     ) -> Plot:  # fmt: skip
-        """The plot at driver values, crossings taken on other sides, from positions close by: each scalar or (n,), one
-        at least (n,).
+        """The plot at driver values, crossings taken on other sides, from positions close by, with the numbers that
+        facts hang on: each scalar or (n,), one at least (n,).
 
         asked     what is calculated at once, all else when it is read; what that is, is added for the next run
         compiled  by a C function, if a compiler is at hand; None: only of very many positions
         """
         all_sides = {**self.sides, **(sides or {})}
-        everything = (*values, *all_sides.values(), *((near or {})[name] for name in self.recording.near))
+        close = ((near or {})[name] for name in self.recording.near)
+        everything = (*values, *all_sides.values(), *numbers, *close)
         inputs = tuple(np.array(value, dtype=float) for value in everything)
         for value in inputs:
             value.flags.writeable = False  # what is read late is calculated from it
         part = self.part(self.usual if asked is None else self.entries & asked)
         return LazyPlot.of(Results(self, part, inputs, compiled, asked))
 
-    def plainly(self, facts: Facts, inputs: Sequence[np.ndarray], here: np.ndarray) -> Plot:
+    def facts_of(self, inputs: Sequence[np.ndarray]) -> Facts:
+        """With the drivers where they are."""
+        drivers, numbers = self.counts
+        first = drivers + len(self.sides)
+        return replace(self.facts(inputs[first : first + numbers]), values=tuple(inputs[:drivers]))
+
+    def plainly(self, inputs: Sequence[np.ndarray], here: np.ndarray) -> Plot:
         """Plain replay at some positions, by their numbers."""
         inputs = [value[here] if value.ndim else value[()] for value in inputs]
-        count = len(facts.values)
-        sides = dict(zip(self.sides, inputs[count:]))
-        near = dict(zip(self.recording.near, inputs[count + len(sides) :]))
-        plot = Plot(replace(facts, values=tuple(inputs[:count])), near)
+        sides = dict(zip(self.sides, inputs[self.counts[0] :]))
+        near = dict(zip(self.recording.near, inputs[sum(self.counts) + len(sides) :]))
+        plot = Plot(self.facts_of(inputs), near)
         for construction in self.constructions:
             replay(construction, plot, sides if construction.plane == "position" else None)
         return plot
@@ -246,7 +258,7 @@ class Results:
     def __post_init__(self) -> None:
         self.judged: dict[str, tuple[Value, Value]] = {}  # senses and sines of groups that are fitted
         self.rows, doubtful = self.part.run(self.inputs, self.compiled)
-        self.plain = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in doubtful]
+        self.plain = [(here, self.program.plainly(self.inputs, here)) for here in doubtful]
 
     def at_hand(self, table: str) -> Mapping[str, Value]:
         """Values that are the same at all positions, and those that lie in the rooms, where nothing is to be mended."""
@@ -258,8 +270,7 @@ class Results:
     @cached_property
     def facts(self) -> Facts:
         """With the drivers where they are."""
-        facts = self.program.facts
-        return replace(facts, values=tuple(value[()] for value in self.inputs[: len(facts.values)]))
+        return self.program.facts_of([value[()] for value in self.inputs])
 
     @cached_property
     def late(self) -> Results:

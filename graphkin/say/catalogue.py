@@ -25,6 +25,7 @@ SHARED_FILES: Mapping[str, tuple[str, ...]] = {
     "homework": ("problems", "assembly", "platforms", "feedback", "class_report"),
     "linkages": ("design",),
     "marking": ("marks", "mistakes", "verdicts", "tolerances", "discriminability"),
+    "quiz": ("layers",),
     "results": ("checks", "structure", "sweeps", "finding"),
     "sheets": ("sheet", "diagrams", "pictures", "handouts", "equations"),
 }
@@ -34,8 +35,8 @@ _FILE_OF = {subject: file for file, subjects in SHARED_FILES.items() for subject
 LANGUAGES: tuple[Lang, ...] = get_args(Lang)
 _WORD, _SIGN = "[\u4e00-\u9fff]", "[（）；，。、：]"
 _START, _END = "\ue002", "\ue003"
-_LETTER = "[A-Za-z0-9\u0370-\u03ff\ue000]"
-_BESIDE = f"(?<={_WORD}){_START}+(?={_LETTER})|(?<=[A-Za-z0-9\u0370-\u03ff\u2032\ue001]){_END}+(?={_WORD})"
+_LETTER = "[A-Za-z0-9\u0370-\u03ff\ue000\ue100-\uf8ff]"  # with those that stand for figures that are noted
+_BESIDE = f"(?<={_WORD}){_START}+(?={_LETTER})|(?<=[A-Za-z0-9\u0370-\u03ff\u2032\ue001\ue100-\uf8ff]){_END}+(?={_WORD})"
 _CHOICE = re.compile(r"\[([^\[\]]*\|[^\[\]]*)\]")
 _EDGE = f"[{_START}{_END}]"
 _ROOM = f"(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})"
@@ -51,6 +52,12 @@ def phrase(name: str, lang: Lang, which: int = 0) -> str:
     """A phrase as it stands in the catalogue. name: `subject.key`; which: of the words in `[point lies|points lie]`."""
     en, zh = _subject(name.partition(".")[0])[name]
     return _CHOICE.sub(lambda words: words[1].split("|")[which], zh if lang == "zh" else en)
+
+
+def for_scripts(subject: str) -> dict[str, dict[Lang, str]]:
+    """All phrases of a subject in both languages, which the scripts of a page put words into."""
+    own = (name for name in _subject(subject) if name.startswith(f"{subject}."))
+    return {name: {lang: phrase(name, lang) for lang in LANGUAGES} for name in own}
 
 
 def is_phrase(name: str) -> bool:

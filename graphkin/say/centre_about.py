@@ -9,13 +9,14 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from graphkin.errors import Lang
+from graphkin.model.mechanism import FRAME
 from graphkin.say import catalogue, names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Operand
 from graphkin.say.numbers import SentenceNumber, at_edge, circled, number, sense, sensed
 from graphkin.studies.centres.about import About, Circle
 from graphkin.studies.centres.about_bobillier import Bobillier
-from graphkin.studies.centres.centrodes import Centrodes
+from graphkin.studies.centres.centrodes import FAR, LEAST, Centrodes
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
 
@@ -43,7 +44,8 @@ def about_words(seen: About, lang: Lang) -> list[str]:
 def link_words(seen: About, lang: Lang) -> Iterator[str]:
     """The link as a whole: its rotation, its poles and circles."""
     rates = {"omega": ("ω", seen.omega, "rad/s"), "alpha": ("α", seen.alpha, "rad/s²")}
-    data = {"link": seen.called} | {name: sensed(*rate, lang) for name, rate in rates.items()}
+    data = {name: sensed(*rate, lang) for name, rate in rates.items()}
+    data |= {"link": seen.called, "p": seen.found.name(FRAME, seen.link)}
     if seen.assumed:
         yield say("about.assumed", lang)
     if not seen.moves:
@@ -64,10 +66,11 @@ def link_words(seen: About, lang: Lang) -> Iterator[str]:
         yield say("about.inflection line", lang, place=place, at=at)
         return
     if seen.tangent is None or returning is None or seen.pole_velocity is None:
-        yield say("about.pivot", lang)
+        yield say("about.pivot", lang, **data)
         return
     yield say("about.moving pole", lang, u=abs(seen.pole_velocity), tangent=_degrees(seen.tangent))
-    yield say("about.inflection", lang, diameter=2e3 * inflection.radius, place=_place(seen, inflection.centre))
+    place = _place(seen, inflection.centre)
+    yield say("about.inflection", lang, **data, diameter=2e3 * inflection.radius, place=place)
     yield say("about.return", lang, place=_place(seen, returning.centre))
 
 
@@ -122,15 +125,15 @@ def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
     return words
 
 
-def curves_met(curves: Centrodes, centre: complex | None, lang: Lang) -> Iterator[str]:
-    """The curves at a centre [m], for a sheet that shows them; how far each reaches."""
+def curves_met(curves: Centrodes, centre: complex | None, lang: Lang, off: bool = False) -> Iterator[str]:
+    """The curves at a centre [m], for a sheet that shows them, or that it lies off; how far each reaches."""
     if centre is not None:
         x, y = (number(1e3 * part, 1e-6) for part in (centre.real, centre.imag))
         key = "about.hinge" if curves.is_point else "about.rolling" if len(curves.axes) > 1 else "about.centre now"
-        yield catalogue.say(key, lang, centre=curves.name, place=catalogue.say("common.place", lang, x=x, y=y) + " mm")
-    for piece in () if curves.is_point else curves.pieces:
-        for link, places in zip(curves.axes, piece.places):
-            yield _reach(curves, link, places, lang, lambda value: f"{number(1e3 * value, 1e-6)} mm")
+        place = catalogue.say("common.place", lang, x=x, y=y) + " mm" + off * catalogue.say("about.off", lang)
+        yield catalogue.say(key, lang, centre=curves.name, place=place)
+    every = () if curves.is_point else [pair for one in curves.pieces for pair in zip(curves.axes, one.places)]
+    yield from dict.fromkeys(_reach(curves, *pair, lang, lambda value: f"{number(1e3 * value)} mm") for pair in every)
 
 
 def curve_lines(curves: Centrodes, lang: Lang) -> Iterator[str]:
@@ -144,6 +147,12 @@ def curve_lines(curves: Centrodes, lang: Lang) -> Iterator[str]:
 
 
 def _reach(curves: Centrodes, link: str, places: np.ndarray, lang: Lang, shown: Callable[[float], str]) -> str:
-    sides = ((shown(float(part.min())), shown(float(part.max()))) for part in (places.real, places.imag))
-    x, y = (catalogue.say("finding.interval", lang, begin=low, end=high) for low, high in sides)
-    return catalogue.say("about.reach", lang, link=curves.found.method.mechanism.called(link), x=x, y=y)
+    """How far a curve goes; what is smaller than curves are looked at is none."""
+    sides, least, called = list[str](), LEAST * curves.found.board.size, curves.found.method.mechanism.called(link)
+    if float(np.abs(places).max()) > FAR * curves.found.board.size / 2:
+        return catalogue.say("about.endless", lang, link=called)
+    for part in (places.real, places.imag):
+        low, high = (float(end) * (abs(end) > least) for end in (part.min(), part.max()))
+        key = "about.stays" if high - low <= least else "finding.interval"
+        sides.append(catalogue.say(key, lang, value=shown(low), begin=shown(low), end=shown(high)))
+    return catalogue.say("about.reach", lang, link=called, x=sides[0], y=sides[1])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from math import degrees
 from typing import assert_never
 
@@ -47,9 +48,18 @@ class CentreReader:
         """The name by which people call a link."""
         return names.point(self.mechanism.called(link))
 
+    @cached_property
+    def _far(self) -> set[str]:
+        return {name for name, place in self.found.board.places.items() if not np.isfinite(complex(place))}
+
+    @cached_property
+    def _order(self) -> dict[str, int]:
+        """Links in the order in which their centres are named."""
+        return {link: k for k, link in enumerate(dict.fromkeys(link for pair in self.found.pairs for link in pair))}
+
     def is_far(self, centre: str) -> bool:
         """True of a centre at infinity."""
-        return not np.isfinite(complex(self.found.board.at(centre)))
+        return centre in self._far
 
     def angle(self, centre: str) -> str:
         """The direction of a centre at infinity, from 0 to 180 degrees."""
@@ -72,7 +82,7 @@ class CentreReader:
         yield Heading(self.say("centres.finding", number=number))
         yield Sentence(self.say("centres.count", n=count, less=count - 1, count=len(self.found.pairs)))
         others = [stage for stage in stages if stage.say in ("two lines", "velocities")]
-        direct = [stage for stage in stages if stage not in others]
+        direct = [stage for stage in stages if stage.say not in ("two lines", "velocities")]
         for head, group in ((self.say("centres.definition"), direct), (self.say("centres.kennedy"), others)):
             if group:
                 yield Sentence(head)
@@ -117,8 +127,7 @@ class CentreReader:
             return self.say(key, point=names.point(normal.line.through), **self._links(pair))
         ends = drawn_through(line)
         three = {link for end in ends for link in self.found.centring.links[end]}
-        order = dict.fromkeys(link for pair in self.found.pairs for link in pair)
-        links = self.say("common.list").join(self.link(link) for link in order if link in three)
+        links = self.say("common.list").join(map(self.link, sorted(three, key=self._order.__getitem__)))
         far = [end for end in ends if self.is_far(end)]
         if not far:
             letters = [names.point(end) for end in ends]

@@ -14,11 +14,12 @@ from graphkin.model.naming import Seen, common_link
 from graphkin.model.quantities import Moving, Quantity, Rotation, parts
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.centre_steps import CentreReader
+from graphkin.say.centre_steps import CentreReader, centre_rows
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, text_lines
 from graphkin.say.figures import Formula, Operand, figures
 from graphkin.say.numbers import degrees, number, sense
 from graphkin.say.solution_goal import SolutionGoal
+from graphkin.say.text_table import table
 from graphkin.studies.centres import Centres, advantages
 from graphkin.studies.centres.lever_board import BoardNumber, Lever
 from graphkin.studies.centres.levers import Levers, driven_point
@@ -31,6 +32,16 @@ _FORMS: Mapping[str, tuple[str, Callable[..., Formula | str]]] = {
 }
 """By the rule of a sum, how it is written with names and with figures."""
 _RATES = ("alpha", "a", "a_n", "a_t", "a_k", "a_r")
+
+
+def centre_lines(found: Centres, lang: Lang) -> Iterator[str]:
+    """All that there is of them: a table, the lines that give them, the velocities and advantages that follow."""
+    mechanism = found.method.mechanism
+    yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(lang))))
+    yield from table(list(centre_rows(found, lang)))
+    yield ""
+    yield from explain_centres(found, lang)
+    yield from advantage_lines(found, lang)
 
 
 def explain_centres(found: Centres, lang: Lang, scale: float | None = None) -> list[str]:

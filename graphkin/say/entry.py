@@ -25,10 +25,12 @@ class Heading:
 
 @frozen
 class Sentence:
-    """A step of the pencil, or a reason; `act`: the act that it says, whose number the drawing bears, too."""
+    """A step of the pencil, or a reason; `act`: the act that it says, whose number the drawing bears, too; `row`: the
+    relation behind it, for a column of equations."""
 
     text: str
     act: Act | None = None
+    row: str = ""
 
 
 @frozen

@@ -52,19 +52,17 @@ def known_arrow(polygon: PolygonReading, step: kinds.LayOff) -> Iterator[Entry]:
         words = {"of": names.point(size.head), "seen_from": names.point(size.tail)}
         alpha = polygon.reading.rate("α", size.link)
         yield Sentence(polygon.reading.say("derivation.only normal", alpha=alpha, **words))
-    yield size_calculation(polygon, step.term, (step.term,))
-    yield polygon.sentence(step, _lay_off(polygon, step))
+    size_of = size_calculation(polygon, step.term, (step.term,))
+    yield size_of
+    yield polygon.sentence(step, _lay_off(polygon, step), " = ".join([size_of.name, *size_of.formulas]))
 
 
 def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
     """The equation as it is printed: a side that is the motion sought itself stands first."""
-    sides = (part.left, part.right)
-    if not _alone(part, part.left) and _alone(part, part.right):
-        sides = (part.right, part.left)
-    front = "" if _alone(part, sides[0]) else polygon.seen(part.of, "")
+    front = "" if part.is_sought(part.sides[0]) else polygon.seen(part.of, "")
     both_sides = part.left + part.right
     rows: list[tuple[TermRow, ...]] = []
-    for side in sides:
+    for side in part.sides:
         row = []
         for term in side:
             ends, size = (term.tail, term.head), size_row(polygon, term)
@@ -74,11 +72,6 @@ def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
             row.append(TermRow(polygon.vector(term), direction, size, *lengths, ends))
         rows.append(tuple(row))
     return VectorEquation(front, tuple(rows))
-
-
-def _alone(part: Equation, side: tuple[Term, ...]) -> bool:
-    """True of a side that is nothing but the motion sought."""
-    return len(side) == 1 and side[0].of == part.of and not (side[0].seen_from or side[0].over)
 
 
 def _introduction(polygon: PolygonReading, part: Equation) -> str:
@@ -172,7 +165,7 @@ def _measured(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     reading, pole, node = polygon.reading, polygon.construction.pole, part.left[-1].head
     unknown = [term for term in part.left + part.right if term.unknowns]
     ends = [(term.tail, term.head) for term in unknown]
-    sought = node != pole and not any(_alone(part, side) for side in (part.left, part.right))
+    sought = node != pole and not any(part.is_sought(side) for side in (part.left, part.right))
     lengths = []
     for pair in dict.fromkeys([*ends, (pole, node)] if sought else ends):
         length = polygon.length_mm(*pair)

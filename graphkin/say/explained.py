@@ -213,7 +213,7 @@ def derivation(
     steps = {act.number for act in acts if act.numbered}
     yield from problem_data(reading)
     yield from goal.question()
-    yield from solution_head(reading, leaves_out=len(steps) < max(steps, default=0))
+    yield from solution_head(reading, ("length", *goal.parts), leaves_out=len(steps) < max(steps, default=0))
     yield from body
     answers = AnswerLines(goal, {entry.name: entry.value for entry in body if isinstance(entry, Calculation)})
     yield from answers.entries()

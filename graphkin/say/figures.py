@@ -12,7 +12,7 @@ from math import ceil, cos, floor, isclose, log10, radians, sin
 from typing import Literal
 
 from graphkin.base.value import frozen
-from graphkin.say.numbers import DIGITS, number
+from graphkin.say.numbers import DIGITS, noting, number
 
 _LEVEL = {"+": 1, "−": 1, "×": 2, "/": 2}
 _MOST_DIGITS = 12
@@ -74,11 +74,11 @@ class Operand(Formula):
         return f"({text})²" if text.startswith("−") else f"{text}²"
 
     def worth(self, digits: int) -> float:
-        read = as_read(number(self.value, digits=digits))
+        read = to_digits(self.value, digits)
         return read * read if self.square else read
 
     def rounded(self, digits: int, up: bool) -> Formula:
-        if isclose(as_read(number(self.value, digits=digits)), self.value, rel_tol=_CLOSE):
+        if isclose(to_digits(self.value, digits), self.value, rel_tol=_CLOSE):
             return self
         unit = 10.0 ** (floor(log10(abs(self.value))) - digits + 1)
         return Operand((ceil if up else floor)(self.value / unit) * unit, self.square)
@@ -95,7 +95,7 @@ class TrigFormula(Formula):
         return f"{self.function} {number(self.angle, digits=digits)}°"
 
     def worth(self, digits: int) -> float:
-        return self.of(as_read(number(self.angle, digits=digits)))
+        return self.of(to_digits(self.angle, digits))
 
     @property
     def value(self) -> float:
@@ -184,12 +184,19 @@ def signed_sum(parts: Sequence[tuple[float, float]]) -> Formula:
 
 def written(formula: Formula, result: float, digits: int = DIGITS) -> str:
     """A formula with as many digits as give its result as that is printed, with so many `digits`."""
+    if noting():
+        return formula.text()
     printed = number(result, digits=digits)
     room = half_unit(printed) * (1 + _CLOSE)
     candidates = [(formula, digits + more) for more in range(_MOST_DIGITS - digits + 1)]
     candidates[2:2] = [(formula.rounded(digits + 1, up), digits + 1) for up in (True, False)]
     shown = (one.text(d) for one, d in candidates if abs(one.worth(d) - as_read(printed)) <= room)
     return next(shown, formula.text(_MOST_DIGITS))
+
+
+def to_digits(value: float, digits: int) -> float:
+    """The number that a figure of so many digits says."""
+    return float(f"{value:.{digits}g}")
 
 
 def as_read(text: str) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import degrees
 
@@ -11,7 +11,7 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, in_list, say
 from graphkin.say.figures import Formula, figures, squared, written
 from graphkin.say.numbers import angle, exact, millimetres, number
-from graphkin.studies.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
+from graphkin.studies.linkages import FAMILY, Linkage, Report, filed, inverted, report
 from graphkin.studies.linkages.linkage import LinkagePosition
 from graphkin.studies.linkages.triangles import EVEN
 
@@ -35,19 +35,26 @@ def kind_name(report: Report, lang: Lang) -> str:
     return kind + say("common.note", lang, note=family)
 
 
-def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str]:
-    """Lines of a linkage found in a mechanism: which links it is made of first."""
+def all_lines(reports: Sequence[Report], lang: Lang) -> list[str]:
+    """A blank line between two linkages."""
+    return [line for report in reports for line in ("", *lines(report, lang))][1:]
+
+
+def lines(report: Report, lang: Lang) -> Iterator[str]:
+    """All that a linkage is and does, one sentence a line; of one in a mechanism which links it is made of first."""
+    if (found := report.found) is None:
+        yield from _own_lines(report, lang)
+        return
     pin = found.linkage.names[1] if "bar" in found.linkage.called else ""  # one that runs in a slot is no link
     links = (say("linkages.pin", lang, point=link) if link == pin else link for link in found.links)
     yield say("linkages.links", lang, links=in_list(links, lang))
-    yield from lines(report, lang)
+    yield from _own_lines(report, lang)
     if found.driven != "driver":
         key = "behind" if found.before is not None else found.driven
         yield say(f"linkages.found {key}", lang, driver=report.driver)
 
 
-def lines(report: Report, lang: Lang) -> Iterator[str]:
-    """All that a linkage is and does, one sentence a line."""
+def _own_lines(report: Report, lang: Lang) -> Iterator[str]:
     lengths = (f"{name} = {millimetres(value)}" for name, value in report.linkage.sizes.items())
     yield f"{kind_name(report, lang)}{say('common.colon', lang)}{say('common.and', lang).join(lengths)}"
     yield say("linkages.drives", lang, driver=report.driver, output=report.output)

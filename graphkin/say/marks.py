@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import re
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.marking.key import Name
 from graphkin.marking.records import Departure, Graded, Judged, Marked
 from graphkin.model.quantities import EDGE
+from graphkin.model.quantities.reading import respelled
+from graphkin.say.boards import fault_lines, line_name, step_line
 from graphkin.say.catalogue import close, is_phrase, say
-from graphkin.say.names import in_signs
+from graphkin.say.names import in_signs, symbols, vector
 from graphkin.say.numbers import number
+from graphkin.say.reading import capitalized
 from graphkin.say.text_table import aligned
 
 _SETS = 4  # mistakes of one set that are written out; of more the number is said
@@ -33,11 +37,13 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
     for one in marked.judged:
         given = one.written if one.given is None else edge_value(one.given, one.unit)
         tolerance = f"±{edge_value(one.tolerance, one.unit)}"
-        tolerance = "–" if one.verdict in ("dead point", "too small") else tolerance
+        tolerance = "–" if one.verdict in ("dead point", "too small") or one.of_equations else tolerance
         sizes = [given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign]
-        rows.append([in_signs(one.text, lang), *sizes, verdict(one, lang)])
+        rows.append([in_signs(line_name(one.text, lang), lang), *sizes, verdict(one, lang)])
     yield from (f"  {row}" for row in marks_table(rows))
     yield from (f"  {in_signs(line, lang)}" for line in (*_carried(marked, lang), *_explanations(marked, lang)))
+    yield from (f"  {line}" for line in fault_lines(marked.faults, lang))
+    yield from [f"  {step_line(marked.step, lang)}"] if marked.step is not None else []
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
     yield from _remarks(graded, lang)
 
@@ -61,7 +67,8 @@ def _carried(marked: Marked, lang: Lang) -> Iterator[str]:
     refused = dict.fromkeys(text for one in marked.judged if one.verdict == "wrong" for text in one.refused)
     if refused:
         yield say("marks.not carried", lang, own=between.join(refused))
-    if followed := [one.text for one in marked.judged if one.of_mistake]:
+    if followed := [one.text + ("" if one.carried is None else f" = {edge_value(one.carried, one.unit)}")
+                    for one in marked.judged if one.of_mistake]:  # fmt: skip
         yield say("marks.follows", lang, quantity=between.join(followed))
 
 
@@ -90,7 +97,8 @@ def edge_value(value: float, unit: str) -> str:
 
 def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
     """Of wrong numbers; a unit that alone is wrong stands in its verdict."""
-    if not any(one.verdict in ("wrong", "carried") and one.unit_right for one in marked.judged):
+    numbers = [one for one in marked.judged if not one.of_equations]
+    if not any(one.verdict in ("wrong", "carried") and one.unit_right for one in numbers):
         return
     if not marked.diagnosis.explanations and marked.departure is not None:
         yield departs(marked.departure, lang)
@@ -127,6 +135,8 @@ def verdict(one: Judged, lang: Lang) -> str:
         return say(f"verdicts.verdict {one.verdict}", lang)
     if not one.unit_right:
         return say("verdicts.verdict wrong unit", lang)
+    if one.of_equations and one.credit:
+        return say("verdicts.verdict partly right", lang)
     if not (one.credit > 0 and one.sense == "wrong"):
         return say("verdicts.verdict wrong", lang)
     return say(f"verdicts.verdict wrong {'direction' if one.unit in ('m/s', 'm/s^2') else 'sense'}", lang)
@@ -140,6 +150,15 @@ def mistake(name: Name, lang: Lang) -> str:
     made = f"mistakes.made {_LIKE.get(id, id)}"
     text = say(made, lang, of=of, form=form) if is_phrase(made) else id
     return say(f"mistakes.way {way}", lang, made=text) if is_phrase(f"mistakes.way {way}") else text
+
+
+def mistake_in_signs(name: Name, texts: Collection[str], lang: Lang) -> str:
+    """The same as a sentence begins, quantities as they are written; texts: of those that are handed in."""
+    # of a rotation all: `omega e c0` of an equivalent link is asked nowhere; `a point` is no acceleration
+    made = mistake(name, lang)
+    signs = respelled(made, lambda text: symbols(text) if text in texts or text[0] in "oαt" else text)
+    raised = re.sub(r"([va])\^([nktr]+)_", lambda part: vector(part[0] + "X")[:-1], signs)
+    return capitalized(raised) if raised[1:2].isascii() and raised[1:2].isalpha() else raised
 
 
 _LIKE = {"tangential-along": "velocity-along-link"}

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.model.naming import spelled
+from graphkin.model.naming import in_order, spelled
 from graphkin.model.quantities.reading import respelled
 
 LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
@@ -70,7 +70,7 @@ def arrow(tail: str, head: str) -> str:
 
 def pair(first: str, second: str) -> str:
     """Two points of the mechanism in the order a textbook writes them: AB, BD, CD; OA, O1B."""
-    return "".join(map(point, sorted((first, second), key=lambda name: (not name.startswith("O"), name))))
+    return "".join(map(point, in_order(first, second)))
 
 
 def vector(name: str) -> str:

@@ -14,7 +14,9 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from itertools import pairwise
 
 from graphkin.errors import Lang
@@ -29,11 +31,37 @@ _PLAIN = range(-6, 9)  # powers of ten that are still written out
 _LEVEL = 0.5  # what rises by more than this part of its length is above, or below
 
 
+_NOTED: ContextVar[list[float] | None] = ContextVar("noted", default=None)
+_FIRST = 0xE100  # of the letters that stand for numbers that are noted; no font has them
+
+
+@contextmanager
+def noted() -> Iterator[list[float]]:
+    """Texts that are made in here bear `noted_letter(k)` for the k-th of these numbers, who writes it later."""
+    numbers: list[float] = []
+    before = _NOTED.set(numbers)
+    try:
+        yield numbers
+    finally:
+        _NOTED.reset(before)
+
+
+def noting() -> bool:
+    return _NOTED.get() is not None
+
+
+def noted_letter(k: int) -> str:
+    return chr(_FIRST + k)
+
+
 def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
     """`27.12`, `69.2`, `−3.919`, `0`; `1.2e−12` only where nobody would count the zeros.
 
     zero  sizes up to this are rounding noise, and 0
     """
+    if (numbers := _NOTED.get()) is not None and digits == DIGITS:
+        numbers.append(0.0 if abs(value) <= zero else value)
+        return noted_letter(len(numbers) - 1)
     if abs(value) <= zero or value == 0:
         return "0"
     text = significant(value, digits)
@@ -74,6 +102,8 @@ def direction(vector: complex, read: Callable[[float], float] = float) -> float:
 def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
     """The same in print: `153.4°`."""
     angle = direction(vector, read)
+    if noting() and angle % 90 == 0:  # said by the name of the axis
+        return f"{angle:g}°"
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from typing import assert_never
 
 from graphkin.base.geometry import Real
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Direction, Equation, Plane, Size, Step, Term, kinds, terms
+from graphkin.model.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Sentence
 from graphkin.say.figures import Formula, Operand, squared
@@ -37,9 +39,9 @@ class PolygonReading:
         """SI units that one millimetre stands for."""
         return self.reading.scales[self.plane]
 
-    def sentence(self, step: Step, text: str) -> Sentence:
+    def sentence(self, step: Step, text: str, row: str = "") -> Sentence:
         """The sentence of an act of the pencil, with its number."""
-        return Sentence(text, self.reading.act(self.plane, step))
+        return Sentence(text, self.reading.act(self.plane, step), row)
 
     @cached_property
     def noise(self) -> float:
@@ -236,6 +238,8 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
             numbers = Operand(2) * Operand(abs(float(plot.omega[link]))) * Operand(velocity.read(tail, head))
             words = {"relative": relative, "rate": rate, "direction": direction}
             return KnownSize(f"2 {rate} {relative}", numbers, reading.say("derivation.quarter turned", **words))
+        case terms.Driven(slide) if (rim := _rim(polygon, slide)) is not None:
+            return replace(rim, direction=direction)
         case terms.Driven(slide):
             shrinks = (polygon.arrow(term.tail, term.head) * reading.guide(slide).conjugate()).real <= 0
             if reading.method.structure.slides[slide].named:
@@ -254,6 +258,17 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
             raise AssertionError("drawn arrows and lengths have no formula in a polygon")
         case _:
             assert_never(size)
+
+
+def _rim(polygon: PolygonReading, slide: str) -> KnownSize | None:
+    """`r3 ω3` of the centre of a wheel that rolls on the frame and is turned; None of any other slide."""
+    reading, structure = polygon.reading, polygon.reading.method.structure
+    for contact in structure.contacts if slide not in structure.slides_driven else ():
+        wheel, radius = contact.wheels[1], abs(contact.radii[1])
+        if contact.slide == slide and not contact.way and contact.wheels[0] == FRAME:
+            numbers = Operand(radius) * Operand(abs(reading.turning(wheel, polygon.plane)))
+            return KnownSize(f"{reading.radius(wheel, radius)} {polygon.rate(wheel)}", numbers, "")
+    return None
 
 
 def _at_arm(

@@ -227,13 +227,15 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
     words |= {"point": names.point(step.point), "corner": names.point(third)}
     words |= {"small": names.stretch(*corners), "large": names.point(first) + names.point(second)}
     one, other = (reading.arm(p, third) for p in (first, second))
+    row = f"{names.triangle(*corners, step.point)} ∽ {names.triangle(*step.corners)}"
     if not polygon.arrow(*step.base):
-        sentence = reading.say("derivation.image point", **words)
+        sentence, row = reading.say("derivation.image point", **words), ""
     elif aside(one, other) <= reading.noise * max(abs(one), abs(other)):
         lengths = [reading.distance(first, p) for p in (third, second)]  # `dc = db3 · CD/BD = .. = 18.81 mm`
         small, figured = polygon.length_mm(*step.base), figures(*(each / reading.scales["length"] for each in lengths))
         formula = f"{words['small']} × {names.pair(first, third)}/{names.pair(first, second)}"
         name, numbers = names.stretch(corners[0], step.point), Operand(small) * figured[0] / figured[1]
+        row = f"{name} = {formula}"
         ratio = Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text
         along = float(dot(one, reading.arm(first, second))) / abs(reading.arm(first, second)) ** 2
         key = "between" if 0 <= along <= 1 else "beyond" if along > 1 else "before"
@@ -244,7 +246,7 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
         words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}
         ccw = float(cross(reading.arm(first, second), one)) > 0
         sentence = reading.say("derivation.image triangle", sense=reading.sense(1 if ccw else -1), **words)
-    yield polygon.sentence(step, sentence)
+    yield polygon.sentence(step, sentence, row)
     yield polygon.measured_absolute(step.point)
 
 

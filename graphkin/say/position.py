@@ -53,7 +53,7 @@ class PositionReader(Tangents):
 
     def entries(self) -> Iterator[Entry]:
         """The part of the solution that draws the mechanism, with letters for the points that have none."""
-        taken = {*self.reading.mechanism.points, *self.reading.method.position.nodes, self._foot_name}
+        taken = {*self.reading.mechanism.points, *self.reading.method.position.nodes, *self._feet.values()}
         free = (mark for k in count() for letter in _SPARE if (mark := letter + "′" * k) not in taken)
         letters = dict[str, str]()
         for entry in self._entries():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import phase
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
 from math import degrees, remainder
@@ -44,13 +44,14 @@ def problem_data(reading: Reading) -> Iterator[Entry]:
                 angle = f"{given_figure(degrees(pose.value))}°"
                 words = {"angle": angle, "heading": heading(angle, reading.lang), **_turned(reading, pose)}
                 key = "derivation.pose line" if pose.from_vector is None else "derivation.pose joint"
-            poses.append(reading.say(key, **words))
+            poses.append(reading.say(key, which=words.get("line") == words.get("link"), **words))
         yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
 
 
-def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
+def solution_head(reading: Reading, drawn: Collection[str], leaves_out: bool) -> Iterator[Entry]:
     """The head of the solution itself: what plays no part in it, and the paper's scales.
 
+    drawn       the names of those scales that are used
     leaves_out  some steps of the drawing are not told
     """
     yield Heading(reading.say("solution.solution"))
@@ -58,7 +59,7 @@ def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.idle", links=reading.links(idle)))
     for line in redundant_constraints(reading.method, reading.lang):
         yield Sentence(reading.say("derivation.redundant", line=line))
-    scales = [f"{symbol} = {number(reading.scales[key])} {unit}" for key, symbol, unit in _SCALES]
+    scales = [f"{symbol} = {number(reading.scales[key])} {unit}" for key, symbol, unit in _SCALES if key in drawn]
     yield Sentence(reading.say("derivation.scales", scales=reading.joined(scales)))
     yield Sentence(reading.say("derivation.by hand" if reading.ruler else "derivation.exactly"))
     if leaves_out:
@@ -100,7 +101,7 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     else:
         key = "derivation.driven link" if shown.value else "derivation.driven along x"
     words = _turned(reading, driver) | ({"angle": shown.whole} if shown is not None else {})
-    return reading.joined([reading.say(key, **words), *texts])
+    return reading.joined([reading.say(key, which=words.get("line") == words["link"], **words), *texts])
 
 
 def _slid(reading: Reading, slide: str, size: Size) -> str:

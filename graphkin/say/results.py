@@ -52,7 +52,7 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
                     note = heading(degrees(complex(*entry["vector"])), lang) if size else ""
                 elif isinstance(read(mechanism, question), Rotation) and entry["unit"] != "rad":
                     note = sense(size, lang) if size else ""
-                value = f"{exact(size)} {in_signs(unit.name, lang)}".rstrip()
+                value = f"{exact(size)} {in_signs(unit.name, lang)}".rstrip().replace(" °", "°")
                 yield f"  {name} = {value}" + (say("common.note", lang, note=note) if note else "")
         yield f"{say('results.worst', lang)}{colon}" + f"{position['worst']:.1e}".replace("-", "−")
 

@@ -78,21 +78,22 @@ def _members(reading: Reading, base: str) -> list[str]:
 def _arms(reading: Reading, step: kinds.Fit, template: str) -> list[str]:
     """The other links' lengths, and the lines on which sliding points must lie."""
     parts = [part for closure in step.closures for part in closure.parts]
-    texts = []
+    texts: dict[object, str] = {}
     for part in (part for part in parts if not isinstance(part, terms.Arm) or part.link != template):
         if isinstance(part, terms.Arm):
             length = reading.on_paper(reading.distance(part.tail, part.head))
-            texts.append(f"{names.pair(part.tail, part.head)} = {length} mm")
+            texts.setdefault(frozenset((part.tail, part.head)), f"{names.pair(part.tail, part.head)} = {length} mm")
         elif reading.method.structure.slides_driven.get(part.slide) is not None:
             length = reading.on_paper(abs(float(reading.plot.s[part.slide])))
-            texts.append(f"{names.of_slide('s', part.slide)} = {length} mm")
+            texts.setdefault(part.slide, f"{names.of_slide('s', part.slide)} = {length} mm")
         else:
             slide = reading.method.structure.slides[part.slide]
             fixed = slide.guide == FRAME or part.slide in reading.contact_slides
             along = None if fixed else reading.points_along(part.slide)
             guide = names.pair(*along) if along else reading.path(part.slide)
-            texts.append(reading.say("contacts.lies on", point=names.point(slide.point), guide=guide))
-    return list(dict.fromkeys(texts))
+            on = reading.say("contacts.lies on", point=names.point(slide.point), guide=guide)
+            texts.setdefault(on, on)
+    return list(texts.values())
 
 
 def link_angle(reading: Reading, link: str, printed: Callable[[complex], str]) -> str:

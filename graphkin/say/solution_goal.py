@@ -7,21 +7,20 @@ from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Tangential, Turning
+from graphkin.construction import Equation, LayOff, Normal, Plane, Tangential, Turning
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
+from graphkin.planning.asked import PLANES, asked_parts, facts_of, plane_of
 from graphkin.planning.at_rest import moving_parts
-from graphkin.planning.needed import Fact, Part, aids, arms, needed, turning
+from graphkin.planning.needed import Part, aids, arms, needed
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.reading import Reading
 
 if TYPE_CHECKING:
     from graphkin.say.centre_steps import CentrePart
-
-PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 
 @frozen
@@ -124,11 +123,11 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     """As far as the file asks, to the plane `only`; all there is with `everything`, or where it asks for no motion."""
     mechanism, planes = reading.mechanism, PLANES[1 : PLANES.index(only) + 1]
     questions = {text: read(mechanism, text) for text in mechanism.ask}
-    questions = {text: one for text, one in questions.items() if one is None or _plane(one) in ("position", *planes)}
+    questions = {text: one for text, one in questions.items() if one is None or plane_of(one) in ("position", *planes)}
     answerable = [one for one in questions.values() if one is not None]
-    facts = {fact for one in answerable for fact in _facts(reading, one)}
-    if everything or not facts:
-        placed = (one for one in answerable if isinstance(one, Centre) or _plane(one) == "position")
+    shown = asked_parts(reading.method, answerable, reading.steady, planes)
+    if everything or not shown:
+        placed = (one for one in answerable if isinstance(one, Centre) or plane_of(one) == "position")
         # omega and alpha of every link that is not driven, v and a of every point that moves and is no aid
         rotations = [Rotation("omega" if plane == "velocity" else "alpha", mechanism.called(link), link)
                      for plane in planes for link in mechanism.moving if link not in mechanism.driven]  # fmt: skip
@@ -139,16 +138,10 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
         if reading.steady:
-            led = needed(reading.method, {fact for one in wanted for fact in _facts(reading, one)}, reading.steady)
+            facts = {fact for one in wanted for fact in facts_of(reading.method, one)}
+            led = needed(reading.method, facts, reading.steady)
             parts = {plane: led[plane] for plane in planes}
         return SolutionGoal(reading, wanted, tuple(one.text for one in wanted), parts, False)
-    led = needed(reading.method, {*facts}, reading.steady)
-    shown: dict[Plane, tuple[Part, ...]] = {}
-    for plane in planes:  # in which something is drawn, or needs no step, as a driven rotation does
-        kinds = ("omega" if plane == "velocity" else "alpha", plane)
-        direct = any(kind.removeprefix("driven ") in kinds for kind, _ in facts)
-        if direct or any(not isinstance(part, Given) for part in led[plane]):
-            shown[plane] = led[plane]
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
 
 
@@ -157,39 +150,3 @@ def _moved(speed: Quantity, mechanism: Mechanism) -> tuple[str, ...]:
     if isinstance(speed, Moving) and speed.word == "v" and speed.seen_from is None:
         return mechanism.owners.get(speed.site.point, ())
     return (speed.link,) if isinstance(speed, Rotation) and speed.word == "omega" else ()
-
-
-def _plane(quantity: Quantity) -> Plane:
-    """The plane in which a quantity is found."""
-    if isinstance(quantity, Centre):
-        return "velocity"
-    unit = max(quantity.halves, key=lambda half: half.unit.endswith("^2")).unit
-    if unit in ("rad/s^2", "m/s^2"):
-        return "acceleration"
-    return "velocity" if unit in ("rad/s", "m/s") else "position"
-
-
-def _facts(reading: Reading, quantity: Quantity) -> Iterator[Fact]:
-    """The facts that a quantity of motion takes from a construction; a place and a centre need no polygon."""
-    match quantity:
-        case Rotation(word=word, link=link):
-            yield from (turning(reading.method, word, link),) if word != "theta" else ()
-        case Moving() | Component():
-            method, owners, plane = reading.method, reading.mechanism.owners, _plane(quantity)
-            construction = method.velocity if plane == "velocity" else method.acceleration
-            nodes = {node.name: node.site for node in construction.nodes.values() if node.site is not None}
-            for point, link in ((site.point, site.link) for site in quantity.sites):
-                holding = [link, *(owners.get(point, ()) if link in owners.get(point, ()) else ())]
-                there = [name for name, site in nodes.items() if site.point == point and site.link in holding]
-                if not there and link != FRAME:  # the polygon does not show it: what moves its link
-                    yield turning(method, "omega", link)
-                    yield from (turning(method, "alpha", link),) if plane == "acceleration" else ()
-                    there = [name for name, site in nodes.items() if link in (site.link, *owners.get(site.point, ()))]
-                yield from ((plane, name) for name in there[:1])
-        case Quotient():
-            for half in quantity.halves:
-                yield from _facts(reading, half)
-        case Displacement() | Place() | Track() | Centre():
-            pass
-        case _:
-            assert_never(quantity)

@@ -26,11 +26,9 @@ KINDS: Mapping[type[Pair], Callable[..., tuple[str, str]]] = {
 """The line of each kind, and the point it is about."""
 
 
-def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
+def structure_lines(parts: Structure, lang: Lang) -> Iterator[str]:
     """Text for a terminal."""
-    from graphkin.studies.assur import structure
-
-    mechanism, parts = method.mechanism, structure(method)
+    mechanism = parts.method.mechanism
 
     def head(name: str, entries: Iterable[str] = ()) -> str:
         return f"{say(name, lang)}{say('common.colon', lang)}{in_list(entries, lang)}".rstrip()
@@ -44,7 +42,7 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
         groups = {"links": pair.joins, "guide": (guide,), "block": block}
         names = {word: in_list(map(mechanism.called, links), lang) for word, links in groups.items()}
         yield "  " + say(f"structure.pair {key}", lang, point=point, **names)
-    yield from _freedoms(method, parts, lang)
+    yield from _freedoms(parts, lang)
     yield head("structure.drivers", [driver.name for driver in mechanism.drivers])
     yield head("structure.groups")
     for k, group in enumerate(parts.groups, 1):  # `4, 3, 5, 1+2`, `2 and the block that replaces cam pair 1–2`
@@ -63,7 +61,7 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
     yield head("structure.methods", methods or [say("structure.none", lang)])
 
 
-def _freedoms(method: Method, parts: Structure, lang: Lang) -> Iterator[str]:
+def _freedoms(parts: Structure, lang: Lang) -> Iterator[str]:
     rolled = f" − {parts.rolled}" if parts.rolls else ""
     formula = str(parts.formula).replace("-", "−")
     words = {"n": parts.moving, "low": parts.low, "high": parts.high, "f": formula, "rolled": rolled}
@@ -78,7 +76,8 @@ def _freedoms(method: Method, parts: Structure, lang: Lang) -> Iterator[str]:
     if parts.repeated:
         left_out = say("structure.left out", lang, count=parts.uncounted) if parts.uncounted else ""
         yield "  " + say("structure.redundant", lang, count=parts.repeated) + left_out
-        yield from ("  " + say("structure.repeats", lang, what=what) for what in redundant_constraints(method, lang))
+        repeated = redundant_constraints(parts.method, lang)
+        yield from ("  " + say("structure.repeats", lang, what=what) for what in repeated)
 
 
 def redundant_constraints(method: Method, lang: Lang) -> Iterator[str]:

@@ -37,23 +37,31 @@ def why(event: Event, lang: Lang) -> str:
     return say(f"sweeps.event {event.kind}", lang, links=listed(event.links, lang))
 
 
+def stop_line(course: Course, stop: Event, lang: Lang) -> str:
+    """Where a path ends, and why."""
+    reason = why(stop, lang)
+    if stop.kind not in ("tangent", "parallel"):
+        reason = say("sweeps.dead", lang, why=reason)
+    return say("sweeps.stop", lang, at=_at(course, stop.at), why=reason)
+
+
+def change_line(course: Course, change: Event, lang: Lang) -> str:
+    """Where a change point is, and why."""
+    return say("sweeps.change", lang, at=_at(course, change.at), why=why(change, lang))
+
+
 def remarks(course: Course, lang: Lang) -> Iterator[str]:
     """The range of the driver, and what it passes through."""
     unit = course.unit
     if not course.full_turn:
         low, high = (at_edge(value, unit) for value in course.reach)
         yield say("sweeps.range", lang, driver=course.driver.name, low=low, high=high)
-        for stop in course.stops:
-            reason = why(stop, lang)
-            if stop.kind not in ("tangent", "parallel"):
-                reason = say("sweeps.dead", lang, why=reason)
-            yield say("sweeps.stop", lang, at=_at(course, stop.at), why=reason)
+        yield from (stop_line(course, stop, lang) for stop in course.stops)
         stops = [stop.at for stop in course.path.stops]
         for end, side in ((course.path.low, -1), (course.path.high, 1)):
             if not any(stop * side > 0 for stop in stops):  # nothing stops it there but that no one looked farther
                 yield say("sweeps.open", lang, at=_at(course, end))
-    for change in course.changes:
-        yield say("sweeps.change", lang, at=_at(course, change.at), why=why(change, lang))
+    yield from (change_line(course, change, lang) for change in course.changes)
     if course.dropped.size:
         yield say("sweeps.dropped", lang, count=course.dropped.size)
     if sum(map(bool, course.path.pace)) > 1:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from cmath import phase
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import count
 from math import copysign, degrees
 
 from graphkin.base.geometry import cross, dot
@@ -108,7 +110,7 @@ class Tangents:
 
     def _swing(self, step: Swing) -> str:
         reading, along = self.reading, self.reading.guide(step.slide)
-        arm, offset, foot = reading.arm(step.pivot, step.through), self._offset(step), self._foot_name
+        arm, offset, foot = reading.arm(step.pivot, step.through), self._offset(step), self._feet.get(step.slide, "")
         words = {"pivot": reading.place(step.pivot), "through": reading.place(step.through)}
         words["link"] = reading.link(step.link)
         if offset <= reading.noise:
@@ -200,11 +202,18 @@ class Tangents:
             return reading.say("derivation.at the foot", **words)
         ahead = float(dot(through - foot, tip - foot))
         at_pivot = self._offset(swing) <= reading.noise
-        name = reading.place(swing.pivot) if at_pivot else self._foot_name
+        name = reading.place(swing.pivot) if at_pivot else self._feet[swing.slide]
         words |= {"foot": name, "through": reading.place(swing.through)}
         return reading.say("derivation.on tangent", which=ahead <= 0, **words)
 
-    @property
-    def _foot_name(self) -> str:
-        """T, or the next letter that no point of the mechanism takes."""
-        return next(letter for letter in ("T", "U", "V", "Z", "T′") if letter not in self.reading.mechanism.owners)
+    @cached_property
+    def _feet(self) -> dict[str, str]:
+        return feet(self.reading)
+
+
+def feet(reading: Reading) -> dict[str, str]:
+    """Letters that no point of the mechanism takes, by slide: where guide lines touch the circles about pivots."""
+    letters = (mark for k in count() for letter in "TUVZ" if (mark := letter + "′" * k) not in reading.mechanism.owners)
+    swings = [step for step in reading.method.position.steps if isinstance(step, Swing)]
+    offsets = {step.slide: aside(reading.guide(step.slide), reading.arm(step.pivot, step.through)) for step in swings}
+    return {slide: next(letters) for slide, offset in offsets.items() if offset > reading.noise}

@@ -13,20 +13,21 @@ How to add a sheet:
  2. its room: alone under a heading (`single_figure.place_for`, `.sheet`), or in cells over captions
     (`single_figure.Picture` with its `Extent.of(places, draw)`; `gridded`); what ruler and compass draw on it is a
     `drafting_figure.DraftingFigure`, which has points with letters, angles and the names of curves, too;
- 3. the page, unless it is alone: `Page(paper, panels, mechanism, drivers, lang, Strip(room, tables)).sheet()`, where
-    `paper.papers_for` knows the paper and `layout.divided` parts it into field and strip (`titleblock.strip_height`);
+ 3. the page, unless it is alone: `Page(paper, panels, mechanism, drivers, lang, Strip(tables)).sheet()`, where
+    `paper.papers_for` knows the paper and `Paper.divided` parts it into field and strip (`Strip.height`);
  4. one sheet a step: number the marks (`step`), then `page.step_sheets(whole, numbers)`;
  5. the command that writes it hands it to `graphkin.outputs`; its command line in `tests/golden.py` keeps it.
 """
 
 from __future__ import annotations
 
+from graphkin.errors import TooLargeForPaper, UnknownPaper
 from graphkin.sheet.composition import Style
 from graphkin.sheet.mechanism_sheet import mechanism_sheet as sheet
 from graphkin.sheet.mechanism_sheet import mechanism_step_sheets as step_sheets
 from graphkin.sheet.mechanism_sheet import scales_of
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import PAPERS, Paper, TooLargeForPaper, UnknownPaper
+from graphkin.sheet.paper import PAPERS, Paper
 from graphkin.sheet.path_figure import Paths
 
 __all__ = [

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from itertools import chain
-
-import numpy as np
 
 from graphkin.base.geometry import place as as_place
 from graphkin.base.value import frozen
@@ -14,6 +12,7 @@ from graphkin.construction import Plane
 from graphkin.construction.drafting import CarriedAngle, LineStep, PointStep, Step
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
+from graphkin.say.catalogue import say
 from graphkin.say.centre_about import bobillier_words, link_words
 from graphkin.sheet import symbols
 from graphkin.sheet.centre_figure import INFINITY, coordinates
@@ -26,32 +25,19 @@ from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName, finest
 from graphkin.sheet.path_figure import circle, clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
-from graphkin.sheet.titleblock import Table
-from graphkin.sheet.window import Entry, Figure, corners, enlarged
+from graphkin.sheet.titleblock import Strip, Table
+from graphkin.sheet.window import Entry, Figure, enlarged
 from graphkin.studies.centres.about import About, Circle, InflectionLine
 from graphkin.studies.centres.about_bobillier import Bobillier
 
 _POLE, _MOST = 2.6, 1.5
 """So many times larger the figure may become for the pole; and then for circles and centres of curvature."""
 _LONGEST = 28.0  # the longest velocity arrow [mm]
-_FIELD = 17.0  # how far the arrows of the field stand apart [mm]
-_LIGHT = 0.5  # the field's arrows are so much shorter than the scale says, not to cover one another
 _AXIS = 38.0  # half of the pole tangent, and of the normal [mm]
 _TOWARDS = 30.0  # how far a ray goes to a pole that is not on the paper [mm]
 
 _CURVATURE, _ARC = 2.6, 12.0
 """So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm]."""
-
-HEADING: dict[Lang, str] = {"en": "Link {link} about its instant centre", "zh": "构件 {link} 绕瞬心的运动"}
-BOBILLIER: dict[Lang, str] = {
-    "en": "Centre of curvature of the path of {point} of link {link} (Bobillier)",
-    "zh": "构件 {link} 上点 {point} 轨迹的曲率中心（波比利尔作图法）",
-}
-INFLECTION: dict[Lang, str] = {"en": "inflection circle", "zh": "拐点圆"}
-INFLECTION_LINE: dict[Lang, str] = {"en": "inflection circle (a line)", "zh": "拐点圆（退化为直线）"}
-RETURN: dict[Lang, str] = {"en": "cuspidal circle", "zh": "尖点圆"}
-_POINT: dict[Lang, str] = {"en": "point", "zh": "点"}
-_CENTRE: dict[Lang, str] = {"en": "K (x, y) [mm]", "zh": "K（x，y）[mm]"}
 
 
 def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
@@ -63,19 +49,19 @@ def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> 
         if isinstance(drawn, Circle):
             beside += [drawn.centre + drawn.radius * side for side in (1, 1j, -1, -1j)]
     places = enlarged(enlarged(shown_places(method, plot), [link.pole], _POLE), beside, _MOST)
-    on = place_for(method, [plot], places, paper, _point_tables(link, lang), [*link_words(link, lang)])
+    on = place_for(method, [plot], places, paper, Strip(_point_tables(link, lang), [*link_words(link, lang)]))
     drawing = _LinkDrawing(link, on, lang)
-    under = chain(drawing.circles(), drawing.axes(), drawing.rays(), drawing.field())
+    under = chain(drawing.circles(), drawing.axes(), drawing.rays())
     over = chain(drawing.velocities(), drawing.poles(), drawing.centres())
     figure = Figure.of(under) + on.mechanism(plot) + Figure.of(over)
     further: dict[Plane, float] = {"velocity": drawing.pace} if link.moves else {}
-    return on.sheet(plot, HEADING[lang].format(link=link.called), figure, lang, further)
+    return on.sheet(plot, say("about.sheet heading", lang, link=link.called), figure, lang, further)
 
 
 def _point_tables(link: About, lang: Lang) -> list[Table]:
     """Speed, acceleration and curvature of its points; empty for a link without named points."""
     heads = [(Run(letter, True), Run(f" [{unit}]")) for letter, unit in (("v", "m/s"), ("a", "m/s²"), ("ρ", "mm"))]
-    head = (plain(_POINT[lang]), *heads, plain(_CENTRE[lang]))
+    head = (plain(say("about.sheet point", lang)), *heads, plain(say("about.sheet centre", lang)))
     rows = []
     for name, carried in link.points.items():
         sizes = [number(abs(value)) for value in (carried.velocity, carried.acceleration)]
@@ -89,18 +75,21 @@ def _point_tables(link: About, lang: Lang) -> list[Table]:
 
 @frozen
 class _LinkDrawing:
-    """A link on a page: its marks and labels in the order of painting."""
-
     link: About
     on: SingleFigure
     lang: Lang
 
     @property
     def pace(self) -> float:
-        """Scale of the velocity arrows [(m/s)/mm]."""
-        fastest = max((abs(carried.velocity) for carried in self.link.points.values()), default=0.0)
+        """Scale of the velocity arrows, which stay within the room [(m/s)/mm]."""
+        points, window, room = self.link.points.values(), self.on.window, self.on.room
+        fastest = max((abs(carried.velocity) for carried in points), default=0.0)
         fastest = fastest or abs(self.link.base[1]) or abs(self.link.omega) * self.link.size
-        return finest(complex(fastest, 0), complex(_LONGEST, _LONGEST))
+        for part in (1.0, 0.7, 0.5, 0.35, 0.25):
+            pace = finest(complex(fastest, 0), complex(part * _LONGEST, _LONGEST))
+            if all(room.holds(window(each.place) + 1.1 * window.turned(each.velocity / pace)) for each in points):
+                break
+        return pace
 
     @property
     def name(self) -> Label:
@@ -113,19 +102,19 @@ class _LinkDrawing:
         if isinstance(link.inflection, InflectionLine):
             foot, along = window(link.inflection.through), window.turned(link.inflection.direction)
             reach = abs(room.size) + abs(foot - room.middle)
-            yield from self._curve([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)
+            line = list(clipped([foot - reach * along, foot + reach * along], room, "thin"))
+            yield from line
+            yield from named(line, plain(say("about.sheet inflection line", self.lang)))
         if not link.diameter or link.returning is None or not isinstance(link.inflection, Circle):
             return
         pens: tuple[PenName, ...] = ("thin", "dashed")
-        for drawn, pen, words in zip((link.inflection, link.returning), pens, (INFLECTION, RETURN), strict=True):
-            places = circle(window(drawn.centre), drawn.radius / window.scale, room)
-            yield from self._curve(places, pen, words)
+        both = link.inflection, link.returning
+        rims = [circle(window(each.centre), each.radius / window.scale, room) for each in both]
+        every = [list(clipped(rim, room, pen)) for rim, pen in zip(rims, pens, strict=True)]
+        for own, others, words in zip(every, every[::-1], ("inflection", "return"), strict=True):
+            yield from own
+            yield from named(own, plain(say(f"about.sheet {words}", self.lang)), others)
         yield from self._spot(link.pole + link.diameter, plain("W", italic=True))
-
-    def _curve(self, places: list[Place], pen: PenName, words: Mapping[Lang, str]) -> Iterator[Entry]:
-        strokes = list(clipped(places, self.on.room, pen))
-        yield from strokes
-        yield from named(strokes, plain(words[self.lang]), 1 / 3)
 
     def axes(self) -> Iterator[Entry]:
         """Pole tangent t and normal n."""
@@ -156,26 +145,6 @@ class _LinkDrawing:
         for at, along in last:
             where = INFINITY if far else (Run(" "), *coordinates(link.found, link.pole), Run(" mm"))
             yield LabelRequest((*self.name, *where), at, gap=1.0, away=along)
-
-    def field(self) -> Iterator[Entry]:
-        """A light field of velocities over the link's plane, about its points and its pole."""
-        link, window, room = self.link, self.on.window, self.on.room
-        if not link.moves:
-            return
-        places = [*filter(room.holds, map(window, (*(carried.place for carried in link.points.values()), link.pole)))]
-        if not places:
-            return
-        low, high = corners(places)
-        xs = np.arange(low.real - _FIELD, high.real + _FIELD + 1e-9, _FIELD)
-        ys = np.arange(low.imag - _FIELD, high.imag + _FIELD + 1e-9, _FIELD)
-        for at in (complex(x, y) for x in xs for y in ys):
-            velocity = link.carried(((at - window.origin) * window.scale).conjugate()).velocity
-            arrow = window.turned(velocity / self.pace) * _LIGHT
-            inside = room.holds(at) and room.holds(at + arrow)
-            if 1.0 < abs(arrow) <= _FIELD and inside and all(abs(at - p) > 5 for p in places):
-                tip, along = at + arrow, arrow / abs(arrow)
-                head = tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along
-                yield from (Stroke(line, "thin", accent="velocity") for line in ((at, tip), head))
 
     def velocities(self) -> Iterator[Entry]:
         """The velocity of each point, to the scale of velocities."""
@@ -215,17 +184,15 @@ def bobillier_sheet(link: About, solution: Bobillier, *, paper: str | None = Non
     names = (solution.point, solution.pole, solution.answer, *solution.crossings)
     places = [as_place(solution.board.at(name)) for name in names]
     shown = enlarged(shown_places(method, plot), places, _CURVATURE)
-    on = place_for(method, [plot], shown, paper, told=bobillier_words(solution, lang))
+    on = place_for(method, [plot], shown, paper, Strip(told=bobillier_words(solution, lang)))
     drawing = _BobillierDrawing(solution, DraftingFigure(solution.construction, solution.board, on.window, on.room))
     points = drawing.points(solution.point not in method.mechanism.points)
     figure = Figure.of(drawing.on.stages(drawing.step)) + on.mechanism(plot) + Figure.of(points)
-    return on.sheet(plot, BOBILLIER[lang].format(point=solution.point, link=link.called), figure, lang)
+    return on.sheet(plot, say("about.sheet bobillier", lang, point=solution.point, link=link.called), figure, lang)
 
 
 @frozen
 class _BobillierDrawing:
-    """The construction on a page."""
-
     solution: Bobillier
     on: DraftingFigure
 

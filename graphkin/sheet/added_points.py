@@ -7,20 +7,25 @@ from collections.abc import Iterator, Mapping
 
 from graphkin.base import geometry
 from graphkin.base.value import frozen
-from graphkin.construction import Along, Arc, Meet, Plot, Ray, Site, Touch
+from graphkin.construction import Along, Arc, Meet, Plot, Ray, Site, Swing, Touch
 from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
 from graphkin.planning.method import pages
+from graphkin.proof.readings import readings
+from graphkin.say.reading import Reading
+from graphkin.say.tangents import feet
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import plain, point_label
-from graphkin.sheet.marks import Place, PointMark, Stroke
+from graphkin.sheet.lettering import plain, point_label, quantity_label
+from graphkin.sheet.marks import Disc, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.symbols import arrow_head
+from graphkin.sheet.symbols import HINGE, THIN_HEAD, arrow_head
 from graphkin.sheet.window import Figure, corners
 
 _BEYOND = 6.0  # how far a leg's line goes on past the special point [mm]
 _CUT = 34.0  # how much is drawn of a line to a special point off the paper [mm]
+_AXIS = 9.0  # the length of an axis [mm]
 _FAR = 1.9  # so many times larger the mechanism may become for a special point's sake
 
 
@@ -48,15 +53,45 @@ def _special_points(method: Method) -> Iterator[_Special]:
 
 
 def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping[str, complex]:
-    """Special points that lie near enough to the mechanism to be drawn [m]."""
+    """Special points, asked centres and the origin that they are told from, where they lie near enough to the mechanism
+    to be drawn [m]."""
     low, high = corners(others)
     size, near = max((high - low).real, (high - low).imag), dict[str, complex]()
-    for special in _special_points(method):
-        at = geometry.place(plot.position[special.name])
+    places = {special.name: geometry.place(plot.position[special.name]) for special in _special_points(method)}
+    for name, at in {**places, **_asked(method, plot)}.items():
         least, most = corners([low, high, at])
         if max((most - least).real, (most - least).imag) <= _FAR * size:
-            near[special.name] = at
+            near[name] = at
     return near
+
+
+def _asked(method: Method, plot: Plot) -> dict[str, complex]:
+    """Asked instant centres, and the origin "" where there are such, off the origin [m]."""
+    quantities = (read(method.mechanism, text) for text in method.mechanism.ask if plot.omega)
+    centres = [quantity for quantity in quantities if isinstance(quantity, Centre)]
+    motions = readings(method, plot) if centres else None
+    every = {centre.text: geometry.place(centre.place(motions)) for centre in centres if motions is not None}
+    places = {name: at for name, at in every.items() if cmath.isfinite(at)}
+    return {**places, "": 0j} if any(map(abs, places.values())) else places
+
+
+def asked_centres(method: Method, skeleton: Skeleton, plot: Plot, drawn: list[complex]) -> Figure:
+    """Asked centres, and the axes at the origin in which their places are told; those on a joint by their letters."""
+    figure, last = Figure(), max((act.page for act in method.acts), default=None)
+    points = [skeleton.at(point) for point in (*skeleton.points, *method.special) if point in plot.position]
+    pivots = [skeleton.at(driver.vector[0]) for driver in method.mechanism.drivers if driver.vector is not None]
+    for name, at in ((name, skeleton.window(place)) for name, place in _asked(method, plot).items() if place in drawn):
+        if name:
+            joint = any(abs(point - at) < HINGE for point in points)
+            rings = [Disc(at, 1.0, "thin", "paper", step=last), Disc(at, 0.4, "thin", "ink", step=last)]
+            figure.marks += [] if joint else rings
+            figure.wanted.append(LabelRequest(quantity_label("P", name[1:]), at, gap=HINGE, step=last, spare=2 * joint))
+        else:
+            for letter, way in (("x", 1), ("y", -1j)) if all(abs(at - pivot) > 0.1 for pivot in pivots) else ():
+                tip = at + _AXIS * way
+                figure.marks += [Stroke((at, tip), "thin"), arrow_head(tip, way, None, THIN_HEAD)]
+                figure.wanted.append(LabelRequest(plain(letter, italic=True), tip, gap=0.3, away=way))
+    return figure
 
 
 def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
@@ -90,7 +125,6 @@ def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure
 
 
 def _ends(skeleton: Skeleton, ray: Ray) -> list[Place]:
-    """The ends of a leg on paper."""
     names = [ray.through, *((ray.direction.tail, ray.direction.head) if isinstance(ray.direction, Along) else ())]
     return [skeleton.at(name) for name in names]
 
@@ -104,4 +138,20 @@ def contacts(method: Method, skeleton: Skeleton) -> Figure:
             site = named_site(Site(step.point, FRAME))
             figure.marks.append(PointMark("position", step.point, step.point, at, 0.6, step=number, site=site))
             figure.wanted.append(LabelRequest(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number))
+    return figure
+
+
+def touched(method: Method, plot: Plot, skeleton: Skeleton) -> Figure:
+    """Where guide lines touch the circles about their pivots, with radius and tangent."""
+    figure, page, letters = Figure(), pages(method), feet(Reading(method, plot, {}, "en"))
+    for step in method.position.steps:
+        if isinstance(step, Swing) and step.slide in letters:
+            pivot, through = skeleton.at(step.pivot), skeleton.at(step.through)
+            along, number = skeleton.direction(method.structure.slides[step.slide].line), page["position", step]
+            foot = through - (along.conjugate() * (through - pivot)).real * along
+            if min(abs(foot - pivot), abs(foot - through)) >= 0.5:
+                figure.marks.append(Stroke((pivot, foot, through), "construction", step=number))
+                figure.marks.append(Disc(foot, 0.6, "thin", "ink", step=number))
+                label = point_label(letters[step.slide].replace("′", "'"))
+                figure.wanted.append(LabelRequest(label, foot, gap=0.8, away=foot - pivot, step=number))
     return figure

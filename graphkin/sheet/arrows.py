@@ -1,29 +1,31 @@
 """Arrows of a polygon on one line, and heads that would melt.
 
 Arrows on one line lie on one another, as books draw them: each from its point to its point. The name of one stands
-where no other lies, if it goes on past the others. Heads that meet at one point under a small angle open outwards
-only; what would still become one to the eye stands back from its point, the longer arrow's.
+where no shorter one lies, if it has such a piece; else they lie side by side, tied to their points. Heads that meet at
+one point under a small angle open outwards only; what would still become one to the eye stands back from its point,
+the longer arrow's.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import count, pairwise
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.marks import Half, PointMark, VectorMark
+from graphkin.sheet.marks import Half, Mark, PointMark, Stroke, VectorMark
 from graphkin.sheet.window import Figure
 
 TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that [mm]
 _ON, _ALONG = 0.3, 1.0
 """Nearer than this to a line, over more than this of it, an arrow lies on it [mm]."""
-_NAMED = 4.0  # a piece of its own that is shorter bears no arrow's name [mm]
+_NAMED = 3.0  # a piece of its own that is shorter bears no arrow's name [mm]
+_LANE = 1.2  # from arrow to arrow, where they would hide one another [mm]
 _SHORT = 0.9  # the heads of shorter arrows stay as they are [mm]
 _SAME = 0.2  # heads nearer than this are at one place [mm]
 _ONE, _MELT = math.radians(2), math.radians(22)
@@ -33,35 +35,74 @@ _SIDES: tuple[Half, Half] = ("left", "right")
 _SHARE = 0.08  # so much of a head may lie in another
 _SQUARE = np.stack(np.meshgrid(*2 * [np.linspace(0.04, 0.96, 12)])).reshape(2, -1)
 _GRID = np.where(_SQUARE.sum(axis=0) > 1, 1 - _SQUARE, _SQUARE)  # places in a triangle, in parts of two of its sides
+_Piece = tuple[float, float]
+_Key = tuple[str, complex]
+"""The name of an arrow, and where it starts: points of two links may move alike."""
 Head = tuple[complex, complex, complex]
 """The corners of an arrow head, the tip first [mm]."""
 
 
-def named_apart(figure: Figure) -> Figure:
-    """The figure with the name of each arrow at the longest piece of it on which no other lies, if that can bear it."""
+def side_by_side(figure: Figure) -> Figure:
+    """The figure with arrows beside those that they would hide, tied to their points; the name of each at the longest
+    piece of it on which no shorter one lies, if that can bear it."""
     vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.length > _ALONG]
+    vectors.sort(key=lambda vector: vector.length)
     start, end = (np.array([getattr(v, side) for v in vectors], dtype=complex) for side in ("start", "end"))
-    pieces = {(v.plane, v.name): max(_own(v, start, end), key=lambda piece: piece[1] - piece[0], default=None)
-              for v in vectors}  # fmt: skip
-    by_name, labels = {name: piece for (_, name), piece in pieces.items()}, list[LabelRequest]()
-    for want in figure.wanted:
-        piece = by_name.get(want.of)
-        if piece is not None and want.end is not None and piece[1] - piece[0] >= _NAMED:
-            along = (want.end - want.start) / abs(want.end - want.start)
-            want = replace(want, start=want.start + piece[0] * along, end=want.start + piece[1] * along)
-        labels.append(want)
-    return Figure(figure.marks, labels)
+    on = [_pieces_on(vector, start, end) for vector in vectors]
+    pieces = [[*_free(v, low[:k], high[:k]), (0.0, 0.0)] for k, (v, (low, high)) in enumerate(zip(vectors, on))]
+    free = {(v.name, v.start): max(each, key=lambda piece: piece[1] - piece[0])
+            for v, each in zip(vectors, pieces, strict=True)}  # fmt: skip
+    hidden = np.array([high - low < _NAMED for low, high in (free[v.name, v.start] for v in vectors)], dtype=bool)
+    lanes, moved = np.full(len(vectors), np.nan), dict[_Key, VectorMark]()
+    for k, (low, high) in enumerate(on):
+        taken = lanes[(high - low > _NAMED) & (hidden | hidden[k])]
+        lanes[k] = next(lane for n in count() for lane in (n * _LANE, -n * _LANE) if lane not in taken)
+        if lanes[k]:
+            moved[vectors[k].name, vectors[k].start] = _beside(vectors[k], lanes[k])
+    marks = list[Mark]()
+    for mark in figure.marks:
+        if isinstance(mark, VectorMark) and (new := moved.get((mark.name, mark.start))) is not None:
+            ends = (mark.start, new.start), (mark.end, new.end)
+            marks += [*(Stroke(tie, "construction", step=mark.step) for tie in ends), new]
+        else:
+            marks.append(mark)
+    return Figure(marks, [_named(want, moved, free) for want in figure.wanted])
 
 
-def _own(vector: VectorMark, starts: Array, ends: Array) -> Iterator[tuple[float, float]]:
-    """The pieces of an arrow on which no other lies, from its tail [mm]."""
+def _beside(vector: VectorMark, lane: float) -> VectorMark:
+    """The arrow so far aside, to the same side as others of its line that have as much [mm]."""
+    along = (vector.end - vector.start) / vector.length
+    aside = float(lane) if (round(along.real, 6), along.imag) > (0, 0) else -float(lane)
+    off = -1j * along * aside
+    return replace(vector, start=vector.start + off, end=vector.end + off, aside=aside)
+
+
+def _named(want: LabelRequest, moved: Mapping[_Key, VectorMark], free: Mapping[_Key, _Piece]) -> LabelRequest:
+    """The label of an arrow where that is drawn now."""
+    if (vector := moved.get((want.of, want.start))) is not None:
+        off = vector.start - want.start
+        return replace(want, start=vector.start, end=vector.end, away=off)
+    low, high = free.get((want.of, want.start), (0.0, 0.0))
+    if want.end is None or high - low < _NAMED:
+        return want
+    along = (want.end - want.start) / abs(want.end - want.start)
+    return replace(want, start=want.start + low * along, end=want.start + high * along)
+
+
+def _pieces_on(vector: VectorMark, starts: Array, ends: Array) -> tuple[Array, Array]:
+    """From where to where others lie on an arrow, from its tail; nothing of those that do not [mm]."""
     along = ((vector.end - vector.start) / vector.length).conjugate()
     one, other = (starts - vector.start) * along, (ends - vector.start) * along
     low, high = np.sort([one.real, other.real], axis=0).clip(0, vector.length)
     near = (np.maximum(np.abs(one.imag), np.abs(other.imag)) < _ON) & (high - low > _ALONG)
     near &= (abs(starts - vector.start) > _SAME) | (abs(ends - vector.end) > _SAME)  # not the arrow itself
+    return low * near, high * near
+
+
+def _free(vector: VectorMark, low: Array, high: Array) -> Iterator[_Piece]:
+    """The pieces of an arrow on which no other lies, from its tail [mm]."""
     at = 0.0
-    for begin, stop in sorted(zip(low[near].tolist(), high[near].tolist(), strict=True)):
+    for begin, stop in sorted(zip(low[high > low].tolist(), high[high > low].tolist(), strict=True)):
         if begin > at:
             yield at, begin
         at = max(at, stop)

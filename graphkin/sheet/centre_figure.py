@@ -22,7 +22,7 @@ from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, VectorMark
-from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places
+from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.paper import Room
 from graphkin.sheet.path_figure import clipped
@@ -36,10 +36,8 @@ SAME = 0.05  # places closer than this are one on paper [mm]
 
 @frozen
 class Spot:
-    """A centre at one position: the stage that finds it (the first is 1) and where it is.
-
-    place   [m]; None at infinity. direction  where a centre at infinity lies, a unit vector; 0 for others
-    """
+    """A centre at one position: the stage that finds it (the first is 1), its place [m], None at infinity, and the
+    direction in which one at infinity lies, a unit vector; 0 for others."""
 
     name: str
     number: int
@@ -78,7 +76,6 @@ _ARROW, _EDGE_ARROW = 13.0, 8.0
 """An arrow to infinity, and one to a centre beyond the edge [mm]."""
 _OFF = BLOCK.imag / 2 + 1.0  # from a block's middle to where its arrow starts [mm]
 _APART = 5.0  # arrows in one direction start at least so far from one another [mm]
-_Start = tuple[Place, complex]  # the start of an arrow, and its direction
 _CIRCLE, _DOT = 1.0, 0.5
 """Radius of the circle and of the dot that mark a centre [mm]."""
 
@@ -151,29 +148,29 @@ def _fresh(line: Stroke, drawn: Sequence[Stroke]) -> Iterator[Stroke]:
 
 
 def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
-    """One arrow for each centre that is not marked, with its name; off the sheet also with its coordinates."""
-    figure = Figure()
-    for spot in paper.spots:
-        if paper.shown(spot):
-            continue
-        taken = [mark for mark in figure.marks if isinstance(mark, VectorMark)]
-        length = _ARROW if spot.place is None else _EDGE_ARROW
-        start, along = _free(_places(paper, spot), length, taken, drawn, paper)
-        head, where = "∞", INFINITY
-        if spot.place is not None:
-            head, where = spot.name, (Run(" "), *coordinates(paper.found, spot.place), Run(" mm"))
-        arrow = VectorMark("centres", spot.name, "", head, start, start + length * along, spot.number)
-        figure.marks.append(arrow)
+    """One arrow for each centre that is not marked, with its name; off the sheet also with its coordinates. It stands
+    where it crosses the fewest lines, in the room, off other arrows; the first of equals."""
+    figure, off = Figure(), list[Place]()
+    for spot in (spot for spot in paper.spots if not paper.shown(spot)):
+        head, where, length = ("∞", INFINITY, _ARROW) if spot.place is None else (
+            spot.name, (Run(" "), *coordinates(paper.found, spot.place), Run(" mm")), _EDGE_ARROW)  # fmt: skip
+        tried = [(start, along, start + length * along) for start, along in _places(paper, spot)]
+        skew = [(start + 0.4j * along, end - 0.4j * along) for start, along, end in tried]  # a bar along it is crossed
+        crossed = obstacles([*drawn, *figure.marks]).crossed(*(xy(np.array(ends)).T for ends in zip(*skew)))
+        price = [min(hits, 6) + 0.4 * k for k, hits in enumerate(np.bincount(crossed, minlength=len(tried)).tolist())]
+        for k, (start, _, end) in enumerate(tried):
+            price[k] += 8 * any(min(abs(start - other), abs(end - other)) < _APART for other in off)
+            price[k] += 30 * (not (paper.room.holds(start) and paper.room.holds(end)))
+        start, along, end = tried[price.index(min(price))]
+        off += (start, end)
+        figure.marks.append(VectorMark("centres", spot.name, "", head, start, end, spot.number))
         label = (*centre_label(spot.name), *where)
-        figure.wanted.append(LabelRequest(label, arrow.end, gap=0.7, away=along, step=spot.number))
+        figure.wanted.append(LabelRequest(label, end, gap=0.7, away=along, step=spot.number))
     return figure
 
 
-# --- where an arrow stands --------------------------------------------------------------------
-
-
-def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
-    """Starts of the arrow of a centre: on both sides of its slide's block, at the end of a line, at last anywhere."""
+def _places(paper: OnPaper, spot: Spot) -> Iterator[tuple[Place, complex]]:
+    """Its starts, with their directions: on both sides of its slide's block, at the end of a line, at last anywhere."""
     if isinstance(spot.stage.last, Far):
         name = spot.stage.last.line
         slide = next(slide for slide in paper.found.method.mechanism.slides if slide.name == name)
@@ -197,28 +194,10 @@ def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
             yield line.places[-1] - along * (_ARROW + 1), along
 
 
-def _free(
-    stands: Iterator[_Start], length: float, taken: Sequence[VectorMark], drawn: Sequence[Mark], paper: OnPaper
-) -> _Start:
-    """The place that touches the fewest things; the first of equals."""
-    tried = [(start, along, start + length * along) for start, along in stands]
-    skew = [(start + 0.4j * along, end - 0.4j * along) for start, along, end in tried]  # a bar along it is crossed, too
-    low, high = (xy(np.array(ends)).T for ends in zip(*skew, strict=True))
-    hits = np.bincount(obstacles([*drawn, *taken]).crossed(low, high), minlength=len(tried))
-
-    def price(k: int) -> float:
-        start, _, end = tried[k]
-        near = any(abs(start - other.start) < _APART or abs(end - other.end) < _APART for other in taken)
-        return float(min(hits[k], 6) + 8 * near + 30 * (not (paper.room.holds(start) and paper.room.holds(end))))
-
-    best = min(range(len(tried)), key=lambda k: (price(k) + 0.4 * k, k))
-    return tried[best][0], tried[best][1]
-
-
 def bare_mechanism(found: Centres, window: Window) -> Figure:
     """The mechanism before its first centre."""
     skeleton = Skeleton(found.method.mechanism, found.plot, window, {})
-    return bare_figure(found.method, skeleton).numbered(None)
+    return mechanism_figure(skeleton, found.method, bare=True).numbered(None)
 
 
 def centre_figure(paper: OnPaper) -> Figure:

@@ -6,13 +6,13 @@ import cmath
 import math
 from dataclasses import replace
 from functools import partial
-from math import degrees
 
 from graphkin.base import geometry
-from graphkin.base.value import frozen
 from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
+from graphkin.say.catalogue import say
 from graphkin.sheet.centre_figure import Spot, centre_label, coordinates, spots
+from graphkin.sheet.layout import HEAD
 from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import PenName, Room
@@ -23,30 +23,11 @@ from graphkin.studies.centres import Centres
 _PENS: dict[str, PenName] = {
     "hinge": "thin", "contact": "thin", "slide": "thin", "two lines": "dashed", "velocities": "centre",
 }  # fmt: skip
-_KEY: dict[Lang, dict[PenName, str]] = {
-    "en": {"thin": "by definition", "dashed": "by Kennedy's theorem", "centre": "from velocities"},
-    "zh": {"thin": "由定义直接确定", "dashed": "由三心定理确定", "centre": "由速度求得"},
-}
-_DIAGRAM: dict[Lang, str] = {"en": "Circle diagram", "zh": "消元法圆图"}
 _BALL = 1.95  # radius of the circle around a chord's number [mm]
 _NUMBERS, _OFF = 8.0, 2.2  # room for the links' numbers around the circle; from the circle to them [mm]
-_HEAD, _LINE = 8.0, 4.6
-"""Height of the heading, and of a line of the key [mm]."""
+_LINE = 4.6  # height of a line of the key [mm]
 _SHARES = tuple(0.5 + sign * k / 40 for k in range(15) for sign in (1, -1))
 """Places along its chord at which a number may stand."""
-_WORDS: dict[Lang, dict[str, str]] = {
-    "en": {
-        "number": "No.", "centre": "centre", "place": "x, y [mm]", "by": "found by",
-        "hinge": "hinge ", "slide": "slide", "contact": "rolling contact", "normal": "common normal",
-        "velocities": "velocities", "at": " at ",
-        "none": "no relative motion", "more": "more",
-    },
-    "zh": {
-        "number": "序号", "centre": "瞬心", "place": "x，y（mm）", "by": "求法", "hinge": "转动副 ", "slide": "移动副",
-        "contact": "纯滚动接触点", "normal": "公法线", "velocities": "由速度求得", "at": "，方向 ",
-        "none": "无相对运动", "more": "其余",
-    },
-}  # fmt: skip
 
 
 def _radius(found: Centres) -> float:
@@ -61,13 +42,13 @@ def _around(found: Centres) -> float:
 
 def _pens(found: Centres) -> list[PenName]:
     used = {_PENS[stage.say] for stage in found.centring.stages}
-    return [pen for pen in _KEY["en"] if pen in used]
+    return [pen for pen in dict.fromkeys(_PENS.values()) if pen in used]
 
 
 def circle_size(found: Centres) -> complex:
-    """Width and height of the diagram with its heading and key [mm]."""
+    """Width and height of the diagram with its key, under its heading [mm]."""
     across = 2 * (_radius(found) + _around(found))
-    return complex(max(across, 56.0), _HEAD + 2 * (_radius(found) + _NUMBERS) + _LINE * len(_pens(found)) + 2)
+    return complex(max(across, 56.0), 2 * (_radius(found) + _NUMBERS) + _LINE * len(_pens(found)) + 2)
 
 
 def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
@@ -77,12 +58,12 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
     three centres (Kennedy and Aronhold). The links' points stand clockwise from the top in the order of their numbers.
     """
     size, radius = circle_size(found), _radius(found)
-    top = room.top + max(0.0, (room.bottom - room.top - size.imag) / 3)
-    middle = complex((room.left + room.right) / 2, top + _HEAD + _NUMBERS + radius)
+    spare = room.size.imag - HEAD - size.imag
+    middle = complex(room.middle.real, room.top + HEAD + max(0.0, spare / 3) + _NUMBERS + radius)
     order = list(dict.fromkeys(link for pair in found.pairs for link in pair))
     turn = 2 * math.pi / max(1, len(order))
     nodes = {link: middle + cmath.rect(radius, turn * k - math.pi / 2) for k, link in enumerate(order)}
-    title = Text(plain(_DIAGRAM[lang]), complex(room.left + 3, room.top + 5.5), LABEL)
+    title = Text(plain(say("sheet.circle", lang)), complex(room.left + 3, room.top + 5.5), LABEL)
     marks = [title, Disc(middle, radius, "thin"), *_chord_marks(found, nodes)]
     for link, at in nodes.items():
         label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
@@ -90,62 +71,52 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
         x, y = (max(-1.0, min(1.0, 1.6 * part)) for part in (out.real, out.imag))  # side or corner towards the circle
         beside = at + out * _OFF + complex(x * wide, y * high) / 2
         marks += [Disc(at, 0.9, "outline", "ink"), Text(label, beside + complex(-wide / 2, high / 2), LABEL)]
-    pens = _pens(found)
-    wide = max((width(plain(_KEY[lang][pen]), LEAST) for pen in pens), default=0.0) + 14
-    for k, pen in enumerate(pens):  # what full and dashed chords mean
+    key = {pen: plain(say(f"sheet.chord {pen}", lang)) for pen in _pens(found)}
+    wide = max((width(label, LEAST) for label in key.values()), default=0.0) + 14
+    for k, (pen, label) in enumerate(key.items()):  # what full and dashed chords mean
         at = complex(middle.real, middle.imag + radius + _NUMBERS + 3) + complex(-wide / 2, k * _LINE)
-        marks += [Stroke((at, at + 12), pen), Text(plain(_KEY[lang][pen]), at + complex(14, 0.33 * LEAST), LEAST)]
+        marks += [Stroke((at, at + 12), pen), Text(label, at + complex(14, 0.33 * LEAST), LEAST)]
     return marks
-
-
-@frozen
-class _TableChord:
-    number: int
-    pen: PenName
-    start: Place
-    end: Place
 
 
 def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
     """The chords with their numbers, each where most room is on its chord, the short chords first."""
     chords = [
-        _TableChord(k, _PENS[stage.say], *(nodes[link] for link in found.centring.links[stage.last.name]))
+        Stroke(tuple(nodes[link] for link in found.centring.links[stage.last.name]), _PENS[stage.say], step=k)
         for k, stage in enumerate(found.centring.stages, start=1)
     ]
-    marks: list[Mark] = [Stroke((chord.start, chord.end), chord.pen, step=chord.number) for chord in chords]
-    balls: list[Place] = []
+    marks, balls = list[Mark](chords), list[Place]()
 
-    def room(at: Place, chord: _TableChord) -> float:
+    def room(at: Place, chord: Stroke) -> float:
         """The distance of a place on a chord from other chords and numbers, as far as it matters [mm]."""
-        to_chord = min((off_stretch(at, o.start, o.end) for o in chords if o is not chord), default=9.0)
+        to_chord = min((off_stretch(at, *o.places) for o in chords if o is not chord), default=9.0)
         to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)
         return round(min(to_chord, to_ball, 5.0), 3)
 
-    for chord in sorted(chords, key=lambda c: (abs(c.end - c.start), c.number)):
-        spots = [chord.start + share * (chord.end - chord.start) for share in _SHARES]
+    for chord in sorted(chords, key=lambda chord: abs(chord.places[1] - chord.places[0])):
+        spots = [chord.places[0] + share * (chord.places[1] - chord.places[0]) for share in _SHARES]
         at = max(spots, key=partial(room, chord=chord))
         balls.append(at)
-        label = plain(str(chord.number))
+        label = plain(str(chord.step))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
-        ball = Disc(at, _BALL, "thin", "paper", step=chord.number)
-        marks += [ball, Text(label, corner, LEAST, chord.number)]
+        ball = Disc(at, _BALL, "thin", "paper", step=chord.step)
+        marks += [ball, Text(label, corner, LEAST, chord.step)]
     return marks
 
 
 def centre_table(found: Centres, lang: Lang, room: float, most: float) -> TableBlock:
     """The table in so many mm of width, as low as it gets, and not higher than `most`."""
-    words = _WORDS[lang]
-    head = (plain(words["number"]), plain(words["centre"]), plain(words["place"]), plain(words["by"]))
+    head = tuple(plain(say(f"centres.column {key}", lang)) for key in ("number", "centre", "place", "by"))
     rows: list[tuple[Label, ...]] = []
     for spot in spots(found):
         if spot.place is not None:
             place = coordinates(found, spot.place)
         else:  # the direction of a centre at infinity
-            angle = round(degrees(geometry.number(found.board.direction(spot.name))), 6) % 180
-            place = (Run("→ ∞ "), Run(words["at"]), *number(angle), Run("°"))
-        rows.append((plain(str(spot.number)), centre_label(spot.name), place, _by(found, spot, words)))
+            angle = round(math.degrees(geometry.number(found.board.direction(spot.name))), 6) % 180
+            place = (Run("→ ∞ "), Run(say("centres.towards", lang)), *number(angle), Run("°"))
+        rows.append((plain(str(spot.number)), centre_label(spot.name), place, _by(found, spot, lang)))
     for pair in found.centring.together:
-        rows.append((plain("–"), centre_label(found.name(*pair)), plain("–"), plain(words["none"])))
+        rows.append((plain("–"), centre_label(found.name(*pair)), plain("–"), plain(say("centres.by together", lang))))
     last = len(found.centring.stages)
     whole = Table(head, tuple(rows), tuple(min(k + 1, last) for k in range(len(rows))))
     most_rows = max(4, int(most / PITCH))
@@ -155,20 +126,20 @@ def centre_table(found: Centres, lang: Lang, room: float, most: float) -> TableB
     parts = whole.cut(most_rows - 1)  # as many as there is room for; the last line tells how many rows are left out
     kept = parts[: max(1, sum(across(parts[: k + 1]) <= room for k in range(len(parts))))]
     lost = len(rows) - sum(len(part.rows) for part in kept) + 1
-    rest = plain("…"), plain(f"{lost}"), plain(words["more"]), plain("")
+    rest = plain("…"), plain(f"{lost}"), plain(say("centres.more", lang)), plain("")
     return TableBlock([[*kept[:-1], replace(kept[-1], rows=(*kept[-1].rows[:-1], rest))]], lost)
 
 
-def _by(found: Centres, spot: Spot, words: dict[str, str]) -> Label:
+def _by(found: Centres, spot: Spot, lang: Lang) -> Label:
     """`P12P23 × P14P34`, a hinge with its point, or a word."""
     stage, step = spot.stage, spot.stage.last
     if stage.say == "two lines":
         first, second = (
-            (Run(words["normal"]),) if line.name in found.centring.normals
+            plain(say("centres.by normal", lang)) if line.name in found.centring.normals
             else tuple(run for end in drawn_through(line) for run in centre_label(end))
             for line in stage.lines
         )  # fmt: skip
         return (*first, Run(" × "), *second)
     if stage.say == "hinge" and isinstance(step, Pricked):
-        return (Run(words["hinge"]), *point_label(step.point))
-    return plain(words[stage.say])
+        return (Run(say("centres.by hinge", lang) + " "), *point_label(step.point))
+    return plain(say(f"centres.by {stage.say}", lang))

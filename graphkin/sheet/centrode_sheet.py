@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -13,51 +12,46 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME, Link, Mechanism
 from graphkin.running.path import along
-from graphkin.say.catalogue import in_both
+from graphkin.say.catalogue import in_both, say
 from graphkin.say.centre_about import curves_met, pole_words
-from graphkin.sheet.drafting_figure import named, right_angle, spot
+from graphkin.sheet.drafting_figure import named, spot
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, formula, point_label, quantity_label
+from graphkin.sheet.lettering import formula, point_label, quantity_label
 from graphkin.sheet.marks import Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
-from graphkin.sheet.page import Sheet
+from graphkin.sheet.motion_frames import lettered
+from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import PenName, finest, papers_for
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.single_figure import Picture, SingleFigure, gridded, place_for
-from graphkin.sheet.symbols import SWEEP, arrow, spin
+from graphkin.sheet.symbols import SWEEP, arrow, right_angle, spin
+from graphkin.sheet.titleblock import Strip
 from graphkin.sheet.window import Entry, Extent, Figure, Window, corners, enlarged
 from graphkin.studies.centres.centrodes import Centrodes
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
 FRAMES = 48
 _ROUND = 1.25  # curves are shown so far from the middle of the mechanism, as part of its size
+_WHOLE = 3.5  # they are shown whole if the figure becomes no more times larger than the mechanism
 _CENTRE = 2.0  # so many times larger the figure may become to show the centre itself
 _PENS: tuple[PenName, ...] = ("visible", "thin")
-
-HEADING: dict[Lang, str] = {"en": "Centrodes of links {first} and {second}", "zh": "构件 {first}、{second} 的瞬心线"}
-PATH: dict[Lang, str] = {"en": "Path of the instant centre {name}", "zh": "瞬心 {name} 的轨迹"}
-CURVES: Mapping[str, dict[Lang, str]] = {
-    "fixed": {"en": "fixed centrode (link {link})", "zh": "定瞬心线（构件 {link}）"},
-    "moving": {"en": "moving centrode (link {link})", "zh": "动瞬心线（构件 {link}）"},
-    "on": {"en": "centrode (link {link})", "zh": "瞬心线（构件 {link}）"},
-}
-OF: dict[Lang, str] = {"en": "path of P_{name}", "zh": "P_{name} 的轨迹"}
 
 
 def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = None, lang: Lang = "en") -> Sheet:
     """Both curves (or a path) with the mechanism at t along the motion (0: the drawn position). Raises UnknownPaper."""
-    sentences = [*curves_met(curves, _centre_at(curves, t), lang)]
-    return _CentrodePage(curves, _page(curves, [t], paper, sentences), lang).sheet(t, lettered=True)
+    centre = _centre_at(curves, t)
+    page = _page(curves, [t], paper, [*curves_met(curves, centre, lang)])
+    if centre is not None and not page.room.holds(page.window(centre)):
+        page = _page(curves, [t], paper, [*curves_met(curves, centre, lang, off=True)])
+    drawing = _CentrodePage(curves, page, lang)
+    return drawing.sheet(t, drawing.figure(t) + Figure(wanted=[*drawing.names(t)]))
 
 
 def centrode_frames(
     curves: Centrodes, count: int = FRAMES, *, paper: str | None = None, lang: Lang = "en"
 ) -> Iterator[Sheet]:
-    """The same sheet at `count` positions evenly over the motion, without letters at what moves.
-
-    Of a motion that begins anew, the last position is the first; of others, they go there and back. Raises
-    UnknownPaper.
-    """
+    """The same sheet at `count` positions evenly over the motion; its curves are named by their pens. Of a motion that
+    begins anew, the last position is the first; of others, they go there and back. Raises UnknownPaper."""
     (low, high), links = curves.span, (curves.first, curves.second)
     ends = [np.array(curves.standing(link, np.array(curves.span))) for link in links]
     comes_back = all(bool(np.all(np.abs(end[:, 1] - end[:, 0]) < 1e-8)) for end in ends)
@@ -66,8 +60,12 @@ def centrode_frames(
     else:
         there = np.linspace(low, high, count // 2 + 1)
         times = np.concatenate([there, there[-2:0:-1]])
-    page = _CentrodePage(curves, _page(curves, [*times[:: max(1, count // 12)]], paper), lang)
-    yield from (page.sheet(float(t), lettered=False) for t in times)
+    words = dict(zip(("first", "second"), _names(curves, lang), strict=False))
+    told = [say("about.sheet pens", lang, **words)] if len(words) > 1 else []
+    on = _page(curves, [*times[:: max(1, count // 12)]], paper, told)
+    page = _CentrodePage(curves, on, lang)
+    every = lettered([page.figure(float(t)) for t in times], on.room)
+    yield from (page.sheet(float(t), Figure(marks)) for t, marks in zip(times, every, strict=True))
 
 
 def _page(curves: Centrodes, times: Sequence[float], paper: str | None, told: Sequence[str] = ()) -> SingleFigure:
@@ -76,11 +74,14 @@ def _page(curves: Centrodes, times: Sequence[float], paper: str | None, told: Se
     plots = [along(method, curves.path, t) for t in times]
     values = [place for plot in plots for place in shown_places(method, plot)]
     low, high = corners(values)
-    places = np.concatenate([curve for t in times for link in curves.axes for curve in _carried(curves, link, t)])
-    near = places[np.abs(places - (low + high) / 2) <= _ROUND * max((high - low).real, (high - low).imag)]
-    centre = _centre_at(curves, times[0])
-    shown = enlarged([*values, *(corners([*near]) if near.size else ())], [] if centre is None else [centre], _CENTRE)
-    return place_for(method, plots, shown, paper, told=told)
+    every = [curve for t in times for link in curves.axes for curve in _carried(curves, link, t)]
+    places, centre = np.concatenate(every), _centre_at(curves, times[0])
+    first, last = corners([*values, *places])
+    if abs(last - first) > _WHOLE * abs(high - low):
+        places = places[np.abs(places - (low + high) / 2) <= _ROUND * max((high - low).real, (high - low).imag)]
+    ends = corners([*places]) if places.size else ()
+    shown = enlarged([*values, *ends], [] if centre is None else [centre], _CENTRE)
+    return place_for(method, plots, shown, paper, Strip(told=told))
 
 
 def _carried(curves: Centrodes, link: str, t: float) -> list[np.ndarray]:
@@ -92,9 +93,9 @@ def _carried(curves: Centrodes, link: str, t: float) -> list[np.ndarray]:
 def _centre_at(curves: Centrodes, t: float) -> complex | None:
     """The centre at t, if the curves were followed there [m]."""
     origin, turn = curves.standing(curves.axes[0], t)
-    for piece in curves.pieces:
-        if piece.t[0] <= t <= piece.t[-1]:
-            place = np.interp(t, piece.t, piece.places[0].real) + 1j * np.interp(t, piece.t, piece.places[0].imag)
+    for piece, at in ((piece, at) for piece in curves.pieces for at in (t, t + curves.span[1] - curves.span[0])):
+        if piece.t[0] <= at <= piece.t[-1]:  # a piece that goes over the seam counts on beyond the span
+            place = np.interp(at, piece.t, piece.places[0].real) + 1j * np.interp(at, piece.t, piece.places[0].imag)
             return complex(origin + turn * place)
     return None
 
@@ -107,33 +108,46 @@ class _CentrodePage:
     on: SingleFigure
     lang: Lang
 
-    def sheet(self, t: float, lettered: bool) -> Sheet:
-        """The curves as far as they lie in the room, and the centre; lettered: with the names of curves and links."""
+    def figure(self, t: float) -> Figure:
+        """The curves as far as they lie in the room, the mechanism, and the centre."""
         curves, on = self.curves, self.on
         plot, centre = along(curves.found.method, curves.path, t), _centre_at(curves, t)
-        figure = Figure()
-        for link, pen, label, share in zip(curves.axes, _PENS, self._labels(), (0.25, 0.75), strict=False):
-            strokes = list[Stroke]()
-            for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
-                places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
-                strokes += clipped([*places, *places[:1]] if piece.closed else places, on.room, pen)
-            figure += Figure([*strokes], [*named(strokes, label, share)])
-        figure += on.mechanism(plot)
+        figure = Figure([stroke for strokes in self._strokes(t) for stroke in strokes]) + on.mechanism(plot)
         if centre is not None and on.room.holds(on.window(centre)):
             figure += Figure.of(spot(on.window(centre), quantity_label("P", curves.name[1:]), 1.0, "paper"))
-        figure = figure if lettered else Figure(figure.marks)
-        called = curves.found.method.mechanism.called
-        names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
-        words = PATH if len(curves.axes) == 1 else HEADING
-        return on.sheet(plot, words[self.lang].format(**names), figure, self.lang)
+        return figure
 
-    def _labels(self) -> list[Label]:
+    def sheet(self, t: float, figure: Figure) -> Sheet:
+        curves, called = self.curves, self.curves.found.method.mechanism.called
+        names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
+        key = "about.sheet path" if len(curves.axes) == 1 else "about.sheet centrodes"
+        plot = along(curves.found.method, curves.path, t)
+        return self.on.sheet(plot, say(key, self.lang, **names), figure, self.lang)
+
+    def names(self, t: float) -> Iterator[LabelRequest]:
         """The names of the curves, or of the path."""
-        if len(self.curves.axes) == 1:
-            return [formula(OF[self.lang].format(name=self.curves.name[1:]))]
-        kinds, called = ("fixed", "moving"), self.curves.found.method.mechanism.called
-        words = [CURVES[kind if self.curves.second == FRAME else "on"][self.lang] for kind in kinds]
-        return [formula(text.format(link=called(link))) for text, link in zip(words, self.curves.axes, strict=True)]
+        every, labels = self._strokes(t), map(formula, _names(self.curves, self.lang))
+        for own, other, label in zip(every, every[::-1], labels, strict=True):
+            yield from named(own, label, other if len(every) > 1 else ())
+
+    def _strokes(self, t: float) -> list[list[Stroke]]:
+        """The pieces of each curve on paper."""
+        every, window = list[list[Stroke]](), self.on.window
+        for link, pen in zip(self.curves.axes, _PENS, strict=False):
+            pieces = zip(_carried(self.curves, link, t), self.curves.pieces, strict=True)
+            closed = ([*curve, *curve[:1]] if piece.closed else curve for curve, piece in pieces)
+            places = (window.origin + np.conj(curve) / window.scale for curve in closed)
+            every.append([stroke for curve in places for stroke in clipped(curve, self.on.room, pen)])
+        return every
+
+
+def _names(curves: Centrodes, lang: Lang) -> list[str]:
+    """The curves, or the path, in words."""
+    if len(curves.axes) == 1:
+        return [say("about.sheet path of", lang, name=curves.name[1:])]
+    kinds, called = ("fixed", "moving"), curves.found.method.mechanism.called
+    keys = [f"about.sheet {kind if curves.second == FRAME else 'on'}" for kind in kinds]
+    return [say(key, lang, link=called(link)) for key, link in zip(keys, curves.axes, strict=True)]
 
 
 # --- the pole of a body from two of its velocities --------------------------------------------------------------------
@@ -154,11 +168,11 @@ def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | Non
         return Figure.of(_entries(velocities, window, speed))
 
     places = [*velocities.points, *([velocities.place] if cmath.isfinite(velocities.place) else [])]
-    _, grid, panels = gridded([[Picture(Extent.of(places, draw), draw)]], chosen, told=[*pole_words(velocities, lang)])
-    strip = replace(grid.strip, further={"velocity": speed} if fastest else {})
+    strip = Strip(told=[*pole_words(velocities, lang)], further={"velocity": speed} if fastest else {})
+    _, panels = gridded([[Picture(Extent.of(places, draw), draw)]], chosen, strip)
     title = in_both("about.pole title")
     machine = Mechanism("velocities", "1", {FRAME: Link(FRAME, {})}, title=title, file="velocities")
-    return replace(grid, strip=strip).page(panels, machine, lang).sheet()
+    return Page(chosen, panels, machine, None, lang, strip).sheet()
 
 
 def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterator[Entry]:

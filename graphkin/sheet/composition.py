@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cache, cached_property, partial
+from itertools import product
 from typing import Literal
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
@@ -20,14 +22,16 @@ from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Size
-from graphkin.sheet.arrows import heads_apart, named_apart
+from graphkin.sheet.added_points import touched
+from graphkin.sheet.arrows import heads_apart, side_by_side
 from graphkin.sheet.construction_lines import PolygonConstruction, Rings, pencil_lines
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.dimension_lines import angles
 from graphkin.sheet.layout import Height, Layout, division, lay_out
 from graphkin.sheet.lettering import LEAST, Label, plain
+from graphkin.sheet.long_arrow import left_out, with_break_signs
 from graphkin.sheet.marks import Mark, Place
-from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
+from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper, Room
@@ -35,8 +39,8 @@ from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.text_blocks import Block, Ladder, WrittenLines, ladder
-from graphkin.sheet.titleblock import Strip, Table, TableBlock, strip_height
-from graphkin.sheet.window import Extent, Figure, Window, constructions
+from graphkin.sheet.titleblock import Strip, Table, TableBlock
+from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
 BlockName = Literal["paths", "equations", "detail", "tables"]
@@ -47,7 +51,8 @@ _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
 @frozen
 class Planes:
-    """Draws any plane through any window; planes: those the sheet shows."""
+    """Draws any plane through any window; planes: those the sheet shows; breaks: an arrow that is far longer than the
+    others of its plane is drawn broken, where the file gives no scale."""
 
     method: Method
     plot: Plot
@@ -55,6 +60,7 @@ class Planes:
     style: Style
     lang: Lang
     paths: Paths = NONE
+    breaks: bool = False
 
     def construction(self, plane: Plane) -> Construction:
         return constructions(self.method)[plane]
@@ -66,38 +72,44 @@ class Planes:
             return [*places(self.method, self.plot), *self.paths.places]
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
-        values = [complex(v) for name, v in points.items() if name in names]
+        values = [complex(v) - self.left_out[plane].get(name, 0) for name, v in points.items() if name in names]
         return values + [corner for image in self.gears(plane) for corner in image.corners]
 
     def gears(self, plane: Plane) -> list[GearImage]:
         return gear_images(self.method, self.plot) if plane == "velocity" else []
 
-    def figure(self, plane: Plane, window: Window) -> Figure:
-        """Drawn once through each window: many divisions of a paper show one figure alike."""
-        if (plane, window) not in self._drawn:
-            figure = self._outline(plane, window)
-            if plane == "position" and self.style != "result":
-                figure = angles(self.sizes, self.skeleton(window), figure.marks) + figure
-            self._drawn[plane, window] = figure
-        return self._drawn[plane, window]
+    @cached_property
+    def figure(self) -> Callable[[Plane, Window], Figure]:
+        """Draws a plane once through each window: many divisions of a paper show one figure alike."""
+        return cache(self._figure)
+
+    def _figure(self, plane: Plane, window: Window) -> Figure:
+        figure = self._outline(plane, window)
+        arcs = plane == "position" and self.style != "result"
+        return angles(self.sizes, self.skeleton(window), figure.marks) + figure if arcs else figure
 
     def _outline(self, plane: Plane, window: Window) -> Figure:
         """Without the arcs of given angles, for which there is room beside links."""
         if plane != "position":
-            return heads_apart(named_apart(polygon_figure(self.polygon(plane, window))))
+            return with_break_signs(heads_apart(side_by_side(polygon_figure(self.polygon(plane, window)))))
         skeleton = self.skeleton(window)
         if self.style == "given":
-            return bare_figure(self.method, skeleton)
-        return self.paths.figure(window) + mechanism_figure(skeleton, self.method, self.values(plane))
+            return mechanism_figure(skeleton, self.method, bare=True)  # as a problem gives it
+        figure = self.paths.figure(window) + mechanism_figure(skeleton, self.method, self.values(plane))
+        return touched(self.method, self.plot, skeleton) + figure if self.style == "construction" else figure
+
+    @cached_property
+    def left_out(self) -> dict[Plane, dict[str, complex]]:
+        """By plane the head of an arrow that is drawn broken, and the piece that is not drawn [SI]."""
+        scales = self.method.mechanism.scales
+        broken = [plane for plane in PLANES[1:] if self.breaks and KEYS[plane] not in scales]
+        return {plane: left_out(self.method, self.construction(plane), self.plot, self.gears(plane))
+                if plane in broken else {} for plane in PLANES}  # fmt: skip
 
     @cached_property
     def sizes(self) -> list[Size]:
         """What is given of the mechanism."""
         return sizes(self.reading({}))
-
-    @cached_property
-    def _drawn(self) -> dict[tuple[Plane, Window], Figure]:
-        return {}
 
     @cached_property
     def panels(self) -> dict[tuple[object, ...], Panel]:
@@ -112,12 +124,11 @@ class Planes:
         drafted = self.style == "construction"
         held = held_labels(self.method, plane, self.rested)
         return PolygonFigure(
-            self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held
-        )
+            self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held,
+            self.left_out[plane],
+        )  # fmt: skip
 
-    def last(
-        self, plane: Plane, window: Window, scales: Mapping[Plane, float], rings: Rings | None
-    ) -> Last | None:
+    def last(self, plane: Plane, window: Window, scales: Mapping[Plane, float], rings: Rings | None) -> Last | None:
         """What is drawn last on a figure; rings: of its equations."""
         reading = self.reading(scales)
         if plane == "position" and self.style != "result":  # annotations, of what is used for the polygons too
@@ -146,24 +157,22 @@ class Planes:
         if self.style != "construction":
             return {}
         rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
-        reading = self.reading({})
-        polygons = [plane for plane in self.planes if plane != "position"]
-        ladders = dict[Plane, Ladder]()
-        for plane in polygons:
-            entries = polygon_entries(reading, plane, self.construction(plane).parts, 0)
-            if (own := ladder(entries, rows, plane, self.method)) is not None:
-                ladders[plane] = own
-        return ladders
+        reading, polygons = self.reading({}), [plane for plane in self.planes if plane != "position"]
+        entries = {plane: polygon_entries(reading, plane, self.construction(plane).parts, 0) for plane in polygons}
+        every = {plane: ladder(own, rows, plane, self.method) for plane, own in entries.items()}
+        return {plane: own for plane, own in every.items() if own is not None}
 
     def reading(self, drawn: Mapping[Plane, float]) -> Reading:
         """The reading of the words, at the scales of the planes that are drawn."""
         return Reading(self.method, self.plot, {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}, self.lang)
 
 
-class _DetailRoom:
-    """The room for a detail, which finds its place in it when all is lettered."""
+@frozen
+class DetailRoom:
+    """The room for a detail, which finds its place in it when all is lettered; burdens: of the figure's labels."""
 
-    size = 60 + 68j
+    size: complex
+    burdens: Array
 
     def marks(self, corner: Place) -> Iterator[Mark]:
         yield from ()
@@ -171,10 +180,7 @@ class _DetailRoom:
 
 _FEET: Mapping[BlockName, bool] = {"paths": False, "equations": False, "detail": True, "tables": True}
 """The order in which blocks find their corners; True for those that are meant for the foot of a room."""
-_GIVEN_UP: tuple[frozenset[BlockName], ...] = (
-    frozenset(), frozenset(("equations",)), frozenset(("equations", "tables")),
-)  # fmt: skip
-_IN_STRIP: frozenset[BlockName] = frozenset(("equations", "tables"))  # those that may stand there, too
+_IN_STRIP: tuple[BlockName, ...] = ("equations", "tables")  # those that may stand there, too, the first given up first
 
 
 @frozen
@@ -185,7 +191,7 @@ class SheetContents:
     given   tables of the strip; tables: of the planes, in the shapes that they may have
     low     the blocks that stand in the strip, not with their figures
     without   the blocks for which no paper is large enough
-    detailed  the planes in which what lies too close together is drawn once more, magnified
+    detailed  the planes in which what lies too close together is drawn once more, magnified, and the room for it
     stages  over the lines of the pencil, for single steps; said: room in the strip for the sentence of one [mm];
             scales: that are kept then
     """
@@ -196,7 +202,7 @@ class SheetContents:
     tight: bool = False
     low: frozenset[tuple[Plane, BlockName]] = frozenset()
     without: frozenset[BlockName] = frozenset()
-    detailed: Collection[Plane] = ()
+    detailed: Mapping[Plane, DetailRoom] = field(default_factory=dict)
     stages: bool = False
     said: float = 0.0
     scales: Mapping[Plane, float] = field(default_factory=dict)
@@ -215,7 +221,7 @@ class SheetContents:
             every: dict[BlockName, Sequence[Block]] = {
                 "paths": [WrittenLines(tuple(lines), LEAST)] if lines else [],
                 "equations": [] if own is None else [*dict.fromkeys((own, own.within(_NARROW)))],
-                "detail": [_DetailRoom()] if plane in self.detailed else [],
+                "detail": [self.detailed[plane]] if plane in self.detailed else [],
                 "tables": self.tables.get(plane, ()),
             }
             away = {name for where, name in self.low if where == plane} | self.without
@@ -234,25 +240,33 @@ class SheetContents:
     @cached_property
     def height(self) -> Height:
         """The height of the strip on a paper [mm], reckoned once for each."""
+        return cache(self.strip.height) if self.strip else lambda _: 0.0
+
+    @cached_property
+    def strip(self) -> Strip | None:
+        """The foot of the sheet, with the blocks that stand there."""
         if self.tight:
-            return lambda _: 0.0
+            return None
         if self.said:
-            return partial(strip_height, least=self.said)
-        return cache(partial(strip_height, found=self.in_foot, equations=self.ladders_in_foot))
+            return Strip(notes=self.notes, least=self.said)
+        low = {name: [plane for plane in self.planes if (plane, name) in self.low and name not in self.without]
+               for name in _IN_STRIP}  # fmt: skip
+        blocks = (self.tables[plane][0] for plane in low["tables"])
+        found = [*self.given, *(table for block in blocks for tier in block.tiers for table in tier)]
+        ladders = [self.drawing.ladders[plane] for plane in low["equations"]]
+        return Strip(found, equations=ladders, notes=self.notes)
 
     @property
-    def in_foot(self) -> list[Table]:
-        """The tables of the strip."""
-        low = (self.tables[plane][0] for plane in self._low("tables"))
-        return [*self.given, *(table for block in low for tier in block.tiers for table in tier)]
-
-    @property
-    def ladders_in_foot(self) -> list[Ladder]:
-        return [self.drawing.ladders[plane] for plane in self._low("equations")]
-
-    def _low(self, name: BlockName) -> list[Plane]:
-        """The planes whose block of this name stands in the strip."""
-        return [plane for plane in self.planes if (plane, name) in self.low and name not in self.without]
+    def notes(self) -> dict[Plane, Label]:
+        """How that was found which ruler and compass do not give."""
+        notes, drawing = dict[Plane, Label](), self.drawing
+        for plane in self.planes if drawing.style != "given" else ():
+            steps = drawing.construction(plane).steps
+            if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
+                notes[plane] = plain(_FITTED[drawing.lang])
+            elif any(isinstance(step, Simultaneous) for step in steps):
+                notes[plane] = plain(_TOGETHER[drawing.lang])
+        return notes
 
     def laid_out(self, papers: Sequence[Paper]) -> tuple[SheetContents, Layout]:
         """The best division of the smallest paper that holds all figures; blocks for which they would be drawn much
@@ -262,23 +276,20 @@ class SheetContents:
         tries = [self]
         while standing := tries[-1].movable:
             tries.append(replace(tries[-1], low=tries[-1].low | {max(standing)[2:]}))
+        last = replace(tries[-1], detailed={})
+        given_up = [replace(last, without=frozenset(_IN_STRIP[:count])) for count in range(3)]
         sizes = sorted({paper.area for paper in papers})
-        for size, most in (*((size, bare) for size in sizes), *((size, None) for size in sizes[::-1])):
-            same = [paper for paper in papers if paper.area == size]
-            for contents in tries:
+        for every, some, most in ((sizes, tries, bare), (sizes[::-1], [*tries, *given_up], None)):
+            for size, contents in product(every, some):
+                same = [paper for paper in papers if paper.area == size]
                 if layout := division(same, contents.extents, contents.height, most):
                     return contents, layout
-        for without in _GIVEN_UP:  # too much for any paper
-            last = replace(tries[-1], detailed=(), without=without)
-            for size in sizes[::-1]:
-                if layout := division([p for p in papers if p.area == size], last.extents, last.height):
-                    return last, layout
         return last, lay_out(last.extents, last.height, papers)
 
     @property
     def movable(self) -> list[tuple[bool, float, Plane, BlockName]]:
         """Blocks that may stand in the strip, too: tables rather than equations, large ones rather than small ones."""
-        every = ((plane, name, own[name]) for plane, own in self.blocks.items() for name in _IN_STRIP & own.keys())
+        every = ((plane, name, own[name]) for plane, own in self.blocks.items() for name in _IN_STRIP if name in own)
         return [] if self.tight else [
             (_FEET[name], min(shape.size.real * shape.size.imag for shape in shapes), plane, name)
             for plane, name, shapes in every
@@ -287,49 +298,40 @@ class SheetContents:
     def page(self, layout: Layout) -> Page:
         """Everything on a divided paper."""
         drawing = self.drawing
-        panels = [self._panel(layout, plane) for plane in self.planes]
-        notes: dict[Plane, Label] = {}  # how that was found which ruler and compass do not give
-        for plane in self.planes if drawing.style != "given" else ():
-            steps = drawing.construction(plane).steps
-            if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
-                notes[plane] = plain(_FITTED[drawing.lang])
-            elif any(isinstance(step, Simultaneous) for step in steps):
-                notes[plane] = plain(_TOGETHER[drawing.lang])
-        tables, equations = ([], []) if self.said else (self.in_foot, self.ladders_in_foot)
-        strip = None if self.tight else Strip(layout.strip, tables, notes, equations=equations)
-        return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
+        panels = [self.panel(layout, plane) for plane in self.planes]
+        facts = drawing.plot.facts
+        return Page(layout.paper, panels, drawing.method.mechanism, facts.values, drawing.lang, self.strip)
 
-    def _panel(self, layout: Layout, plane: Plane) -> Panel:
+    def panel(self, layout: Layout, plane: Plane) -> Panel:
         """One plane's figure; lettered once for all divisions that show it alike."""
         panels, extent = self.drawing.panels, self.extents[plane]
-        window, corners = layout.window(plane, extent), layout.corners(plane, extent)
+        window, corners = layout.placed(plane, extent)
         place = (
             self.stages, plane, layout.rooms[plane], window, *corners, *self.blocks[plane], *layout.scales.items()
         )  # fmt: skip
         if place not in panels:
             panel = self._plain_panel(layout, plane, window, corners)
-            draw = partial(self.drawing.figure, plane)
-            panels[place] = detailed(panel, draw, plane) if plane in self.detailed else panel
+            if plane in self.detailed:
+                panel = detailed(panel, partial(self.drawing.figure, plane), plane, self.detailed[plane].burdens)
+            panels[place] = panel
         return panels[place]
 
-    def _plain_panel(
-        self, layout: Layout, plane: Plane, window: Window, corners: Sequence[tuple[int, Place]]
-    ) -> Panel:
+    def _plain_panel(self, layout: Layout, plane: Plane, window: Window, corners: Sequence[tuple[int, Place]]) -> Panel:
         """One plane's figure under its heading, with its blocks."""
         drawing, room = self.drawing, layout.rooms[plane]
         before = [*heading(HEADINGS[drawing.lang][plane], plane, window.printed, room)]
-        blocks = [(shapes[k], at) for shapes, (k, at) in zip(self.blocks[plane].values(), corners, strict=True)]
-        taken = list[Room]()
-        rings: Rings | None = None
-        for block, at in blocks:
-            if isinstance(block, Ladder):
-                rings = partial(block.rings, at)
-            before += (marks := [*(block.rows(at) if isinstance(block, Ladder) else block.marks(at))])
-            end = at + block.size
+        taken, rings = list[Room](), None
+        for shapes, (k, at) in zip(self.blocks[plane].values(), corners, strict=True):
+            block, end = shapes[k], at + shapes[k].size
+            if isinstance(block, Ladder):  # its numbers come last
+                rings, marks = partial(block.rings, at), [*block.rows(at)]
+            else:
+                marks = [*block.marks(at)]
+            before += marks
             taken += [Room(at.real, at.imag, end.real, end.imag)] * bool(marks)
         if self.stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         return Panel(
-            drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane,
+            drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), plane,
             drawing.last(plane, window, layout.scales, rings), tuple(taken),
         )  # fmt: skip

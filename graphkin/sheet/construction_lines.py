@@ -10,6 +10,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import pairwise
 
 from graphkin.base.geometry import place
@@ -17,17 +18,18 @@ from graphkin.base.value import frozen
 from graphkin.construction import Arc, Construction, Drawn, Image, LayOff, Meet, Plane, Plot, Ray, Step, Term
 from graphkin.planning.method import Act
 from graphkin.say.plane import PolygonReading
-from graphkin.sheet.free_room import Annotations, FreeRoom
+from graphkin.sheet.arrows import TIP
+from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LEAST, formula, plain
-from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke
+from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, VectorMark
 from graphkin.sheet.polygons import PolygonFigure, arrows
+from graphkin.sheet.symbols import right_angle
 from graphkin.sheet.text_blocks import RING, ringed
 from graphkin.sheet.window import Window
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
-"""Lengths of a direction line past where it meets the other; for labels to keep off if they can; shorter than
-this it says nothing [mm]."""
+"""Lengths of a direction line past its end; for labels to keep off if they can; shorter it says nothing [mm]."""
 _SQUARE = 1.9  # side of the square in a right angle [mm]
 _NOTHING = 0.05  # arrows up to this have no length [mm]
 Rings = Callable[[Sequence[int]], Iterator[Mark]]  # the numbers before equations, with more of them
@@ -36,20 +38,13 @@ _RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))  # parts of one motion that stan
 
 @frozen
 class _DirectionLine:
-    """A direction line from its foot to where it meets another, and the text at its end."""
+    """A direction line from its foot along to where it meets another, and the text at its end."""
 
     foot: Place
     meeting: Place
     along: complex
     text: str
     page: int
-
-    @property
-    def sides(self) -> list[complex]:
-        """Its direction past the meeting point; either one where the line starts there."""
-        off = self.meeting - self.foot
-        ahead = (self.along.conjugate() * off).real
-        return [self.along * (1 if ahead > 0 else -1)] if abs(off) > _NOTHING else [self.along, -self.along]
 
 
 @frozen
@@ -66,36 +61,31 @@ class PolygonConstruction:
     rings: Rings | None = None
 
     def lines(self) -> list[Mark]:
-        """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
-        sides = [(line, side) for line in self._lines() for side in line.sides]
-        on = [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
-        return [*on, *(Stroke((start, end), "measured") for start, end, _ in self._carried())]
+        """The direction lines as far as they like to go on past their ends, for labels to keep off."""
+        lines = [Stroke((each.foot - each.along * _LIKED, each.meeting + each.along * _LIKED), "construction",
+                        step=each.page) for each in self._lines()]  # fmt: skip
+        return [*lines, *(Stroke((start, end), "measured", step=page) for start, end, page in self._carried())]
 
-    def __call__(self, free: FreeRoom) -> Annotations:
+    def __call__(self, free: FreeRoom) -> list[Mark]:
         """All of it among what stands there."""
-        added = Annotations()
-        marked: list[tuple[_DirectionLine, Place]] = []
-        for line in self._lines():
-            if (tip := _lay(line, free, added)) is not None:
-                marked.append((line, tip))
+        added = list[Mark]()
+        laid = [(line, *_lay(line, free)) for line in self._lines()]
         for square in self._squares():  # where no letters stand
-            first, middle, last = square.places
-            sides = ((first, middle), (last, middle))
-            if all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides):
-                added.under.append(square)
+            first, at, last = square.places
+            if all(free.reach(a, (at - a) / abs(at - a), abs(at - a)) >= abs(at - a) for a in (first, last)):
+                added.append(square)
         for start, end, page in self._carried():
-            added.under.extend(Stroke(piece, "measured", step=page) for piece in free.pieces(start, end))
-        free.add(added.under)
-        added.over.extend(self._numbers(free))
-        named = [
-            LabelRequest(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), step=line.page)
-            for line, tip in marked
-        ]
-        for letters in free.letters(named):
-            added.over.extend(letters)
+            added.extend(Stroke(piece, "measured", step=page) for piece in free.pieces(start, end))
+        free.add([*added, *(Stroke((start, tip), "construction") for _, start, _, tip in laid)])
+        added.extend(self._numbers(free))
+        letters = free.letters([LabelRequest(formula(line.text), tip, gap=-0.2, away=tip - last, step=line.page)
+                                for line, _, last, tip in laid if tip != last])  # fmt: skip
+        for line, start, last, tip in laid:  # it goes on only to bear its mark
+            marks = next(letters) if tip != last else ()
+            added += marks
+            if abs((end := tip if marks else last) - start) > _NOTHING:
+                added.append(Stroke((start, end), "construction", step=line.page))
         return added
-
-    # --- direction lines --------------------------------------------------------------------------
 
     def _lines(self) -> Iterator[_DirectionLine]:
         points = self.polygon.points
@@ -110,7 +100,9 @@ class PolygonConstruction:
                     terms = next((equation.left + equation.right for equation in closed), ())
                     text = self.spoken.line_direction(ray.direction, terms)
                     if not cmath.isnan(along):
-                        yield _DirectionLine(points[ray.through], points[step.point], along, text, act.page)
+                        foot, meeting = points[ray.through], points[step.point]
+                        ahead = (along.conjugate() * (meeting - foot)).real > -_NOTHING
+                        yield _DirectionLine(foot, meeting, along if ahead else -along, text, act.page)
 
     def _carried(self) -> Iterator[tuple[Place, Place, int]]:
         """The ends of arrows that were found elsewhere and are laid off once more, and the act in which they are."""
@@ -121,47 +113,37 @@ class PolygonConstruction:
                 case LayOff(term=Term(size=Drawn()), start=start, tip=tip) if {start, tip} <= points.keys():
                     if frozenset((start, tip)) not in drawn and abs(points[tip] - points[start]) > _NOTHING:
                         yield points[start], points[tip], act.page
-                case _:
-                    pass
-
-    # --- right angles -----------------------------------------------------------------------------
 
     def _squares(self) -> Iterator[Stroke]:
         """Right angles between a normal and a tangential part, or of what slides and its Coriolis acceleration."""
         points = self.polygon.points
         for equation in self.polygon.construction.equations:
-            for chain in (equation.left, equation.right):
-                for one, other in pairwise(chain):
+            for side in (equation.left, equation.right):
+                for one, other in pairwise(side):
                     parts = {one.part, other.part}
                     if (one.of, one.seen_from) == (other.of, other.seen_from) and parts in map(set, _RIGHT):
-                        corners = [points[name] for name in (one.head, one.tail, other.head) if name in points]
-                        if len(corners) < 3:
-                            continue
-                        corner, a, b = corners[0], corners[1] - corners[0], corners[2] - corners[0]
-                        if min(abs(a), abs(b)) >= _SQUARE / 2 and max(abs(a), abs(b)) >= 2 * _SQUARE:
-                            a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
-                            step = self.polygon.step(one.tail, one.head, other.head)
-                            yield Stroke((corner + a, corner + a + b, corner + b), "construction", step=step)
-
-    # --- numbers ----------------------------------------------------------------------------------
+                        match [points[name] for name in (one.head, one.tail, other.head) if name in points]:
+                            case [at, a, b] if min(abs(a - at), abs(b - at)) >= _SQUARE + TIP:  # else a head is there
+                                step = self.polygon.step(one.tail, one.head, other.head)
+                                yield from right_angle(at, a - at, b - at, _SQUARE, step)
 
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
-        """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next, and
-        what has none at all stands with the equations. Images come first, as their numbers do not."""
+        """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next or
+        at a name, and what has none at all stands with the equations. Images come first, as their numbers do not."""
         images, lost = [act for act in self.acts if isinstance(act.done, Image)], set[int]()
         for acts in (images, [act for act in self.acts if act not in images]):
             waiting = [(act.number, requests) for act in acts if (requests := [*self._beside(act)])]
             lost.update({act.number for act in acts} - dict(waiting).keys())
             while waiting:
-                spots = free.spots([first for _, (first, *_) in waiting], [complex(RING, RING)] * len(waiting))
+                middles = free.places([first for _, (first, *_) in waiting], [complex(RING, RING)] * len(waiting))
                 tried, waiting = waiting, []
-                for (number, requests), free_ones in zip(tried, spots, strict=True):
-                    if (middle := free.place(free_ones)) is not None:
+                for (number, requests), middle in zip(tried, middles, strict=True):
+                    if middle is None and requests[1:]:
+                        waiting.append((number, requests[1:]))
+                    elif middle or (middle := free.beside(requests[0].step, complex(RING, RING))):
                         marks = [*ringed([number], middle, requests[0].step)]
                         free.add(marks)
                         yield from marks
-                    elif requests[1:]:
-                        waiting.append((number, requests[1:]))
                     else:
                         lost.add(number)
         if self.rings is not None:
@@ -179,20 +161,28 @@ class PolygonConstruction:
                 yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
             case Meet(point=point) | Image(point=point) if point in points:
                 yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
-                for vector in self.polygon.vectors():
-                    if vector.step == act.page and vector.length > _NOTHING:
-                        yield LabelRequest(label, vector.start, vector.end, gap=0.6, size=LEAST, step=act.page,
-                                           of=vector.name)  # fmt: skip
+                for vector in self._arrows.get(act.page, ()):
+                    yield LabelRequest(label, vector.start, vector.end, gap=0.6, size=LEAST, step=act.page,
+                                       of=vector.name)  # fmt: skip
+
+    @cached_property
+    def _arrows(self) -> dict[int | None, list[VectorMark]]:
+        """The arrows that come with each act."""
+        arrows = dict[int | None, list[VectorMark]]()
+        for vector in self.polygon.vectors():
+            arrows.setdefault(vector.step, []).extend([vector] * (vector.length > _NOTHING))
+        return arrows
 
 
-def _lay(line: _DirectionLine, free: FreeRoom, added: Annotations) -> Place | None:
-    """Add the line from its foot past the meeting point; its end if it goes on far enough to bear its mark."""
-    reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.sides), key=lambda pair: pair[0])
-    tip = line.meeting + on * reach if reach >= _SHORT else line.meeting
-    start = line.meeting - on * max(0.0, free.reach(line.meeting, -on, abs(line.meeting - line.foot)))
-    if abs(tip - start) > _NOTHING:
-        added.under.append(Stroke((start, tip), "construction", step=line.page))
-    return tip if tip != line.meeting else None
+def _lay(line: _DirectionLine, free: FreeRoom) -> tuple[Place, Place, Place]:
+    """A line from one end to the other, past which there is room enough to bear its mark and it lies on no other line,
+    and the tip beyond that; past where it meets the other if it can."""
+    ends = [(line.meeting, line.along), (line.foot, -line.along)]
+    bare = [(end, on) for end, on in ends if not free.on_line(end, end + _SHORT * on)] or ends[:1]
+    every = [(free.reach(end, on, _BEYOND), end, on) for end, on in bare]
+    reach, end, on = next((each for each in every if each[0] >= _LIKED), max(every, key=lambda each: each[0]))
+    back = max(0.0, free.reach(end, -on, abs(line.meeting - line.foot)))
+    return end - on * back, end, end + on * reach if reach >= _SHORT else end
 
 
 Pages = Mapping[tuple[Plane, Step], int]

@@ -16,7 +16,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.sheet.marks import Place
-from graphkin.sheet.paper import Room, Rooms, finest_each
+from graphkin.sheet.paper import Room, finest_each
 from graphkin.sheet.window import Extent, Window
 
 _AIR = 6.0  # from a block to the figure beside it, with room for letters [mm]
@@ -54,7 +54,7 @@ def _edges(extent: Extent) -> Array:
 def _choices(extent: Extent, sizes: Sequence[complex], foot: bool) -> Iterator[_Choices]:
     """All of a block; foot: it is meant to stand at the foot of the room."""
     edges, own = _edges(extent), np.array([(size.real + _EDGE, size.imag + _EDGE) for size in sizes]).T
-    for corner, steps in extent.stairs.items():
+    for corner, steps in extent.stairs:
         stair = np.array([*dict.fromkeys(steps)]).T
         size, stairs = np.repeat(own, stair.shape[1], axis=1), np.tile(stair, own.shape[1])
         whole, side = edges[:, 1, 1][:, None], np.array(corner)[:, None]
@@ -109,23 +109,11 @@ class Standing(NamedTuple):
             placed.append((int(shape[0]), complex(left, top)))
         return placed
 
-    @property
-    def least(self) -> complex:
-        """Of the first room: the width and height in which all would stand as they do [mm]."""
-        scale, pairs = float(self.scales[0]), [(low, high) for low in self.keeps for high in self.keeps]
-        need = [low[:, 0, 0, 0] + high[:, 1, 0, 0] + (high[:, 1, 1, 0] - low[:, 0, 1, 0]) / scale
-                for low, high in pairs]  # fmt: skip
-        need += [size[:, 0] for size, _, _ in self.blocks]
-        for k, (size, side, _) in enumerate(self.blocks):  # those that stand one over the other, or side by side
-            for other, other_side, _ in self.blocks[:k]:
-                need.append(np.where(side == other_side, 0.0, size + other)[:, 0] * (1, side[0, 0] == other_side[0, 0]))
-        return complex(*np.max(need, axis=0))
 
-
-def standing(rooms: Rooms, extent: Extent) -> Standing:
+def standing(rooms: Array, extent: Extent) -> Standing:
     """The finest scales at which a figure stands in many rooms with its blocks, one after the other in its best
-    corner."""
-    room = np.stack(np.broadcast_arrays(rooms.right - rooms.left, rooms.bottom - rooms.top)).reshape(2, -1)
+    corner; rooms: left, top, right and bottom (4, n)."""
+    room = rooms[2:] - rooms[:2]
     edges = np.broadcast_to(_edges(extent)[..., None], (2, 2, 2, room.shape[1]))
     free = room - edges[:, 0, 0] - edges[:, 1, 0]
     least = np.where(free > _LEAST, edges[:, 1, 1] / np.maximum(free, _LEAST), np.inf).max(axis=0)
@@ -134,7 +122,8 @@ def standing(rooms: Rooms, extent: Extent) -> Standing:
         every = [*_choices(extent, sizes, foot)]
         need = np.concatenate([_fitting(each, _need(each, keeps, room), blocks, room) for each in every])
         cost = np.repeat([1 + each.cost for each in every], [len(each.shape) for each in every])[:, None]
-        best = np.argmin(cost * (np.maximum(need, least) + 0.05 * need), axis=0)
+        price = (cost * (np.maximum(need, least) + 0.05 * need)).astype(np.float32)  # rounding decides nothing
+        best = np.argmin(price, axis=0)
         least = np.maximum(least, need[best, np.arange(room.shape[1])])
         size, off, part = (np.concatenate(each, axis=1)[:, best]
                            for each in list(zip(*((e.size, e.off, e.part) for e in every))))  # fmt: skip
@@ -152,9 +141,7 @@ def standing(rooms: Rooms, extent: Extent) -> Standing:
     return Standing(scales, keeps, blocks)
 
 
-def _fitting(
-    choices: _Choices, need: Array, blocks: Sequence[tuple[Array, Array, Array]], room: Array
-) -> Array:
+def _fitting(choices: _Choices, need: Array, blocks: Sequence[tuple[Array, Array, Array]], room: Array) -> Array:
     """Infinite where a block is too large for its room beside those that stand there already."""
     size = choices.size[..., None]
     fits = (size <= room[:, None]).all(axis=0)

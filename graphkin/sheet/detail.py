@@ -1,8 +1,8 @@
 """Details: a part of a polygon that is too close together for its letters, drawn once more beside it, magnified.
 
-As drawing practice has it (ISO 128-3, GB/T 4458.1): a thin circle about that part, and the same part in a larger
-circle, both under a Roman numeral. What bears its letters in the detail has none in the circle. All arrows stay where
-they are, to scale; those of the detail are not measured.
+As drawing practice has it (ISO 128-3, GB/T 4458.1): a circle about that part, and the same part in a larger one, both
+dash-dotted, as no image of a gear is, under a Roman numeral. What bears its letters in the detail has none in the
+circle. All arrows stay where they are, to scale; those of the detail are not measured.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.labels import burden
+from graphkin.sheet.labels import UNCLEAR, burden
 from graphkin.sheet.lettering import LABEL, plain, width
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
@@ -27,15 +27,16 @@ from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window, corners, magnified
 
-_RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
-_TIMES = (2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0, 20.0)
+_RADII = (1.2, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
+_TIMES = (20.0, 15.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.5)
 _LARGEST = 45.0  # radius of a detail [mm]
+DETAILS = (44 + 52j, 60 + 68j)  # the rooms for a small one and a large one [mm]
 _AROUND, _HEAD = 6.0, 4.0
 """Room for letters around a detail, and for its own heading over it [mm]."""
+_FEW = 3  # labels, of one arrow and its ends, are no knot
 _MANY = 150  # more labels than this no detail relieves
-SAVED = 4.0  # the burden that a detail saves at least
+SAVED, _CLOSE = 4.0, 1e-6  # the burden that a detail saves at least, but for rounding
 _LED = 3.0  # the additional burden of a leader in a detail
-_CLEAR, _NOTHING = 9.0, 0.3  # the shortest arrow in a detail is at least so long; what is no arrow [mm]
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
 _ROUND = 1.2  # a circle is so many times as large as what it is to show
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
@@ -45,8 +46,6 @@ _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u
 
 @frozen
 class _DetailCircle:
-    """A part of the paper."""
-
     centre: Place
     radius: float
 
@@ -81,12 +80,13 @@ class _View:
     window: Window
 
 
-def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Panel:
-    """The panel with details, where they relieve it; `draw`: its figure through any window.
-
-    Raises nothing: a panel without a knot, or without room for a detail, is handed back as it is.
-    """
-    drawing = _DetailDrawing(panel, draw, _PRIMES[plane])
+def detailed(
+    panel: Panel, draw: Callable[[Window], Figure], plane: Plane, burdens: Array | Sequence[float] = ()
+) -> Panel:
+    """The panel with details, where they relieve it; `draw`: its figure through any window, burdens: of its labels, as
+    they were in another room. A panel without a knot, or without room for a detail, is handed back as it is."""
+    known = np.array(burdens) if len(burdens) == len(panel.figure.wanted) else panel.burdens
+    drawing = _DetailDrawing(panel, draw, _PRIMES[plane], known)
     while len(drawing.views) < len(_NUMERALS) and (more := drawing.relieved()) is not None:
         drawing = more
     return drawing.panel
@@ -94,9 +94,9 @@ def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Pa
 
 def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Sequence[Place]) -> Panel:
     """The panel with a detail of the part that holds these places; as it is where it has no room for one."""
-    drawing = _DetailDrawing(panel, draw, _PRIMES[plane])
-    views = drawing._views(_about(about), FreeRoom(panel.scene))
-    return drawing._with(views[-1]).panel if views else panel
+    drawing = _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens)
+    view = drawing._view(_about(about), FreeRoom(panel.scene))
+    return drawing._with(view).panel if view is not None else panel
 
 
 @frozen
@@ -104,53 +104,37 @@ class _DetailDrawing:
     """A panel with the details it has so far.
 
     prime  after their numerals
-    known  the burdens of its labels, as far as they are known before all are lettered
+    burdens  of its labels on the eye, as far as they are known before all are lettered
     """
 
     panel: Panel
     draw: Callable[[Window], Figure]
     prime: str
+    burdens: Array
     views: tuple[_View, ...] = ()
-    known: Array | None = None
 
     def relieved(self) -> _DetailDrawing | None:
         """With the one more detail that relieves it most, None where none does."""
-        if burden(self.burdens) < SAVED:
-            return None
-        free, best, least = FreeRoom(self.panel.scene), self, burden(self.burdens)
-        for knot, held in sorted(_knots(self.panel.figure.wanted, self.burdens), key=lambda each: -each[1]):
-            lightest = burden(self.burdens) - held  # were its labels none
-            for view in self._views(knot, free) if lightest < least else ():
+        whole, free, best = burden(self.burdens), FreeRoom(self.panel.scene), None
+        least = whole - SAVED + _CLOSE
+        for knot, held in sorted(_knots(self.panel.figure.wanted, self.burdens).items(), key=lambda each: -each[1]):
+            if whole - held < least and (view := self._view(knot, free)) is not None:  # were its labels no burden
                 other = self._with(view)
                 own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
                 if min(own) >= _OWN and burden(other.burdens) < least:
                     best, least = other, burden(other.burdens)  # no detail loses its own letters to another
-                if least <= lightest:
-                    break
-        return best if least + SAVED <= burden(self.burdens) else None
+        return best
 
-    @property
-    def burdens(self) -> Array:
-        """The burden of each label on the eye."""
-        return self.panel.burdens if self.known is None else self.known
-
-    def _views(self, knot: _DetailCircle, free: FreeRoom) -> list[_View]:
-        """A part of the figure, or of a detail, in up to three sizes for which there is room, the least first; its
-        shortest arrow is to be seen, if that can be."""
-        seen, views = next((view for view in self.views if view.shown.holds(knot.centre)), None), list[_View]()
-        arrows = [want for want in self.panel.figure.wanted if want.of and knot.names(want)]
-        lengths = [2 * abs(want.place - want.start) for want in arrows]
-        for times in _TIMES:
-            large = knot.radius * times
-            side = 2 * (large + _AROUND)
-            if large > _LARGEST or (corner := free.corner(complex(side, side + _HEAD))) is None:
-                break
-            shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, large)
-            window, before = (seen.window, seen.times) if seen is not None else (self.panel.window, 1.0)
-            views.append(_View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times)))
-        least = min((length for length in lengths if length > _NOTHING), default=_CLEAR)
-        clear = [view for view in views if abs(view.shown.radius / knot.radius) * least >= _CLEAR]
-        return [*dict.fromkeys((clear[0], clear[len(clear) // 2], clear[-1]))] if clear else views[-1:]
+    def _view(self, knot: _DetailCircle, free: FreeRoom) -> _View | None:
+        """A part of the figure, or of a detail, as large as there is room for; None where there is none."""
+        seen = next((view for view in self.views if view.shown.holds(knot.centre)), None)
+        window, before = (seen.window, seen.times) if seen is not None else (self.panel.window, 1.0)
+        for times in (times for times in _TIMES if knot.radius * times <= _LARGEST):
+            side = 2 * (knot.radius * times + _AROUND)
+            if (corner := free.corner(complex(side, side + _HEAD))) is not None:
+                shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, knot.radius * times)
+                return _View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times))
+        return None
 
     def _with(self, view: _View) -> _DetailDrawing:
         """The letters of one circle left to the other, where that part is drawn once more. That all other labels have
@@ -159,11 +143,13 @@ class _DetailDrawing:
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
         named = [want for want in whole.wanted if view.shown.names(want)]
         arrows = {want.of for want in named if want.of}
-        stay = [not (want.of in arrows if want.of else view.part.names(want)) for want in figure.wanted]
+        pole = [mark.at for mark in figure.marks if isinstance(mark, PointMark) and mark.of == "pole"][:1]
+        stay = [not (want.of in arrows if want.of else view.part.names(want) and want.start not in pole)
+                for want in figure.wanted]  # fmt: skip
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
         numeral = _NUMERALS[len(self.views)] + self.prime
         sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=LABEL, step=step)
-        marks += [Disc(circle.centre, circle.radius, "thin", step=step) for circle in (view.part, view.shown)]
+        marks += [Disc(circle.centre, circle.radius, "centre", step=step) for circle in (view.part, view.shown)]
         heading = plain(f"{numeral}  ({view.times:g} : 1)")
         top = view.shown.centre - 1j * (view.shown.radius + _AROUND - 1.0)  # over what is written around it
         marks.append(Text(heading, top - width(heading, LABEL) / 2, LABEL, step))
@@ -171,26 +157,30 @@ class _DetailDrawing:
         room = Room(at.real, at.imag, at.real, at.imag).inset(*[-view.shown.radius - _AROUND] * 3)  # with its letters
         alone = Panel(Figure(marks, named), view.window, room)
         inside = alone.burdens + _LED * np.bincount(alone.near.led, minlength=len(named))
-        known = np.concatenate([self.burdens[stay], inside, [0.0]])
+        burdens = np.concatenate([self.burdens[stay], inside, [0.0]])
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
-        return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), known=known)
+        return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), burdens=burdens)
 
 
-def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> Iterator[tuple[_DetailCircle, float]]:
-    """For each radius the circle about what is so near to one label and weighs most, where that is enough; and the
-    most that this weighs."""
+def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> dict[_DetailCircle, float]:
+    """For each radius the circle about what is so near to one label and weighs most, where that is enough and more than
+    one arrow that has its name; and the most that this weighs."""
+    knots = dict[_DetailCircle, float]()
     if not 0 < len(wanted) <= _MANY:
-        return
+        return knots
     start = np.array([want.start for want in wanted])
     end = np.array([want.start if want.end is None else want.end for want in wanted])
     about = np.array([want.place for want in wanted])[:, None]
     far = np.maximum(abs(start - about), abs(end - about))
+    nameless = np.array([bool(want.of) for want in wanted]) & (burdens >= UNCLEAR)
     for radius in _RADII:
         held = far <= radius + _ON
         inside = held[(held @ burdens).argmax()]
-        if burdens[inside].sum() >= SAVED:
+        knot = np.count_nonzero(inside) > _FEW or nameless[inside].any()
+        if burdens[inside].sum() >= SAVED and knot:
             lighter = burden(burdens) - burden(np.where(inside, 0.0, burdens))
-            yield _about([*start[inside], *end[inside]]), lighter
+            knots[_about([*start[inside], *end[inside]])] = lighter
+    return knots
 
 
 def _about(places: Sequence[Place]) -> _DetailCircle:
@@ -207,7 +197,7 @@ def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
             yield replace(mark, plane="detail")
         case VectorMark(start=start, end=end) if circle.holds(end):
             if (piece := circle.piece(start, end)) is not None:
-                yield replace(mark, plane="detail", start=piece[0])
+                yield replace(mark, plane="detail", start=piece[0], broken=0.0)
         case VectorMark(start=start, end=end, pen=pen, step=step):
             if (piece := circle.piece(start, end)) is not None:
                 yield Stroke(piece, pen, step=step)

@@ -1,26 +1,29 @@
 """The data of a mechanism where they lie: lengths along links, dimension lines (ISO 129), radii, angles at joints.
 
 Each has several places; the first for which figure and letters leave room is taken. A line with its letters is tried as
-a whole: `free` touches nothing, `crossing` may cross other lines but no letters.
+a whole: `free` touches nothing, `crossing` may cross other lines but no letters. Extension lines keep off
+joints where they can.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import cache, cached_property, partial
 from itertools import islice, product
 
 from graphkin.base.value import frozen
+from graphkin.model.mechanism import FRAME
 from graphkin.say.sizes import Corner, Size, Span
-from graphkin.sheet.fixed_link import clearance
+from graphkin.sheet.fixed_link import clearance, ground_way
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, box, formula, plain
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
-from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.skeleton import Skeleton, off_stretch
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
 from graphkin.sheet.wheels import disc
 from graphkin.sheet.window import Figure
@@ -29,7 +32,7 @@ _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a 
 _GAPS = (1.1, 1.9)  # between a line and its letters [mm]
 _OFFSETS = (7.5, 11.0, 16.0, 22.0)  # of a dimension line from what it measures [mm]
 _RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
-_BLOCK = 6.2  # from the middle of a block to an extension line [mm]
+_BLOCK, _GROUND = 6.2, 7.0  # from the middle of a block, from a pivot past its ground to an extension line [mm]
 _AT_ONCE = 10  # ways that are tried together
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
@@ -52,12 +55,25 @@ class DimensionLines:
     skeleton: Skeleton
     free: FreeRoom
 
+    def once(self, data: Iterable[Size]) -> Iterator[Size]:
+        """Data without those that would stand twice: of the same places, or of a rim as far off as a point on it."""
+        drawn = set[tuple[frozenset[str], str]]()
+        for size in data:
+            if isinstance(span := size.shape, Span):
+                start, *ends = map(self.skeleton.window, (span.start, span.end))
+                places = map(self.skeleton.at, self.skeleton.points if span.form == "radius" else ())
+                ends += [at for at in places if abs(abs(at - start) - abs(ends[0] - start)) < 0.05]
+                keys = {(frozenset(f"{at:.1f}" for at in (start, end)), size.bare.figure) for end in ends}
+                if keys & drawn:
+                    continue
+                drawn |= keys
+            yield size
+
     def draw(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""
         every = self._trials(size)
         while trials := list(islice(every, _AT_ONCE)):
-            number = self.free.first([(trial.free, trial.crossing) for trial in trials])
-            if number is not None:
+            for number in self.free.fitting([(trial.free, trial.crossing) for trial in trials])[:1]:
                 trial = trials[number]
                 marks = [replace(mark, accent="grey") if size.derived and isinstance(mark, Stroke | Text) else mark
                          for mark in (*trial.touching, *trial.crossing, *trial.free)]  # fmt: skip
@@ -67,19 +83,50 @@ class DimensionLines:
 
     def _trials(self, size: Size) -> Iterator[_Trial]:
         match size.shape:
-            case Span(form="radius") as span:
+            case Span(form="radius", points=(_,)) as span:
                 yield from self._radius(span, formula(size.text))
             case Span() as span:
                 start, end = self.skeleton.window(span.start), self.skeleton.window(span.end)
                 step = self.skeleton.step(*span.points)
-                label = formula(size.text if span.form == "measured" else size.bare.figure)
+                parted = span.form == "bar" and self._through(start, end, 0.3)
+                label = formula(size.bare.figure)
+                named = formula(size.text) if parted or span.form in ("measured", "radius") else label
+                along = self.skeleton.window.turned(span.along)
+                if parted:  # from end to end, past the joints and blocks between
+                    yield from self._dimension(start, end, along, label, step)
                 if span.form != "apart" and not self._across_wheel(span.points):
-                    yield from self._beside(start, end, label, step, span.form == "measured")
-                if span.form != "measured":
-                    along = self.skeleton.window.turned(span.along)
+                    yield from self._beside(start, end, named, step, span.form == "measured")
+                if span.form in ("bar", "apart") and not parted:
                     yield from self._dimension(start, end, along, label, step)
             case Corner() | None:
                 pass
+
+    def _through(self, start: Place, end: Place, near: float) -> bool:
+        """True of a line that passes a joint between its ends, as near as that."""
+        inside = (at for at in self._joints if min(abs(at - start), abs(at - end)) > HINGE)
+        return any(off_stretch(at, start, end) < near for at in inside)
+
+    @cached_property
+    def _joints(self) -> dict[Place, tuple[bool, list[complex]]]:
+        """Where hinges and blocks are: True of a block, and the ways down to the ground under it."""
+        skeleton, joints = self.skeleton, dict[Place, tuple[bool, list[complex]]]()
+        blocks = {slide.point for slide in skeleton.blocks.values()}
+        for at in (at for at, _, links in skeleton.joints if len(links) > 1):
+            points = [point for point in skeleton.points if abs(skeleton.at(point) - at) < 0.1]
+            pivots = (point for point in points if FRAME in skeleton.mechanism.owners[point])
+            joints[at] = not blocks.isdisjoint(points), [ground_way(point, skeleton) for point in pivots]
+        return joints
+
+    def _from(self, end: Place, across: complex, level: float) -> tuple[Place, float]:
+        """The joint at which the extension line of an end begins, the last one that is level with it, and how far off
+        its middle, past its block or the ground under it [mm]."""
+        way = across * (level - (end / across).real)
+        on = (at for at in self._joints if abs(((at - end) / across).imag) < 0.05 and 0 < ((at - end) / way).real < 1)
+        at = min([end, *on], key=lambda at: abs(end + way - at))
+        block, grounds = self._joints.get(at, (False, []))
+        if any(abs(down - way / abs(way)) < 0.1 for down in grounds):
+            return at, _GROUND
+        return at, _BLOCK if block else 2 * HINGE
 
     def _across_wheel(self, points: Sequence[str]) -> bool:
         """True of two points of one wheel, neither its centre: nothing is drawn between them."""
@@ -102,33 +149,31 @@ class DimensionLines:
         if abs(end - start) <= box(label, LABEL)[0] + (6 if measured else 4) * HINGE:
             return
         along, pieces = (end - start) / abs(end - start), list[tuple[Place, Place]]()
-        bars = self.skeleton.segments() if measured else ()
+        bars = self.skeleton.segments if measured else ()
         if measured and not any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in bars):
             pieces = self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
         lines = [Stroke(piece, "measured", step=step) for piece in pieces]
         for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
             yield _Trial([self._text(label, start + (end - start) * t, along, side * gap, step)], touching=lines)
 
-    def _dimension(
-        self, start: Place, end: Place, along: complex, label: Label, step: int | None
-    ) -> Iterator[_Trial]:
+    def _dimension(self, start: Place, end: Place, along: complex, label: Label, step: int | None) -> Iterator[_Trial]:
         """A dimension line with two heads between extension lines, beyond what it measures or between its ends."""
         if abs(end - start) < 0.5:
             return
         along *= math.copysign(1, ((end - start) / along).real)
         wide, long = box(label, LABEL)[0], ((end - start) / along).real
-        blocks = [self.skeleton.at(slide.point) for slide in self.skeleton.blocks.values()]
-        first, second = (_BLOCK if min((abs(end - at) for at in blocks), default=9.0) < 0.1 else 2 * HINGE
-                         for end in (start, end))  # fmt: skip
         across = 1j * along
         low, high = sorted((place / across).real for place in (start, end))
         levels = [level for offset in _OFFSETS for level in (low - offset, high + offset)]
         levels += [low + part * (high - low) for part in _ALONG if high - low > 2 * _OFFSETS[0]]
         past = 0.0 if wide + 1 <= long else wide + 5
-        ends = ((start, end), (first, second), along)
-        orders = [ends, (ends[0][::-1], ends[1][::-1], -along)][: 2 if past else 1]
-        for crossing, level, (places, clear, way) in product((0, 1, 2), levels, orders):
-            line, both, heads = dimension_line(places, across, level, past, step, clear)
+        orders = [(start, end, along), (end, start, -along)][: 2 if past else 1]
+        lines = cache(partial(self._lines, across, past, step))  # of each level and order once, if they come to it
+        for through, crossing, level, order in product((False, True), (0, 1, 2), levels, orders):
+            line, both, heads, joints = lines(level, *order[:2])
+            if through != joints:
+                continue  # past joints only where there is no other room
+            way = order[2]
             middle = line.places[1] - way * (past - wide / 2 - 4 if past else long / 2)
             text = self._text(label, middle, along, 0.8, step)
             if crossing == 2:  # extension lines, broken at letters
@@ -137,13 +182,19 @@ class DimensionLines:
             else:
                 yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
 
+    def _lines(
+        self, across: complex, past: float, step: int | None, level: float, one: Place, other: Place
+    ) -> tuple[Stroke, list[Stroke], list[Stroke], bool]:
+        """A dimension line, its extension lines and heads; True where these lines pass a joint."""
+        (one, near), (other, far) = self._from(one, across, level), self._from(other, across, level)
+        line, both, heads = dimension_line((one, other), across, level, past, step, (near, far))
+        return line, both, heads, any(self._through(each.places[0], each.places[1], HINGE) for each in both)
+
     def _radius(self, span: Span, label: Label) -> Iterator[_Trial]:
         """A line from a centre to its rim, with letters along it, inside or beyond."""
         centre, rim = self.skeleton.window(span.start), self.skeleton.window(span.end)
         step, radius, wide = self.skeleton.step(*span.points), abs(rim - centre), box(label, LABEL)[0]
-        ways = [(rim - centre) / radius]
-        if len(span.points) == 1:
-            ways = [cmath.rect(1, math.radians(turn)) for turn in range(-45, 315, 15)]
+        ways = [cmath.rect(1, math.radians(turn)) for turn in range(-45, 315, 15)]
         for way, side in product(ways, (1, -1)):
             tip = centre + way * radius
             inner, from_rim = centre + way * 2 * HINGE, tip - way * THIN_HEAD
@@ -152,8 +203,6 @@ class DimensionLines:
                 middle = (inner + from_rim) / 2
                 text = self._text(label, middle, way, side * 0.8, step)
                 yield _Trial([Stroke((inner, from_rim), "thin", step=step), text], touching=[head])
-                if len(span.points) > 1:  # on a line that is there
-                    yield _Trial([self._text(label, middle, way, side * _GAPS[0], step)])
             else:
                 far = tip + way * (wide + 3)
                 text = self._text(label, tip + way * (wide / 2 + 2), way, side * 0.8, step)
@@ -161,48 +210,72 @@ class DimensionLines:
                 yield _Trial([line, text], [Stroke((inner, tip - way), "thin", step=step)], [head])
 
 
-def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Figure:
-    """Given angles as arcs between two arms with their values; arms that no link has are drawn, that along +x with
-    its letter.
+def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke]:
+    """The way of extension lines from each end of a dimension that lies apart to beside the other."""
+    for span in (size.shape for size in data if isinstance(size.shape, Span) and size.shape.form == "apart"):
+        start, end = skeleton.window(span.start), skeleton.window(span.end)
+        along = skeleton.window.turned(span.along)
+        off = end - start - along * ((end - start) / along).real
+        yield from (Stroke((start, start + off), "thin"), Stroke((end, end - off), "thin"))
 
-    drawn  arcs that they keep off
-    """
+
+def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Figure:
+    """Given angles as arcs between two arms with their values; arms that no link has are drawn, that along +x with its
+    letter; drawn: arcs that they keep off."""
     figure, others = Figure(), [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
     for size in data:
-        if isinstance(size.shape, Corner):
-            at = skeleton.window(size.shape.at)
-            radius, arc = max(((radius, _places(size.shape, skeleton, radius)) for radius in _RADII),
-                              key=lambda way: _room(skeleton, way[1], others))  # fmt: skip
+        if isinstance(corner := size.shape, Corner):
+            arms = [*_arms(skeleton, corner)]
+            tried = [(radius, _inner_arc(skeleton, corner, radius)) for radius in _RADII]
+            rooms = [_room(skeleton, skeleton.window(corner.at), arms, radius, arc, others) for radius, arc in tried]
+            radius, arc = tried[rooms.index(max(rooms))]
             others += arc
-            figure += _angle(size, size.shape, skeleton, at, radius)
+            figure += _angle(size, corner, skeleton, arms, radius)
     return figure
 
 
-def _places(corner: Corner, skeleton: Skeleton, radius: float) -> list[Place]:
+def _arms(skeleton: Skeleton, corner: Corner) -> Iterator[tuple[complex, float]]:
+    """The directions of the two arms of an angle, and how far a bar goes on each; 0 where there is none [mm]."""
+    at, first = skeleton.window(corner.at), skeleton.window.turned(corner.start)
+    for arm in (first, first * cmath.rect(1, -corner.turn)):
+        bars = [bar for bar in skeleton.segments if _lies_on(at, arm, bar)]
+        yield arm, max((abs(end - at) for bar in bars for end in bar), default=0.0)
+
+
+def _inner_arc(skeleton: Skeleton, corner: Corner, radius: float) -> tuple[Place, ...]:
     """Places on the arc of an angle, off its ends."""
-    first, long = radius * skeleton.window.turned(corner.start), abs(corner.turn) * radius
-    parts = [k / 12 for k in range(13) if 2.0 <= k / 12 * long <= long - 2.0]
-    return [skeleton.window(corner.at) + first * cmath.rect(1, -corner.turn * part) for part in parts or [0.5]]
+    start, off = cmath.phase(skeleton.window.turned(corner.start)), min(2 / radius, abs(corner.turn) / 2)
+    off = math.copysign(off, corner.turn)
+    return arc_places(ArcMark(skeleton.window(corner.at), radius, start - off, 2 * off - corner.turn))
 
 
-def _room(skeleton: Skeleton, arc: Sequence[Place], others: Sequence[Place]) -> float:
-    """Distance of an arc from links and other arcs, as far as it matters [mm]."""
-    return min([_CLEAR, *(clearance(skeleton, at) for at in arc), *(abs(at - other) for at in arc for other in others)])
+def _room(
+    skeleton: Skeleton, at: Place, arms: Sequence[tuple[complex, float]], radius: float, arc: Sequence[Place],
+    others: Sequence[Place],
+) -> float:  # fmt: skip
+    """Distance of an arc from links and other arcs, of its ends from those of bars, and of arms that are drawn from
+    links, as far as it matters [mm]."""
+    ends = [at + arm * (radius + _BEYOND) for arm, reach in arms if not reach]
+    on = [reach - radius - HINGE for _, reach in arms if reach]
+    apart = [abs(place - other) for place in arc for other in others]
+    return round(min([_CLEAR, *on, *apart, clearance(skeleton, *arc, *ends)]), 1)
 
 
-def _angle(size: Size, corner: Corner, skeleton: Skeleton, at: Place, radius: float) -> Figure:
+def _angle(
+    size: Size, corner: Corner, skeleton: Skeleton, arms: Sequence[tuple[complex, float]], radius: float
+) -> Figure:
     """The arc with its value, and the arms that no bar of a link has."""
-    first, step = skeleton.window.turned(corner.start), skeleton.step(*corner.points)
-    middle, last = (first * cmath.rect(1, -corner.turn * part) for part in (0.5, 1.0))
+    (first, _), at, step = arms[0], skeleton.window(corner.at), skeleton.step(*corner.points)
+    middle = first * cmath.rect(1, -corner.turn / 2)
     figure = Figure(angle_arc(at, radius, first, -corner.turn, step))
     figure.wanted.append(LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step))
-    for number, arm in enumerate((first, last)):
-        if not any(_lies_on(at, arm, bar) for bar in skeleton.segments()):
-            end = at + arm * (radius + _BEYOND)
-            figure.marks.append(Stroke((at + arm * 2 * HINGE, end), "thin", step=step))
-            if number == 0 and abs(corner.start - 1) < 1e-9 and len(corner.points) > 1:  # the x axis at a driven link
-                x = plain("x", italic=True)
-                figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm, step=step, spare=True))
+    for arm in (arm for arm, reach in arms if not reach):
+        end = at + arm * (radius + _BEYOND)
+        figure.marks.append(Stroke((at + arm * 2 * HINGE, end), "thin", step=step))
+        if arm == first and abs(corner.start - 1) < 1e-9 and len(corner.points) > 1:  # the x axis at a driven link
+            figure.marks.append(arrow_head(end, arm, step, THIN_HEAD))
+            x = plain("x", italic=True)
+            figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm, step=step, spare=True))
     return figure
 
 

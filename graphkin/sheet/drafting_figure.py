@@ -13,20 +13,12 @@ import numpy as np
 
 from graphkin.base import geometry
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import (
-    INFINITE,
-    Bisector,
-    Board,
-    ChosenPoint,
-    Drafting,
-    LineStep,
-    Step,
-    drawn_through,
-)
+from graphkin.construction import drafting
+from graphkin.construction.drafting import Bisector, Board, Drafting, LineStep, Step, drawn_through
 from graphkin.say.numbers import circled
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, joined, plain
-from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
+from graphkin.sheet.marks import Disc, Fill, Place, Stroke
 from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.symbols import HINGE, angle_arc
@@ -34,17 +26,13 @@ from graphkin.sheet.window import Entry, Window
 
 NEAR = 0.25  # points nearer than this on paper are one [mm]
 _STRAIGHT = 8.0  # a shorter piece of a curve is named as a point of it [mm]
+_SHARES, _APART = (0.3, 0.7, 0.5, 0.2, 0.8, 0.05, 0.95), 20.0  # where names stand; so far from others is enough [mm]
 _FAR = 4  # a line that meets others at infinity, or has no two points on it, goes on so many times farther
-_SQUARE, _SQUARE_DEG = 2.3, 1e-6
-"""Side of the square in a right angle [mm]; its cosine is no larger."""
 
 
 @frozen
 class DraftingFigure:
-    """A construction through a window, in a room of the paper.
-
-    beyond  how far a line goes on past its points [mm]
-    """
+    """A construction through a window, in a room of the paper; beyond: how far a line goes on past its points [mm]."""
 
     construction: Drafting
     board: Board
@@ -72,17 +60,17 @@ class DraftingFigure:
         yield from clipped(self.ends(step), self.room, pen, number)
 
     def ends(self, step: LineStep, also: Sequence[Place] = ()) -> list[Place]:
-        """The ends of a line, beyond the first and the last point on it and other places; none of the line at infinity.
-        """
+        """The ends of a line, beyond the first and the last place on it; none of the line at infinity."""
         foot, direction = map(geometry.place, self.board.line(step.name))
-        if not abs(foot) * INFINITE < 1:
+        if not abs(foot) * drafting.INFINITE < 1:
             return []
         start, along = self.window(foot), self.window.turned(direction)
         met = self.construction.met_on(step.name)
         places = [*self.at(*drawn_through(step), *met), *also]
         if isinstance(step, Bisector):
             one, other = self.at(step.first, step.second)
-            chosen = self.at(*(made.name for made in self.construction.steps if isinstance(made, ChosenPoint)))
+            steps = self.construction.steps
+            chosen = self.at(*(made.name for made in steps if isinstance(made, drafting.ChosenPoint)))
             places += [at for at in chosen if abs(((at - start) / along).imag) < NEAR]
             places += [(one + other) / 2 + side * abs(other - one) * along for side in (0.3, -0.3)]
         base = places[0] if places else start
@@ -101,7 +89,7 @@ def together(wanted: Iterable[LabelRequest]) -> Iterator[LabelRequest]:
             groups.append([want])
         else:
             group.append(want)
-    for first, *others in groups:
+    for first, *others in (sorted(group, key=lambda want: want.step or 0) for group in groups):
         if not others:
             yield first
             continue
@@ -122,29 +110,23 @@ def spot(at: Place, label: Label, radius: float = 0.6, fill: Fill = "ink", step:
 
 
 def angle(
-    at: Place, first: complex, sweep: float, radius: float, label: Label, step: int | None = None, spare: bool = False
-) -> Iterator[Entry]:  # fmt: skip
+    at: Place, first: complex, sweep: float, radius: float, label: Label, step: int | None = None
+) -> Iterator[Entry]:
     """An arc from a direction on [rad, clockwise on paper] with its value; nothing for no angle."""
     if abs(sweep) > 1e-6:
         first /= abs(first)
         middle = first * cmath.rect(1, sweep / 2)
         yield from angle_arc(at, radius, first, sweep, step)
-        yield LabelRequest(label, at + radius * middle, gap=0.6, away=middle, size=LABEL, step=step, spare=spare)
+        yield LabelRequest(label, at + radius * middle, gap=0.6, away=middle, size=LABEL, step=step)
 
 
-def right_angle(at: Place, one: complex, other: complex, side: float = _SQUARE, step: int | None = None) -> list[Mark]:
-    """A square between two lines; nothing where the angle is another."""
-    if abs(one.real * other.real + one.imag * other.imag) > _SQUARE_DEG * abs(one) * abs(other):
-        return []
-    one, other = side * one / abs(one), side * other / abs(other)
-    return [Stroke((at + one, at + one + other, at + other), "construction", step=step)]
-
-
-def named(strokes: Sequence[Stroke], label: Label, share: float) -> Iterator[LabelRequest]:
-    """The name of a curve, beside the longest of its pieces, where that share of it is passed."""
-    pieces = [np.array(stroke.places) for stroke in strokes]
-    passed = [np.abs(np.diff(places)).cumsum() for places in pieces]
-    if pieces:
-        longest = max(range(len(pieces)), key=lambda k: passed[k][-1])
-        start, end = map(complex, pieces[longest][np.searchsorted(passed[longest], share * passed[longest][-1]) :][:2])
+def named(strokes: Sequence[Stroke], label: Label, others: Sequence[Stroke] = ()) -> Iterator[LabelRequest]:
+    """The name of a curve, beside the longest of its pieces, where other curves are far."""
+    off = np.array([place for stroke in others for place in stroke.places])
+    if pieces := [np.array(stroke.places) for stroke in strokes]:
+        longest = max(pieces, key=lambda places: np.abs(np.diff(places)).sum())
+        passed = np.abs(np.diff(longest)).cumsum()
+        parts = [int(np.searchsorted(passed, share * passed[-1])) for share in _SHARES]
+        best = max(parts, key=lambda k: np.abs(off - longest[k]).min(initial=_APART))
+        start, end = map(complex, longest[best:][:2])
         yield LabelRequest(label, start, end if abs(end - start) > _STRAIGHT else None, gap=0.8)

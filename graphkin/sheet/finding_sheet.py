@@ -19,32 +19,28 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, Mark, Stroke
 from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
-from graphkin.sheet.page import Sheet
+from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import papers_for
 from graphkin.sheet.single_figure import Picture, gridded
+from graphkin.sheet.titleblock import Strip
 from graphkin.sheet.window import Extent, Figure, Window, enlarged
 from graphkin.studies.finding import Findings
 from graphkin.studies.finding.answers import SlowPoint
 
 MOST = 12  # positions on one sheet, at most
-_TRIAL = 60.0  # size of a figure when it is drawn to see how far its signs reach [mm]
-_LETTERS = 6.0  # room for labels around a figure [mm]
 _LARGE_ENOUGH = 48.0  # a figure of this size needs no larger paper [mm]
 _DOT, _RING = 0.7, 1.7
 """The slowest point: a dot in a ring, which no point of a mechanism is [mm]."""
 _FAR = 1.9  # so many times larger the figure may become for its sake
 
 
-def drawn(
-    method: Method, findings: Findings, lang: Lang = "en", *, paper: str | None = None
-) -> tuple[Sheet, int] | None:
-    """The sheet, and how many positions had no room on it; None where there is no position that can be drawn.
-
-    Raises UnknownPaper; DeadPoint or NotReached for a position that can be told but not drawn.
-    """
+def drawn(findings: Findings, lang: Lang = "en", *, paper: str | None = None) -> tuple[Sheet | None, int]:
+    """The sheet, None where there is no position that can be drawn; and how many positions had no room on it. Raises
+    UnknownPaper; DeadPoint or NotReached for a position that can be told but not drawn."""
     positions = findings.shown or ((findings.nearest,) if findings.nearest is not None else ())
     if not positions:
-        return None
+        return None, 0
+    method = findings.method
     shown, slowest = positions[:MOST], {entry.position.t: entry for entry in findings.slow}
     plots = [moved_to(method, position.drivers) for position in shown]
     captions, slow = [caption(findings, one) for one in shown], [slowest.get(one.t) for one in shown]
@@ -56,23 +52,21 @@ def positions_sheet(
     method: Method, plots: Sequence[Plot], captions: Sequence[str], lang: Lang = "en", *, paper: str | None = None,
     told: Sequence[str] = (), slow: Sequence[SlowPoint | None] = (),
 ) -> Sheet:  # fmt: skip
-    """The mechanism at several positions (at most `MOST`), lettered (a), (b), .. with captions.
+    """The mechanism at several positions (at most `MOST`), lettered (a), (b), .. with captions. Raises UnknownPaper.
 
     plots   the method replayed at one position each
     paper   a key of `PAPERS`; the smallest on which the figures are large enough where left out
     told    sentences in the strip
     slow    the point to mark in each figure, where there is one
-
-    Raises UnknownPaper.
     """
     pictures = _pictures(method, plots, captions, slow or [None] * len(plots))
-    papers = papers_for(paper)
-    for area in sorted({one.width * one.height for one in papers}):  # the smallest on which they are large enough
-        tried = (gridded([pictures], one, told=told) for one in papers if one.width * one.height == area)
-        scale, grid, panels = min(tried, key=lambda each: each[0])
+    papers, strip = papers_for(paper), Strip(told=told)
+    for area in sorted({one.area for one in papers}):  # the smallest on which they are large enough
+        tried = ((*gridded([pictures], one, strip), one) for one in papers if one.area == area)
+        scale, panels, chosen = min(tried, key=lambda each: each[0])
         if pictures[0].extent.longest / scale >= _LARGE_ENOUGH:
             break
-    return grid.page(panels, method.mechanism, lang, drivers=plots[0].facts.values).sheet()
+    return Page(chosen, panels, method.mechanism, plots[0].facts.values, lang, strip).sheet()
 
 
 def _pictures(
@@ -88,7 +82,7 @@ def _pictures(
     def over(window: Window) -> Figure:
         return sum((figure(window) for figure in figures), Figure())
 
-    extent = Extent.of(places, over, method.mechanism.scales.get("length"), letters=_LETTERS, trial=_TRIAL)
+    extent = Extent.of(places, over, method.mechanism.scales.get("length"))
     texts = (f"({chr(ord('a') + number)}) {text}" for number, text in enumerate(captions))
     return [Picture(extent, figure, (text,)) for figure, text in zip(figures, texts, strict=True)]
 
@@ -106,4 +100,3 @@ def _figure(method: Method, plot: Plot, plots: Sequence[Plot], slow: SlowPoint |
     marks += [Disc(at, _RING, "construction"), Disc(at, _DOT, "construction", "ink")]
     label = (Run("v", True), Run("min", False, "sub"))
     return figure + Figure(marks, [LabelRequest(label, at, gap=_RING)])
-

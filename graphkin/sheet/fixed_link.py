@@ -28,17 +28,15 @@ _APART = 3.0  # between two arcs about one point [mm]
 
 
 def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
-    """Everything that stands still, and the frame's number beside one sign of it.
-
-    others   the same mechanism at further positions drawn over the first
-    """
+    """Everything that stands still, and the frame's number beside one sign of it; others: the same mechanism at further
+    positions drawn over the first."""
     figure, spots = Figure(), list[Place]()
     for run in _runs(skeleton, *others):
         figure.marks += run.marks()
         spots.append(run.end(run.high) + run.side * 2)
     for slide in skeleton.mechanism.slides:  # a block that the frame carries; on a pivot it stands on the pivot's
         if slide.block == FRAME and len(skeleton.mechanism.owners[slide.point]) == 1:
-            at, along = skeleton.at(slide.point), skeleton.along(slide)
+            at, along = skeleton.at(slide.point), skeleton.direction(slide.line)
             side = _ground_side(at, along, skeleton, *others)
             foot, half = at + side * symbols.BLOCK.imag / 2, 0.7 * symbols.BLOCK.real * along
             figure.marks += symbols.guide(foot - half, foot + half, side, skeleton.step(slide.point))
@@ -114,7 +112,7 @@ def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_FixedStretch]:
 
 def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _FixedStretch:
     """Under what slides at every position."""
-    at, along = skeleton.at(slide.point), skeleton.along(slide)
+    at, along = skeleton.at(slide.point), skeleton.direction(slide.line)
     if along.real < -1e-9 or (abs(along.real) < 1e-9 and along.imag < 0):
         along = -along
     stops = [0.0, *((along.conjugate() * (other.at(slide.point) - at)).real for other in others)]
@@ -122,7 +120,7 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _FixedStretch:
     turned: list[float] = []  # of the bars that leave what slides, how far each lies along the line
     for one in (skeleton, *others):
         block = one.at(slide.point)
-        for here, there in chain.from_iterable((ends, ends[::-1]) for ends in one.segments()):
+        for here, there in chain.from_iterable((ends, ends[::-1]) for ends in one.segments):
             if abs(here - block) < 0.1 < abs(there - block):
                 turned.append(((there - block) / abs(there - block) * along.conjugate()).real)
     back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
@@ -138,7 +136,7 @@ def _uncrossed(
     ends = []
     for way, stop, far in ((-1, -stops[0], reach[0]), (1, stops[1], reach[1])):
         start, tip = at + along * way * (stop + _HIDDEN), at + along * way * (stop + far + 2)
-        met = (crossing(start, tip, one, other) for each in skeletons for one, other in each.segments())
+        met = (crossing(start, tip, one, other) for each in skeletons for one, other in each.segments)
         most = min([far, *(abs(place - start) + _HIDDEN - 2 for place in met if place is not None)])
         ends.append(way * (stop + (most if most > symbols.BLOCK.real / 2 + 3 else _HIDDEN)))
     return ends[0], ends[1]
@@ -161,9 +159,7 @@ def away_from(at: Place, along: complex, places: list[Place]) -> complex:
 def drives(skeleton: Skeleton, method: Method) -> Figure:
     """Arrows of all drivers that move."""
     figure = Figure()
-    for driver in skeleton.mechanism.drivers:
-        if driver.rate == 0 and driver.acceleration == 0:
-            continue
+    for driver in (driver for driver in skeleton.mechanism.drivers if driver.rate or driver.acceleration):
         if driver.kind == "slide":
             _slide_arrow(skeleton, driver, figure, driven_slides(method).get(("ṡ", driver.link)))
         elif driver.vector is not None:  # about the vector's tail, across the link
@@ -183,9 +179,7 @@ def _arcs(
     towards: complex, turns: Sequence[int],
 ) -> None:  # fmt: skip
     """An arc about the first point; where the acceleration opposes the rate each has its own, the one about the other.
-
-    turns  from `towards` on, in its sense, where an arc may begin [deg]
-    """
+    turns: from `towards` on, in its sense, where an arc may begin [deg]."""
     at, seen_from = skeleton.at(on[0]), driver.from_link if driver.from_link != FRAME else ""
     letters: dict[int, str] = {}  # by the sense of rate and acceleration
     for letter, value in (("ω", driver.rate), ("α", driver.acceleration)):
@@ -208,15 +202,13 @@ def _arcs(
         radius += _APART
 
 
-def clearance(skeleton: Skeleton, place: Place) -> float:
-    """Distance of a place from the nearest link, as far as it matters to the eye [mm]."""
-    stretches = [*skeleton.segments()]
-    for point in skeleton.points:
-        if FRAME in skeleton.mechanism.owners[point]:
-            at = skeleton.at(point)
-            stretches.append((at, at + symbols.PIVOT_DEPTH * ground_way(point, skeleton)))
-    gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton))]
-    return min([*gaps, *(off_stretch(place, start, end) for start, end in stretches)])
+def clearance(skeleton: Skeleton, *places: Place) -> float:
+    """Distance of places from the nearest link, as far as it matters to the eye [mm]."""
+    pivots = [point for point in skeleton.points if FRAME in skeleton.mechanism.owners[point]]
+    feet = [(at := skeleton.at(point), at + symbols.PIVOT_DEPTH * ground_way(point, skeleton)) for point in pivots]
+    stretches = [*skeleton.segments, *feet]
+    gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
+    return min([*gaps, *(off_stretch(place, start, end) for start, end in stretches for place in places)])
 
 
 def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure, speed: str | None) -> None:
@@ -233,7 +225,7 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure, speed: str 
             at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
     out = 5.2 + max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0)
     out -= 1.5 if out > 6 else 0.0
-    across = max((up, -up), key=lambda side: min(clearance(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
+    across = max((up, -up), key=lambda side: clearance(skeleton, *(at + side * out + along * t for t in (-3, 3, 6))))
     start = at + across * out - along * 4
     shows, step = Shows(line.link, "push", line=driver.link), skeleton.step(point)
     figure.marks += symbols.arrow(start, start + 11 * along, shows=shows, step=step)

@@ -5,58 +5,35 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Sequence
 from copy import copy
-from dataclasses import field
 from functools import cached_property
-from itertools import accumulate
-from typing import NamedTuple
+from itertools import accumulate, pairwise
+from math import ceil
 
 import numpy as np
 
 from graphkin.base.geometry import Array
-from graphkin.base.value import frozen
-from graphkin.sheet.boxes import OccupiedSquares
+from graphkin.sheet.boxes import overlap, xy
 from graphkin.sheet.label_candidates import LabelScene
-from graphkin.sheet.label_requests import LabelCandidates, LabelRequest
+from graphkin.sheet.label_requests import SIGN, LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
 
 _CLEAR = 0.6  # the distance of what is added from everything there [mm]
+_OFF = 0.65  # the distance of a number from the name to which it belongs [mm]
 _WORD = np.array((2.2, -0.6))
 """Letters beside others read as theirs when nearer; how far above or below they may be for that [mm]."""
-_EDGE, _GRID = 2.0, 3.0
+_EDGE, _GRID = 2.0, 2.0
 """The distance of a rectangle from all others; the grid of the places that are tried for it [mm]."""
 _SLICE = 1.0  # between places of a line, and of slices of turned letters [mm]
 _STEPS = 0.5  # the steps in which a line is shortened [mm]
-
-
-@frozen
-class Annotations:
-    """Marks beneath a figure and over it."""
-
-    under: list[Mark] = field(default_factory=list)
-    over: list[Mark] = field(default_factory=list)
-
-
-class FreeSpots(NamedTuple):
-    """Places of a label at what it names that were free at a time.
-
-    half           of the width and height of its box [mm]
-    marks, letters  how many there were then
-    """
-
-    middle: Array
-    cost: Array
-    half: complex
-    marks: int
-    letters: int
 
 
 class FreeRoom:
     """A figure with its labels, and what has been added since."""
 
     def __init__(self, scene: LabelScene, labels: Sequence[Mark] = ()) -> None:
-        self.room, self.marks, self._arrows = scene.room, [*scene.drawn, *labels], scene.arrows
+        self._scene, self.room, self.marks = scene, scene.room, [*scene.drawn, *labels]
         self._first, self._standing = len(self.marks), [scene.known, *([obstacles(labels)] if labels else [])]
         self._late: dict[int, Obstacles] = {}
         self._letters = _boxes([mark for mark in self.marks if isinstance(mark, Text)])
@@ -65,7 +42,7 @@ class FreeRoom:
         """These lie on the paper now, too."""
         self.marks += marks
         self._late = {}
-        for name in ("_occupied", "_signs"):
+        for name in ("_sums", "_signs"):
             vars(self).pop(name, None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
@@ -77,18 +54,24 @@ class FreeRoom:
 
     def free(self, low: Array, high: Array) -> Array:
         """True for those of many boxes (n, 2) that touch nothing and lie in the room."""
-        return _clear(self._inside(low, high), low, high, [*self._standing, *self._added(self._first)])
+        return _clear(self._scene.inside(low.T, high.T), low, high, [*self._standing, *self._added(self._first)])
 
     def reach(self, start: Place, along: complex, most: float) -> float:
         """The length of a line on from a place, without running into letters or out of the room [mm]."""
-        steps, bad = self._along(start, along, most)
-        return float(steps[np.argmax(bad)] - _STEPS) if bad.any() else most
+        first = next(iter(self.pieces(start, start + along * most)), None) if most > _STEPS else None
+        return abs(first[1] - start) if first is not None and first[0] == start else 0.0
+
+    def on_line(self, start: Place, end: Place) -> bool:
+        """True for a line that lies on an arrow, or on the side of an image."""
+        return bool(self._scene.arrows.hold(LabelRequest((), start, 2 * end - start)).any())
 
     def pieces(self, start: Place, end: Place) -> list[tuple[Place, Place]]:
-        """The pieces of a line that lie clear of letters."""
+        """The pieces of a line that lie clear of letters and in the room."""
         length = abs(end - start)
-        along = (end - start) / length
-        steps, bad = self._along(start, along, length)
+        along, steps = (end - start) / length, np.arange(0.0, length + _STEPS / 2, _STEPS)
+        at, letters = xy(start + along * steps)[:, None], np.moveaxis(self._letters, -1, 0)[..., None]
+        bad = overlap(letters[:, :, 0] - _CLEAR, letters[:, :, 1] + _CLEAR, at, at).any(axis=0)
+        bad |= ~self._scene.inside(at[:, 0], at[:, 0])
         turns = np.flatnonzero(np.diff(np.concatenate([[True], bad, [True]])))
         pieces: list[tuple[Place, Place]] = []
         for first, after in zip(turns[::2], turns[1::2], strict=True):
@@ -97,85 +80,89 @@ class FreeRoom:
                 pieces.append((start + along * low, start + along * high))
         return pieces
 
-    def _along(self, start: Place, along: complex, most: float) -> tuple[Array, Array]:
-        """Steps on from a place [mm], and whether there are letters, or no room."""
-        steps, room, letters = np.arange(0.0, most + _STEPS / 2, _STEPS), self.room, self._letters
-        xs, ys = start.real + along.real * steps, start.imag + along.imag * steps
-        bad = (xs < room.left) | (xs > room.right) | (ys < room.top) | (ys > room.bottom)
-        low, high = letters[:, 0, :, None] - _CLEAR, letters[:, 1, :, None] + _CLEAR
-        within = (xs > low[:, 0]) & (xs < high[:, 0]) & (ys > low[:, 1]) & (ys < high[:, 1])
-        return steps, bad | within.any(axis=0)
-
     @cached_property
-    def _occupied(self) -> OccupiedSquares:
-        """Squares that no free rectangle holds."""
-        return OccupiedSquares(places(self.marks), _GRID)
+    def _sums(self) -> Array:
+        """How much lies above and to the left of each corner of the squares of a grid."""
+        room, ((x, y), _) = self.room, places(self.marks)
+        edges = [np.arange(low, high + 1e-9, _GRID) for low, high in ((room.top, room.bottom), (room.left, room.right))]
+        return np.pad(np.histogram2d(y, x, edges)[0].cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
 
-    def spots(self, wanted: Sequence[LabelRequest], halves: Sequence[complex]) -> list[FreeSpots]:
-        """The free places of many labels at what they name, all at once; half: of the size of each box [mm]."""
+    def places(self, wanted: Sequence[LabelRequest], halves: Sequence[complex]) -> Iterator[Place | None]:
+        """The best free middle of each of many labels at what it names, one after the other, among what was added
+        meanwhile; None where there is none without a leader. halves: of the size of each box [mm]."""
         if not wanted:
-            return []
+            return
         near = [want.near(half) for want, half in zip(wanted, halves, strict=True)]
         ends = [0, *accumulate(len(each.cost) for each in near)]
         every, half = LabelCandidates.joined(near), np.repeat(halves, np.diff(ends))
-        low, high = _corners(every.middle, half)
+        middle, size = xy(every.middle).T, xy(half).T
+        low, high = middle - size, middle + size
         free = self.free(low, high)
         free[free] = ~_beside(low[free], high[free], self._letters)
         owner = np.repeat(np.arange(len(wanted)), np.diff(ends))[free]
-        free[free] = ~self._arrows.strange(wanted, owner, low[free], high[free])
-        return [
-            FreeSpots(each.middle[free[a:b]], each.cost[free[a:b]], half, len(self.marks), len(self._letters))
-            for each, half, a, b in zip(near, halves, ends, ends[1:])
-        ]
+        free[free] = ~self._scene.arrows.strange(wanted, owner, low[free], high[free])
+        marks, letters = len(self.marks), len(self._letters)
+        for own in (slice(*pair) for pair in pairwise(ends)):
+            left = free[own] & ~_beside(low[own], high[own], self._letters[letters:])
+            left = _clear(left, low[own], high[own], self._added(marks))
+            cost = np.where(left, every.cost[own], np.inf)
+            yield complex(every.middle[own][cost.argmin()]) if left.any() else None
 
-    def place(self, spots: FreeSpots) -> Place | None:
-        """The middle of the best one that is still free; None where there is none without a leader."""
-        low, high = _corners(spots.middle, np.asarray(spots.half))
-        free = _clear(~_beside(low, high, self._letters[spots.letters :]), low, high, self._added(spots.marks))
-        if not free.any():
-            return None
-        return complex(spots.middle[np.argmin(np.where(free, spots.cost, np.inf))])
+    def beside(self, step: int | None, half: complex) -> Place | None:
+        """The first free middle of a box beside a name that comes with a step, near no other letters, if any is."""
+        texts = {mark.label: mark for mark in self.marks[len(self._scene.drawn) :] if isinstance(mark, Text)}
+        wanted = (want for want in reversed(self._scene.wanted) if want.gap < SIGN)
+        names = (label for want in wanted for label, born in want.parts or ((want.label, want.step),) if born == step)
+        for mark in (texts[name] for name in names if name in texts):
+            left, top, right, bottom = bounds([mark])
+            wide, high = (right - left) / 2 + half.real + _OFF, (bottom - top) / 2 + half.imag + _OFF
+            at = complex(left + right, top + bottom) / 2 + np.array([wide, -wide, 1j * high, -1j * high])
+            low, most = xy(at - half).T, xy(at + half).T
+            others = self._letters[(self._letters[:, 0] != (left, top)).any(axis=1)]
+            free = self.free(low, most) & ~_beside(low, most, others)
+            if free.any():
+                return complex(at[free.argmax()])
+        return None
 
     def corner(self, size: complex, from_below: bool = False) -> Place | None:
         """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""
-        xs = np.arange(self.room.left + _EDGE, self.room.right - size.real - _EDGE, _GRID)
-        ys = np.arange(self.room.top + _EDGE, self.room.bottom - size.imag - _EDGE, _GRID)
-        if not (len(xs) and len(ys)):
+        sums, wide, high = self._sums, ceil((size.real + 2 * _EDGE) / _GRID), ceil((size.imag + 2 * _EDGE) / _GRID)
+        held = sums[high:, wide:] - sums[:-high, wide:] - sums[high:, :-wide] + sums[:-high, :-wide]
+        rows, columns = np.nonzero(held == 0)
+        if not len(rows):
             return None
-        near, far = (xs - _EDGE, ys[:, None] - _EDGE), (xs + size.real + _EDGE, ys[:, None] + size.imag + _EDGE)
-        rows, columns = np.nonzero(~self._occupied.within(near, far))
-        low = np.stack([xs[columns], ys[rows]], axis=1)
-        free = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
-        if not len(free):
-            return None
-        return complex(*low[free[np.argmax(low[free, 1])] if from_below else free[0]])
+        one = -1 if from_below else 0
+        first = np.flatnonzero(rows == rows[one])[0]
+        return complex(self.room.left, self.room.top) + complex(columns[first], rows[first]) * _GRID + _EDGE * (1 + 1j)
 
     def letters(self, wanted: Sequence[LabelRequest]) -> Iterator[list[Mark]]:
         """Each label where there is room for it, one after the other, else nothing."""
-        for want, spots in zip(wanted, self.spots(wanted, [_half(want) for want in wanted]), strict=True):
-            marks = _lettered(want, self.place(spots))
+        for want, middle in zip(wanted, self.places(wanted, [want.half for want in wanted]), strict=True):
+            marks: list[Mark] = [] if middle is None else [*want.about(middle)]
             self.add(marks)
             yield marks
 
-    def first(self, groups: Sequence[tuple[Sequence[Mark], Sequence[Mark]]]) -> int | None:
-        """The number of the first group of marks for which there is room: those of its first part touch nothing, those
-        of its second no letters, arcs and arrow heads; None where there is none."""
+    def fitting(self, groups: Sequence[tuple[Sequence[Mark], Sequence[Mark]]]) -> list[int]:
+        """The numbers of the groups of marks for which there is room: those of a first part touch nothing, those of a
+        second no letters, arcs and arrow heads."""
         good = np.ones(len(groups), dtype=bool)
         for part in (0, 1):
             marks = [(k, mark) for k, group in enumerate(groups) for mark in group[part]]
+            texts = [(k, *_cover(mark)) for k, mark in marks if isinstance(mark, Text)]
+            lines = [(k, mark) for k, mark in marks if not isinstance(mark, Text)]
             if not marks:
                 continue
-            covers = [(k, isinstance(mark, Text), *_cover(mark)) for k, mark in marks]
-            owner = np.concatenate([np.full(len(low), k) for k, _, low, _ in covers])
-            low, high = (np.concatenate(corners) for corners in list(zip(*covers, strict=True))[2:])
+            on, number = places((mark for _, mark in lines), _SLICE)
+            low, high = (np.concatenate([*(text[side] for text in texts), on.T]) for side in (1, 2))
+            drawn = np.array([k for k, _ in lines], dtype=np.intp)[number]
+            owner = np.concatenate([*(np.full(len(each), k) for k, each, _ in texts), drawn])
             if part:
-                free = _clear(self._inside(low, high), low, high, [self._signs])
+                free = _clear(self._scene.inside(low.T, high.T), low, high, [self._signs])
             else:
-                free = self.free(low, high)
-                letters = np.concatenate([np.full(len(low), text) for _, text, low, _ in covers])
+                free, letters = self.free(low, high), slice(len(low) - len(drawn))
                 free[letters] &= ~_beside(low[letters], high[letters], self._letters)
             good[owner[~free]] = False
-        return int(good.argmax()) if good.any() else None
+        return [int(number) for number in np.flatnonzero(good)]
 
     @cached_property
     def _signs(self) -> Obstacles:
@@ -185,30 +172,12 @@ class FreeRoom:
             if isinstance(mark, Text | ArcMark) or (isinstance(mark, Stroke) and mark.fill == "ink")
         )  # fmt: skip
 
-    def _inside(self, low: Array, high: Array) -> Array:
-        """True for those of many boxes (n, 2) that lie in the room."""
-        inside = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
-        return np.asarray(inside.all(axis=1))
-
     def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
         """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
-        (spots,) = self.spots([want], [_half(want)])
         other = copy(self)
         other.marks = [*self.marks]
         other.add(marks)
-        return _lettered(want, other.place(spots))
-
-
-def _half(want: LabelRequest) -> complex:
-    """Of the width and height of a label's box [mm]."""
-    wide, up, down = box(want.label, want.size)
-    return complex(wide, up + down) / 2
-
-
-def _lettered(want: LabelRequest, middle: Place | None) -> list[Mark]:
-    """A label about a place; nothing without one."""
-    wide, up, down = box(want.label, want.size)
-    return [] if middle is None else [*want.texts(middle + complex(-wide / 2, (up - down) / 2))]
+        return next(other.letters([want]))
 
 
 def _clear(free: Array, low: Array, high: Array, lying: Sequence[Obstacles]) -> Array:
@@ -219,17 +188,10 @@ def _clear(free: Array, low: Array, high: Array, lying: Sequence[Obstacles]) -> 
     return free
 
 
-def _corners(middle: Array, half: Array) -> tuple[Array, Array]:
-    """Lower and upper corner (n, 2) of boxes about places (n,)."""
-    middle, size = np.stack([middle.real, middle.imag], axis=-1), np.stack([np.real(half), np.imag(half)], axis=-1)
-    return middle - size, middle + size
-
-
 def _beside(low: Array, high: Array, letters: Array) -> Array:
     """True for boxes (n, 2) on a line with letters and so near that they read as a part of them."""
     least, most = letters[:, 0] - _WORD, letters[:, 1] + _WORD
-    beside = [(low[:, k, None] < most[:, k]) & (high[:, k, None] > least[:, k]) for k in range(2)]
-    return np.asarray((beside[0] & beside[1]).any(axis=1))
+    return np.asarray(overlap(low.T[..., None], high.T[..., None], least.T[:, None], most.T[:, None]).any(axis=1))
 
 
 def _boxes(texts: Sequence[Text]) -> Array:
@@ -237,21 +199,13 @@ def _boxes(texts: Sequence[Text]) -> Array:
     return np.concatenate([np.zeros((0, 2, 2)), *(np.stack(_cover(text), axis=1) for text in texts)])
 
 
-def _cover(mark: Mark) -> tuple[Array, Array]:
-    """Boxes low..high (n, 2) that hold a mark: slices of letters where they are turned, places on a line."""
-    if isinstance(mark, Text):
-        if not mark.turn:
-            left, top, right, bottom = bounds([mark])
-            return np.array([[left, top]]), np.array([[right, bottom]])
-        (wide, up, down), turn = box(mark.label, mark.size), cmath.rect(1, mark.turn)
-        at = mark.at + turn * np.linspace(0.0, wide, int(wide / _SLICE) + 2)
-        ends = np.stack([at - 1j * turn * up, at + 1j * turn * down])
-        sides = np.stack([ends.real, ends.imag], axis=-1)
-        return sides.min(axis=0), sides.max(axis=0)
-    if isinstance(mark, Stroke) and len(mark.places) == 2:
-        start, end = mark.places
-        line = start + (end - start) * np.linspace(0.0, 1.0, int(abs(end - start) / _SLICE) + 2)
-        on = np.stack([line.real, line.imag], axis=-1)
-    else:
-        on = places([mark], _SLICE).T
-    return on, on
+def _cover(text: Text) -> tuple[Array, Array]:
+    """Boxes low..high (n, 2) that hold letters: slices of them where they are turned."""
+    if not text.turn:
+        left, top, right, bottom = bounds([text])
+        return np.array([[left, top]]), np.array([[right, bottom]])
+    (wide, up, down), turn = box(text.label, text.size), cmath.rect(1, text.turn)
+    at = text.at + turn * np.linspace(0.0, wide, int(wide / _SLICE) + 2)
+    ends = np.stack([at - 1j * turn * up, at + 1j * turn * down])
+    sides = np.stack([ends.real, ends.imag], axis=-1)
+    return sides.min(axis=0), sides.max(axis=0)

@@ -6,7 +6,7 @@ on a leader only for labels that find none there.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import field
 from functools import cached_property
 
@@ -14,11 +14,10 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import filled
-from graphkin.sheet.boxes import xy
+from graphkin.sheet.boxes import meet, xy
 from graphkin.sheet.label_costs import LabelPlaces
-from graphkin.sheet.label_requests import CRAMMED, LONGEST, LabelCandidates, LabelRequest, lettering
-from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Mark, PointMark, Text, VectorMark
+from graphkin.sheet.label_requests import CRAMMED, LONGEST, SIGN, LabelCandidates, LabelRequest, lettering
+from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import Obstacles, obstacles
 from graphkin.sheet.paper import Room
 
@@ -35,7 +34,8 @@ MANY = 150  # more labels than this are a crowd that no care relieves
 _KEPT = 240  # so many places of a label are kept at most, the cheapest
 _CLEAR, _EASY, _WHOLE = 0.45, 1.3, 0.8
 """The distance of a label from lines at least, the one it likes, and that from a line that else gives way [mm]."""
-STRANGE = 100.0  # the cost of standing nearer to another arrow than to its own, or on an unclear leader
+STRANGE = 100.0  # the cost of standing beyond another line or nearer to another arrow, or on an unclear leader
+_OVER = 0.4  # so much of that is the cost of a leader that is unclear only since it goes over another arrow
 _ON, _LINE, _OUTSIDE, _CLOSE = 5, 400.0, 5000.0, 0.45
 """Of lying on so many lines at most, of each; out of the room; close to a line."""
 _COVERED, _LETTERED, _CROSSED = 5.0, 250.0, 1.5
@@ -44,10 +44,8 @@ _COVERED, _LETTERED, _CROSSED = 5.0, 250.0, 1.5
 
 @filled
 class LabelScene:
-    """Labels that want a place, and all that is drawn where they want it.
-
-    giving_way  lines that are drawn only where letters have left room
-    """
+    """Labels that want a place, and all that is drawn where they want it; giving_way: lines that are drawn only where
+    letters have left room."""
 
     wanted: Sequence[LabelRequest]
     drawn: Sequence[Mark]
@@ -62,11 +60,6 @@ class LabelScene:
         return lettering(self.wanted) > CRAMMED * size.real * size.imag
 
     @cached_property
-    def beyond_help(self) -> bool:
-        """True where very many labels have no room, so that no care helps."""
-        return len(self.wanted) > MANY and self.crammed
-
-    @cached_property
     def known(self) -> Obstacles:
         return obstacles(self.drawn)
 
@@ -79,12 +72,6 @@ class LabelScene:
     def arrows(self) -> Arrows:
         return Arrows(self.drawn)
 
-    @cached_property
-    def halves(self) -> Array:
-        """Half the width and height of each label's box, complex [mm]."""
-        boxes = (box(want.label, want.size) for want in self.wanted)
-        return np.array([complex(wide, up + down) / 2 for wide, up, down in boxes], dtype=complex)
-
     def places(self, labels: Sequence[int], tier: int) -> list[LabelPlaces]:
         """Those of some labels up to a tier, as if they were alone; rated only once."""
         new = [label for label in labels if (label, tier) not in self._seen]
@@ -96,11 +83,13 @@ class LabelScene:
 
     def _rated(self, labels: Sequence[int], tier: int) -> list[LabelPlaces]:
         """The places of one tier, for many labels at once: those in the room, or anywhere for one that has none."""
-        near, every = tier == NEAR, list[LabelCandidates]()
-        for want, half in zip((self.wanted[label] for label in labels), self.halves[labels].tolist(), strict=True):
-            every.append(want.near(half, wide=True) if near else want.led(half, tier == FAR))
-        owner, spots = np.repeat(labels, [len(each.cost) for each in every]), LabelCandidates.joined(every)
-        places, inside = self._boxes(spots, owner)
+        near, wanted = tier == NEAR, [self.wanted[label] for label in labels]
+        every = [want.near(want.half, wide=True) if near else want.led(tier == FAR) for want in wanted]
+        counts, spots = [len(each.cost) for each in every], LabelCandidates.joined(every)
+        owner, half = np.repeat(labels, counts), xy(np.repeat([want.half for want in wanted], counts))
+        middle = xy(spots.middle)
+        low, high, anchor = middle - half, middle + half, xy(np.where(spots.led, spots.anchor, spots.middle))
+        places, inside = np.array([low, high, np.clip(anchor, low, high), anchor]), self.inside(low, high)
         rows = np.flatnonzero(inside | ~np.isin(owner, owner[inside]))
         owner, places, inside, cost = owner[rows], places.take(rows, axis=2), inside[rows], spots.cost[rows]
         (low, high), leader = places[:2], places[2:]
@@ -118,15 +107,9 @@ class LabelScene:
             cost[rows] += _CROSSED * np.bincount(self.known.crossed(start, end), minlength=len(rows))
             cost[rows] += _LETTERED * (np.bincount(self.letters.crossed(start, end), minlength=len(rows)) > 0)
         cost[rows] += STRANGE * strange
-        free[rows] &= ~strange
+        free[rows] &= strange == 0
         all_ = LabelPlaces(places, np.full(len(cost), not near), cost, free)
         return [all_.taken(np.flatnonzero(owner == label)) for label in labels]
-
-    def _boxes(self, spots: LabelCandidates, owner: Array) -> tuple[Array, Array]:
-        """Corners of the boxes at some places, with their leaders (4, 2, n); which of them lie in the room."""
-        middle, half = xy(spots.middle), xy(self.halves[owner])
-        low, high, anchor = middle - half, middle + half, xy(np.where(spots.led, spots.anchor, spots.middle))
-        return np.array([low, high, np.clip(anchor, low, high), anchor]), self.inside(low, high)
 
     @cached_property
     def _covered(self) -> Obstacles:
@@ -140,53 +123,63 @@ class LabelScene:
 
 
 class Arrows:
-    """The arrows of a figure, by name: a label is to be nearer to its own than to all others."""
+    """The arrows of a figure, by name, and sides of images: a label is to be nearer to its own arrow than to others,
+    with nothing between."""
 
-    def __init__(self, drawn: Iterable[Mark]) -> None:
-        drawn = [*drawn]
-        vectors = [mark for mark in drawn if isinstance(mark, VectorMark) and mark.length > _SHORTEST]
+    def __init__(self, drawn: Sequence[Mark]) -> None:
+        lines = [(mark.name, mark.start, mark.end) for mark in drawn
+                 if isinstance(mark, VectorMark) and mark.length > _SHORTEST]  # fmt: skip
+        for mark in drawn:
+            if isinstance(mark, Stroke) and mark.shows and mark.shows.form == "bar" and mark.shows.plane != "position":
+                lines.append(("", mark.places[0], mark.places[1]))
         self.points = np.array([mark.at for mark in drawn if isinstance(mark, PointMark)], dtype=complex)
-        self.names = np.array([vector.name for vector in vectors])
-        self.start = np.array([vector.start for vector in vectors], dtype=complex)
-        self.end = np.array([vector.end for vector in vectors], dtype=complex)
+        self.names = np.array([name for name, *_ in lines])
+        self.start, self.end = np.array([ends for _, *ends in lines], dtype=complex).reshape(-1, 2).T
 
-    def _hold(self, want: LabelRequest) -> Array:
+    def hold(self, want: LabelRequest) -> Array:
         """The arrows on which all that a label names lies."""
         places, along = np.array([want.start, want.place]), self.end - self.start
         part = np.clip(((places[:, None] - self.start) / along).real, 0, 1)
         return np.asarray((np.abs(self.start + part * along - places[:, None]) < _SHORTEST).all(axis=0))
 
     def strange(self, wanted: Sequence[LabelRequest], owner: Array, low: Array, high: Array) -> Array:
-        """Boxes low..high of labels that stand nearer to another arrow than to their owner's, or farther off its point
-        and nearer to another one."""
+        """Boxes low..high of labels that stand beyond another line than their owner's, or nearer to another arrow; or
+        farther off its point and nearer to another one."""
         strange = np.zeros(len(owner), dtype=bool)
         for k in sorted(set(owner.tolist())):
             want, rows = wanted[k], np.flatnonzero(owner == k)
-            own = self.names == want.of
+            own, middle = self.names == want.of, (low[rows] + high[rows]) @ (0.5, 0.5j)
             if want.of and own.any():
-                own |= self._hold(want)  # arrows that lie on one another are one line
+                own |= self.hold(want)  # arrows that lie on one another are one line
                 apart = self._apart(low[rows, None], high[rows, None])
                 strange[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER
+                along = want.place * 2 - 2 * want.start
+                part = np.clip(((middle - want.start) / along).real, 0, 1) if along else 0
+                strange[rows] |= self._crossed(middle, want.start + part * along, ~own)
             elif want.end is None:
                 places = np.array([want.start, *self.points[np.abs(self.points - want.start) > _SAME]])
                 off = np.maximum(low[rows, None] - xy(places).T, xy(places).T - high[rows, None])
                 apart = np.hypot(*np.maximum(off, 0.0).transpose(2, 0, 1))
                 least = apart[:, 1:].min(axis=1, initial=np.inf) - _NEARER
                 strange[rows] = (apart[:, 0] > want.gap + _OFF) & (apart[:, 0] > least)
+                own[:] = want.gap >= SIGN  # a circle is about many lines
+                strange[rows] |= self._crossed(middle, np.full(len(rows), want.start), ~own)
         return strange
 
     def unclear(self, wanted: Sequence[LabelRequest], owner: Array, start: Array, end: Array) -> Array:
-        """Leaders start..end (n, 2) that are long, or end too close to another arrow or point than their owner's."""
+        """1 of leaders start..end (n, 2) that are long or end too close to an arrow or point not their owner's, less of
+        those that only cross one, 0 of clear ones."""
         start, end = (places @ (1, 1j) for places in (start, end))
-        unclear = np.abs(end - start) > LONGEST
+        unclear, over = np.abs(end - start) > LONGEST, np.zeros(len(owner))
         for k in sorted(set(owner.tolist())):
             rows, want = np.flatnonzero(owner == k), wanted[k]
             points = np.abs(end[rows, None] - self.points)
             unclear[rows] |= ((points < _OWN) & ((points > _SAME) | (want.end is not None))).any(axis=1)
             others = self.names != want.of
+            over[rows] = self._crossed(start[rows], end[rows], others)
             if want.of and want.end is not None and others.any():
                 unclear[rows] |= self._beside(want.end - want.start, start[rows], end[rows], others)
-        return unclear
+        return np.maximum(unclear, _OVER * over)
 
     def _beside(self, own: complex, start: Array, end: Array, others: Array) -> Array:
         """Leaders that end close to some arrows, but for parallel ones on the other side of their own."""
@@ -197,6 +190,12 @@ class Arrows:
         apart, side = np.abs(off), ((start - end) * own.conjugate()).imag[:, None] * (off * own.conjugate()).imag
         parallel = np.abs((along * own.conjugate()).imag) < _PARALLEL * np.abs(along) * abs(own)
         return np.asarray(((apart < _OWN) & ~(parallel & (apart > _ASIDE) & (side > 0))).any(axis=1))
+
+    def _crossed(self, start: Array, end: Array, others: Array) -> Array:
+        """Lines start..end that cross some arrows; one that ends upon them does not."""
+        end = end + (start - end) * np.minimum(0.5, _SHORTEST / np.maximum(abs(start - end), _SHORTEST))
+        lines, arrows = (start, end), (self.start[others], self.end[others])
+        return np.asarray(meet(*(xy(at)[..., None] for at in lines), *(xy(at)[:, None] for at in arrows)).any(axis=1))
 
     def _apart(self, low: Array, high: Array) -> Array:
         """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""

@@ -37,7 +37,8 @@ class LabelPlaces(NamedTuple):
 
     def taken(self, rows: Array) -> LabelPlaces:
         """Some of them; numpy takes numbered columns several times as fast as it indexes them."""
-        return LabelPlaces(self.places.take(rows, axis=2), *(each.take(rows) for each in self[1:]))
+        places = self.places.take(rows, axis=2)
+        return LabelPlaces(places, self.led.take(rows), self.cost.take(rows), self.free.take(rows))
 
     @classmethod
     def joined(cls, parts: Iterable[LabelPlaces]) -> LabelPlaces:
@@ -55,11 +56,6 @@ class LabelPlaces(NamedTuple):
     @property
     def high(self) -> Array:
         return np.asarray(self.places[1])
-
-    @property
-    def leader(self) -> Array:
-        """Its two ends (2, 2, n)."""
-        return np.asarray(self.places[2:])
 
     @property
     def reach(self) -> tuple[Array, Array]:
@@ -85,7 +81,7 @@ def together(one: LabelPlaces, other: LabelPlaces) -> tuple[Array, Array]:
         return more, clash
     crossed = under(one, other) | under(other, one)
     both = one.led & other.led
-    (start, end), (other_start, other_end) = one.leader, other.leader
+    (start, end), (other_start, other_end) = one.places[2:], other.places[2:]
     apart = np.abs(end - other_end).max(axis=0)
     more += _CROSSED * crossed + _ENDS * (both & (apart > _ONE) & (apart < _BESIDE))
     return more + _LEADERS * (both & meet(start, end, other_start, other_end)), clash | crossed
@@ -93,7 +89,7 @@ def together(one: LabelPlaces, other: LabelPlaces) -> tuple[Array, Array]:
 
 def under(led: LabelPlaces, other: LabelPlaces, keep: float = _PASSING) -> Array:
     """True for labels under the leader of the one they are paired with; one of them may be a single one."""
-    (start, end), low, high = led.leader, other.low - keep, other.high + keep
+    (start, end), low, high = led.places[2:], other.low - keep, other.high + keep
     around = led.led & overlap(np.minimum(start, end), np.maximum(start, end), low, high)
     return np.asarray(around & through(start, end, low, high)) if around.any() else around
 
@@ -138,7 +134,6 @@ class LabelTable:
         self._every.free[numbers[clash]] = False
 
     def copy(self) -> LabelTable:
-        """The same, that can be changed by itself."""
         other = LabelTable(*self.cost.shape)
         for mine, its in zip((*self._every, self._low, self._high), (*other._every, other._low, other._high)):
             its[...] = mine

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -14,17 +15,12 @@ from graphkin.base.value import frozen
 from graphkin.sheet.lettering import LABEL, Label, box, width
 from graphkin.sheet.marks import Place, Text
 
-
-def _leaning(turns: Array) -> Array:
-    """The distance of a box to its side, and up or down, from what it touches, of its half width and height, in each
-    direction; in four of eight its corners come to the ring."""
-    return np.clip(turns.real * 1.6, -1.0, 1.0) + 1j * np.clip(turns.imag * 1.6, -1.0, 1.0)
-
-
 _RINGS, _LED = np.array([0.0, 1.0, 2.2]), np.array([2.5, 4.5, 7.0, 9.5])
 """Distances of a letter from its sign, and those from which on a leader is drawn [mm]."""
 _TURNS = np.array([cmath.rect(1, math.tau * k / 16) for k in range(16)])
-_LEANING = _leaning(_TURNS)
+_LEANING = np.clip(_TURNS.real * 1.6, -1.0, 1.0) + 1j * np.clip(_TURNS.imag * 1.6, -1.0, 1.0)
+"""The distance of a box to its side, and up or down, from what it touches, of its half width and height, in each
+direction; in four of eight its corners come to the ring."""
 _LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
 """The cost of a direction where none is liked: above and to the right first."""
 _NOWHERE = complex("nan")
@@ -38,15 +34,16 @@ LEAST = tuple(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR))
 """No place on a leader costs less, none on a longer one."""
 _LED_ALONG = (0.5, 0.38, 0.62, 0.26, 0.74, 0.14, 0.86)  # places along a line for the end of a leader
 _OFF_MIDDLE = 1.5  # the cost of the whole length off the middle
-_UPRIGHT = math.sin(math.radians(61))  # of the angle at which a leader meets its line at least
+_UPRIGHT, _LEANT = math.sin(math.radians(61)), 0.5  # a leader meets its line at the angle of this at least, a long one
 LONGEST = 12.0  # no leader is longer [mm]
-_ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82])
-_OFF = _OFF_WIDE[: len(_RINGS)]  # those right beside it
+_ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.1, 0.9])
 _SPACE = 2.0  # beside and over a label [mm]
 CRAMMED = 0.2  # a figure whose labels take a larger part of its room has no place for all of them
-_SMALL, _KNOT, _THREE = 8.0, 10.0, 3
-"""So many arrows shorter than this, within this distance, are a knot to the eye [mm]."""
+_SMALL, _TINY = 8.0, 2.0  # shorter arrows are small; of one under the second the head hides what it is [mm]
+_ARROWS, _NODES = (10.0, 3), (8.0, 4)  # so many small arrows, or points, within so many millimetres are a knot
+_TANGLED, _HIDDEN = 1.4, 4.0  # the burdens of such, where that of a label on a leader is 1
 _POINT = 1.5  # a shorter line is a point [mm]
+SIGN = 1.0  # of a sign that reaches farther, as a circle about more than a point, leaders end at the rim [mm]
 
 
 class LabelCandidates(NamedTuple):
@@ -63,7 +60,6 @@ class LabelCandidates(NamedTuple):
 
     @property
     def led(self) -> Array:
-        """True for those that have a leader."""
         return ~np.isnan(self.anchor)
 
     @classmethod
@@ -77,7 +73,7 @@ class LabelRequest:
 
     gap   how far the symbol at the point, or the line's width, reaches [mm]
     away  the side it likes (any length; 0 for none)
-    spare  what it says can be read from other labels too
+    spare  1 where what it says can be read from other labels too, 2 where that is left out only if it lies on others
     of     the name of the arrow it names
     parts  the label in parts that come with steps of their own; else it is one
     """
@@ -89,7 +85,7 @@ class LabelRequest:
     away: complex = 0j
     size: float = LABEL
     step: int | None = None
-    spare: bool = False
+    spare: int = 0
     parts: tuple[tuple[Label, int | None], ...] = ()
     of: str = ""
 
@@ -99,16 +95,27 @@ class LabelRequest:
             yield Text(label, at, self.size, step)
             at += width(label, self.size)
 
+    def about(self, middle: Place) -> Iterator[Text]:
+        """Its letters about a place."""
+        wide, up, down = box(self.label, self.size)
+        return self.texts(middle + complex(-wide / 2, (up - down) / 2))
+
+    @cached_property
+    def half(self) -> complex:
+        """Half of the width and height of its box [mm]."""
+        wide, up, down = box(self.label, self.size)
+        return complex(wide, up + down) / 2
+
     @property
     def place(self) -> Place:
         """The point or line that it names, as one point."""
         return self.start if self.end is None else (self.start + self.end) / 2
 
     def near(self, half: complex, wide: bool = False) -> LabelCandidates:
-        """Its places at what it names, wide: and a little farther off; half: of the size of its box [mm]."""
+        """Its places at what it names, wide: and a little farther off; half: of the size of what stands there [mm]."""
         if self.end is None or abs(self.end - self.start) <= _POINT:
             return _around(self.start, half, self, _WIDE if wide else _RINGS)
-        far = _OFF_WIDE if wide else _OFF
+        far = _OFF_WIDE[: None if wide else len(_RINGS)]
         along = self.end - self.start  # both sides of the line, at several places along it
         away = self.away / abs(self.away) if self.away else 0j
         normal = np.array([along / abs(along) * -1j, along / abs(along) * 1j])[:, None, None]
@@ -118,10 +125,9 @@ class LabelRequest:
         cost = 1.2 * far + 2.5 * np.abs(_ALONG - 0.5) + liking
         return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, _NOWHERE))
 
-    def led(self, half: complex, far: bool = False) -> LabelCandidates:
+    def led(self, far: bool = False) -> LabelCandidates:
         """Its places on a leader about what it names, or on a longer one."""
-        rings = _FAR if far else _LED
-        start, end = self.start, self.end
+        start, end, half, rings = self.start, self.end, self.half, _FAR if far else _LED
         if end is None or abs(end - start) <= _POINT:
             return _around(start, half, self, rings, led=True)
         anchors = [start + (end - start) * t for t in _LED_ALONG]
@@ -130,7 +136,7 @@ class LabelRequest:
         off = np.maximum(np.abs(off.real) - half.real, 0) * np.sign(off.real) + 1j * (
             np.maximum(np.abs(off.imag) - half.imag, 0) * np.sign(off.imag)
         )  # from what it names to the near side of its box
-        upright = far | (np.abs((off * along.conjugate()).imag) >= _UPRIGHT * np.abs(off))
+        upright = np.abs((off * along.conjugate()).imag) >= (_LEANT if far else _UPRIGHT) * np.abs(off)
         aside = np.repeat(np.abs(np.array(_LED_ALONG) - 0.5), len(off) // len(_LED_ALONG))
         every = every._replace(cost=every.cost + _OFF_MIDDLE * aside)
         return LabelCandidates(*(part[upright] for part in every))
@@ -143,22 +149,22 @@ def lettering(wanted: Iterable[LabelRequest]) -> float:
 
 
 def tangled(wanted: Sequence[LabelRequest]) -> Array:
-    """Labels of short arrows (n,) of which three or more lie close together."""
-    small = np.array([bool(want.of) and 2 * abs(want.place - want.start) < _SMALL for want in wanted])
-    middle = np.array([want.place for want in wanted])
-    near = (np.abs(middle[:, None] - middle) <= _KNOT) & small & small[:, None]
-    return np.asarray(near.sum(axis=1) >= _THREE)
+    """The burden of short arrows (n,), or of points, of which several lie close together, or that are hardly seen."""
+    length = np.array([2 * abs(want.place - want.start) if want.of else np.inf for want in wanted])
+    middle, burdens = np.array([want.place for want in wanted]), _HIDDEN * (length < _TINY)
+    nodes = np.array([want.end is None and want.gap < SIGN for want in wanted]) & np.isfinite(length).any()
+    for kind, (reach, many) in ((length < _SMALL, _ARROWS), (nodes, _NODES)):
+        near = (np.abs(middle[:, None] - middle) <= reach) & kind & kind[:, None]
+        burdens = burdens + _TANGLED * (near.sum(axis=1) >= many)
+    return np.asarray(burdens)
 
 
 def _around(point: Place, half: complex, want: LabelRequest, rings: Array, led: bool = False) -> LabelCandidates:
     """Rings about a point; a box touches the ring with its near side or corner."""
     away = want.away.conjugate() / abs(want.away) if want.away else 0j
     liking = 0.8 * (1 - (_TURNS * away).real) if away else _LITTLE
-    middle = point + (want.gap + 0.6 + rings[:, None]) * _TURNS + _sides(_LEANING, half)
+    rim = point + (want.gap if want.gap > SIGN else 0) * np.tile(_TURNS, len(rings))
+    middle = point + (want.gap + 0.6 + rings[:, None]) * _TURNS
+    middle += _LEANING.real * half.real + 1j * (_LEANING.imag * half.imag)  # from what a box touches to its middle
     cost = _FARTHER * rings[:, None] + _LEADER * led + liking
-    return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if led else _NOWHERE))
-
-
-def _sides(leaning: Array, half: complex) -> Array:
-    """From what a box touches to its middle, in each direction."""
-    return leaning.real * half.real + 1j * (leaning.imag * half.imag)
+    return LabelCandidates(middle.ravel(), cost.ravel(), rim if led else np.full(middle.size, _NOWHERE))

@@ -18,7 +18,6 @@ from graphkin.sheet.boxes import overlap
 from graphkin.sheet.label_candidates import FAR, LED, MANY, NEAR, STRANGE, LabelScene
 from graphkin.sheet.label_costs import LabelPlaces, LabelTable, together, under
 from graphkin.sheet.label_requests import LEAST, LabelRequest
-from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Stroke
 
 _TOUCH = 0.05  # closer than this to a box's edge is not yet on it [mm]
@@ -47,10 +46,15 @@ class LabelPlacing:
         self._many = max(_LEAST, min(_MOST, _ALL // count))
         self._table = LabelTable(count, self._many)
         self._look(range(count))
-        if last != NEAR:  # all move to better places, or look farther; for the last few others make way
+        if last != NEAR:
             self._move()
-            self._look_again(np.flatnonzero(self._now() > LEAST[0]))
-            self._relieve()
+            self.look_farther(last)
+
+    def look_farther(self, last: int) -> None:
+        """All move to better places, or look farther, as far as a tier; for the last few others make way."""
+        self._last = last
+        self._look_again(np.flatnonzero(self._now() > LEAST[0]))
+        self._relieve()
 
     def _look(self, labels: Sequence[int]) -> None:
         """Labels look for places at what they name, then farther and farther off, where these cost less than that."""
@@ -66,8 +70,6 @@ class LabelPlacing:
         labels = np.flatnonzero(self.stands) if labels is None else labels
         return self._table.taken(labels, self._spot[labels])
 
-    # --- one after the other ----------------------------------------------------------------------
-
     def _put(self, label: int, spot: int | None = None) -> None:
         """A label takes one of its places, the cheapest."""
         self._spot[label] = int(np.argmin(self._table.cost[label])) if spot is None else spot
@@ -75,7 +77,6 @@ class LabelPlacing:
         self._table.burden(label, self._spot[label], 1)
 
     def _lift(self, label: int) -> None:
-        """A label leaves its place."""
         self._table.burden(label, self._spot[label], -1)
         self.stands[label] = False
 
@@ -105,7 +106,6 @@ class LabelPlacing:
                     self._claim(label)
 
     def _bad(self) -> Array:
-        """Labels that have no good place."""
         return self._now() >= STRANGE
 
     def _badness(self) -> tuple[int, float]:
@@ -137,7 +137,6 @@ class LabelPlacing:
         self._move()
 
     def _now(self) -> Array:
-        """The cost of each label where it stands."""
         return np.where(self.stands, self._table.cost[np.arange(len(self._spot)), self._spot], 0.0)
 
     def _move(self) -> None:
@@ -158,17 +157,14 @@ class LabelPlacing:
         self._relieve()
 
     def unclear(self) -> list[int]:
-        """Labels on leaders that do not tell what they name."""
-        places = self.standing()
-        led = np.flatnonzero(self.stands)[places.led]
-        start, end = places.leader[:, :, places.led].swapaxes(1, 2)
-        return [int(label) for label in led[self.scene.arrows.unclear(self.scene.wanted, led, start, end)]]
-
-    def led(self) -> list[int]:
-        """Labels on leaders."""
-        return [int(label) for label in np.flatnonzero(self.stands)[self.standing().led]]
-
-    # --- what has no place ------------------------------------------------------------------------
+        """Labels that do not tell what they name: on leaders, or beyond another line."""
+        labels, arrows, wanted = np.flatnonzero(self.stands & self._bad()), self.scene.arrows, self.scene.wanted
+        places, strange = self.standing(labels), np.zeros(len(labels), dtype=bool)
+        start, end = places.places[2:, :, places.led].swapaxes(1, 2)
+        strange[places.led] = arrows.unclear(wanted, labels[places.led], start, end) >= 1
+        low, high = places.places[:2, :, ~places.led].swapaxes(1, 2)
+        strange[~places.led] = arrows.strange(wanted, labels[~places.led], low, high)
+        return [int(label) for label in labels[strange]]
 
     def clashing(self) -> list[int]:
         """Labels that lie on another or on something drawn, out of their room, or under a leader."""
@@ -186,7 +182,7 @@ class LabelPlacing:
         return [int(label) for label in np.flatnonzero(self.stands)[bad]]
 
 
-_UNCLEAR, _MORE, _EASY = 4.0, 1.5, 4
+UNCLEAR, _MORE, _EASY = 3.0, 1.5, 4
 """The burden of a label without a good place, where one on a good leader is 1; of each beyond so many, in addition."""
 _ROUNDS = 30  # some are left out so often, to give others a place
 _NEIGHBOUR = 15.0  # so near to a label without a place, others that say nothing new are left out [mm]
@@ -196,26 +192,27 @@ class Settled(NamedTuple):
     """Labels and leaders at their places.
 
     clashing  which labels lie on something, or their leaders on labels
-    crowd     some were left out
     led       which labels stand on leaders; unclear: on such as do not tell what they name, or are long
+    places    from which they may look farther
     """
 
     marks: list[Mark]
     clashing: Sequence[int]
-    crowd: bool = False
     led: Sequence[int] = ()
     unclear: Sequence[int] = ()
+    places: LabelPlacing | None = None
 
     @property
     def clashes(self) -> int:
         return len(self.clashing)
 
-    def burdens(self, count: int) -> Array:
-        """The burden of each of so many labels on the eye."""
-        burdens = np.zeros(count)
-        for labels, weight in ((self.led, 1.0), (self.unclear, _UNCLEAR), (self.clashing, _UNCLEAR)):
+    def burdens(self, wanted: Sequence[LabelRequest]) -> Array:
+        """The burden of each label on the eye; one that says nothing new can be left out."""
+        burdens = np.zeros(len(wanted))
+        led, every = {*self.led} & {*self.unclear}, (*self.unclear, *self.clashing)
+        for labels, weight in ((self.led, 1.0), (every, UNCLEAR / 2), ((*led, *self.clashing), UNCLEAR / 2)):
             burdens[[*labels]] += weight
-        return burdens
+        return np.minimum(burdens, [1.0 if want.spare == 1 else np.inf for want in wanted])
 
 
 def burden(each: Array) -> float:
@@ -223,50 +220,53 @@ def burden(each: Array) -> float:
     return float(each.sum() + _MORE * max(0, int(np.count_nonzero(each)) - _EASY))
 
 
-def settle(scene: LabelScene, crowd: bool = False) -> Settled:
+def settle(scene: LabelScene, crowd: bool = False, near: Settled | None = None) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `crowd`: on nothing else at any price, and
-    those that say nothing new left out for that."""
+    those that say nothing new left out for that; near: as they stand otherwise."""
     if not scene.wanted:
         return Settled([], ())
-    last = NEAR if scene.beyond_help else FAR if crowd and len(scene.wanted) <= MANY else LED
-    places = LabelPlacing(scene, last)
+    many = len(scene.wanted) > MANY  # of which no care helps those that have no room
+    places = (near and near.places) or LabelPlacing(scene, NEAR if many and scene.crammed else LED)
+    if crowd and not many:
+        places.look_farther(FAR)
     clashing, unclear = places.clashing(), places.unclear()
-    for _ in range(_ROUNDS if crowd else 0):
-        if not (out := _left_out(scene.wanted, places.stands, [*clashing, *unclear])):
-            break
-        places.leave_out(out)
-        clashing, unclear = places.clashing(), places.unclear()
-    return Settled([*_lettered(scene.wanted, places)], clashing, crowd, places.led(), unclear)
+    for most in (1, 2) * _ROUNDS if crowd else ():
+        if out := _left_out(scene.wanted, places.stands, clashing, unclear if most == 1 else (), most):
+            places.leave_out(out)
+            clashing, unclear = places.clashing(), places.unclear()
+    led = np.flatnonzero(places.stands)[places.standing().led].tolist()
+    return Settled([*_lettered(scene.wanted, places)], clashing, led, unclear, places)
 
 
 def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[Mark]:
-    """Letters where they stand, with their leaders."""
     standing = places.standing()
     for label, (low, high, begin, anchor), led in zip(
         np.flatnonzero(places.stands).tolist(), np.moveaxis(standing.places, 2, 0), standing.led, strict=True
     ):
-        want, middle = wanted[label], complex(*(low + high) / 2)
-        wide, up, down = box(want.label, want.size)
-        yield from want.texts(middle + complex(-wide / 2, (up - down) / 2))
+        want = wanted[label]
+        yield from want.about(complex(*(low + high) / 2))
         if led:
             edge, at = complex(*begin), complex(*anchor)
             apart = abs(at - edge)
             yield Stroke((edge + (at - edge) * 0.3 / apart if apart > 1 else edge, at), "leader", step=want.step)
 
 
-def _left_out(wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int]) -> list[int]:
-    """The spare ones of labels without a place, else the spare ones next to them; not two that are close together, of
-    which one may find a place without the other, unless very many have none."""
+def _left_out(
+    wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int], unclear: Sequence[int], most: int
+) -> list[int]:
+    """The spare ones, so far at most, of labels without a place or without a clear one, else those next to the former;
+    not two that are close together, of which one may find a place without the other, unless very many have none."""
     places = [want.place for want in wanted]
 
     def close(label: int, others: Sequence[int]) -> bool:
         return any(abs(places[label] - places[other]) < _NEIGHBOUR for other in others)
 
-    spare = [k for k, want in enumerate(wanted) if want.spare and stands[k]]
+    spare = [k for k, want in enumerate(wanted) if 0 < want.spare <= most and stands[k]]
     chosen: list[int] = []
     if len(clashing) > MANY:
         return [k for k in spare if k in clashing]
-    for label in [k for k in spare if k in clashing] or [k for k in spare if close(k, clashing)]:
+    bad = {*clashing, *unclear}
+    for label in [k for k in spare if k in bad] or [k for k in spare if close(k, clashing)]:
         if not close(label, chosen):
             chosen.append(label)
     return chosen

@@ -35,7 +35,8 @@ _ITALIC = (
 )
 _OTHERS = (
     "ω658,706 α524,525 μ536,502 θ479,491 φ577,553 ψ626,621 γ442,394 °400,400 ·250,250 →1000,1000 "
-    "×564,675 ²300,300 ³300,300 ′219,219 −564,675 ⊥1000,1000 ∥1000,1000 √1000,1000 ṡ389,389 \u03080,0"
+    "×564,675 ²300,300 ³300,300 ′219,219 −564,675 ⊥1000,1000 ∥1000,1000 √1000,1000 ∽1000,1000 "
+    "ṡ389,389 \u03080,0 ∆612,612 ∠896,896 …1000,1000"
 )
 
 _ALL = (
@@ -63,14 +64,10 @@ class Run(NamedTuple):
 Label = tuple[Run, ...]
 
 
-# --- sizes ------------------------------------------------------------------------------------
-
-
 @cache
 def advance(text: str, italic: bool = False) -> float:
     """Width of letters [em]; what the table does not hold counts as half an em, a wide character as one."""
-    style = 1 if italic else 0
-    return sum(1.0 if is_wide(c) else _WIDTHS.get(c, (0.5, 0.5))[style] for c in text)
+    return sum(1.0 if is_wide(c) else _WIDTHS.get(c, (0.5, 0.5))[italic] for c in text)
 
 
 def is_wide(letter: str) -> bool:
@@ -89,7 +86,6 @@ def run_size(run: Run, size: float) -> float:
 
 
 def bold(label: Label) -> Label:
-    """The label in bold."""
     return tuple(run._replace(bold=True) for run in label)
 
 
@@ -118,14 +114,10 @@ def width(label: Label, size: float) -> float:
 def box(label: Label, size: float) -> tuple[float, float, float]:
     """Width, height above the base line, depth below it [mm]."""
     places = {run.place for run in label}
-    small = run_size(Run("", place="sup"), size) / size
-    up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * small
+    up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * SMALL
     hanging = any(letter in "fgjpqyμφψγ,;()Q∥" for run in label for letter in run.text)
     down = _DROP + 0.05 if "sub" in places else (_DESCENT if hanging else 0.04)
     return width(label, size), up * size, down * size
-
-
-# --- names ------------------------------------------------------------------------------------
 
 
 def plain(text: str, italic: bool = False) -> Label:
@@ -141,15 +133,14 @@ def joined(labels: list[Label], between: str = ", ") -> Label:
 def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
     """Letters italic, digits and signs upright, primes as primes."""
     parts = re.findall(r"[^\W\d_]+|[^A-Za-z]+", text.replace("'", "′"))
-    return tuple(Run(part, part[0].isalpha() and part[0].isascii(), place) for part in parts)
+    upright = "min", "max"
+    return tuple(Run(part, part[0].isalpha() and part.isascii() and part not in upright, place) for part in parts)
 
 
 @lru_cache(4096)
 def point_label(name: str) -> Label:
     """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b'@guide''`: digits and links as subscripts.
-
-    Points have one letter, and primes before their link; at a corner the link's word follows the letter: `n_boom'`.
-    """
+    Points have one letter, and primes before their link; at a corner the link's word follows the letter: `n_boom'`."""
     name = _EQUIVALENT.sub(lambda match: f"@e{int(match[1] or 0) + 1}" if int(match[1] or 0) else "@e", name)
     if corner := _CORNER.fullmatch(name):
         letter, link, more, primes = corner.groups()
@@ -209,27 +200,39 @@ _SIGN = (
     rf"(?:_(?P<low>{_LOW})|(?P<digits>\d+))(?P<power>[²³]?)(?![A-Za-z])"
 )
 _POINT = re.compile(r"[A-Z][0-9]*′*")
-_POINTS = rf"(?:(?<=[⊥∥→·△])|(?<=× ))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
+_POINTS = rf"(?:(?<=[⊥∥→·∆])|(?<=× )|(?<=[A-Z]/))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
 _NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z′]*\d)(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
 _NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*(?:(?<=′)\d+′*)?")
-_WORDED = r"(?<![A-Za-z])(?:[A-Za-z]\d*′+_[^\W\d_]\w*′*|[a-z]_[a-z]\w*′+)"  # b′_lever″, n_lever′
+_WITH_WORD = r"[A-Za-z]\d*′+_[^\W\d_]\w*′*|(?:[a-z](?=_[a-z])|[b-km-ru-z])_[^\W\d_]\w*′+"  # b′_lever″, n_lever′, n_OA′
+_WORDED = rf"(?<![A-Za-z])(?:[a-z]\d*′+)*(?:{_WITH_WORD})+(?:[a-z]\d*′+)*"
+_EACH = re.compile(rf"{_WITH_WORD}|[a-z]\d*′+")
 _STRETCH = (
     r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+(?:\d+′*)?|[a-z]\d+′*)+(?![A-Za-z²³])"
-    r"|(?<=[·△])(?:[a-z]\d*)+(?![A-Za-z])|(?<=[∥⊥])[xy]\b|(?<![A-Za-z/])(?<!\d )[a-z]{2}(?= = )"
+    r"|(?<=[·∆])(?:[a-z]\d*)+(?![A-Za-z_])|(?<=[∥⊥])[xy]\b|(?<![A-Za-z/])(?<!\d )[a-z]\d*[a-z]\d*(?= = )"
+    r"|(?<== )[a-z]\d*[a-z]\d*(?= ×)"
 )
-_ANY = re.compile(f"(?P<worded>{_WORDED})|(?P<points>{_POINTS}|{_NUMBERED}|{_STRETCH})|{_SIGN}")
+_ALONE = (  # `θ`, `K`, `AD`, `p`, `A` and `a` of a sentence where they are no words
+    r"[α-ωΑ-Ω](?!\w)|(?<![\w°′’'\-])(?:[B-HJ-Z]|[A-HO]{2}|A(?=[,.;:)、，。；）]|$| [\u4e00-\u9fff(（]))(?![\w'’\-])"
+    r"|(?<=[^\s.:;] )A(?![\w'’\-])|A(?= (?:is|lies|moves|stays) )|(?<![\w'’./(（°\-])(?<!\d )(?:[b-ln-rt-z]|"
+    r"a(?=[,;:)、，。；）]| ?[⊥∥\u4e00-\u9fff]| lies| = | and [a-z]\d*′*[ ,.]))′*(?![\w'’\-]|/min|\.[A-Za-z])"
+)
+_ANY = re.compile(f"(?P<worded>{_WORDED})|(?P<points>{_POINTS}|{_NUMBERED}|{_STRETCH})|{_SIGN}|(?P<alone>{_ALONE})")
 
 
 @lru_cache(4096)
 def formula(text: str) -> Label:
     """Quantities with their subscripts, powers raised, points in italics; what is neither stays as it is."""
     text = text.replace("\u2034", 3 * "\u2032").replace("\u2033", 2 * "\u2032")  # fonts have but one prime
+    text = text.replace("△", "∆")  # a small one, in few fonts
     runs: list[Run] = []
     at = 0
     for match in _ANY.finditer(text):
         runs += plain(text[at : match.start()])
         if match["worded"]:
-            runs += point_label(match["worded"].replace("′_", "'@").replace("′", "'"))
+            for name in _EACH.findall(match["worded"]):
+                runs += point_label(name.replace("′_", "'@").replace("′", "'"))
+        elif match["alone"]:
+            runs.append(Run(match["alone"], True))
         else:
             runs += _points(match["points"]) if match["points"] else _sign(match)
         at = match.end()
@@ -242,19 +245,14 @@ def points_label(text: str) -> Label:
 
 
 def _sign(match: re.Match[str]) -> list[Run]:
-    """A letter, its subscript, and its part or power above that.
-
-    Names and letters of a subscript are in italics; digits, Chinese and the words for least and greatest stand upright.
-    """
+    """A letter, its subscript, and its part or power above that. Names and letters of a subscript are in italics;
+    digits, Chinese and the words for least and greatest stand upright."""
     letter, part, low, digits, power = match.group("letter", "part", "low", "digits", "power")
     low = low or digits  # points that bear the number of their link after a digit: `{B1_3,B1_2}`, as labels have it
-    low = low.strip("{}").replace("_", " ").replace(",", ", ") if low.startswith("{") else low.replace("@", " ")
-    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", low)
-    slanted = [piece.isalpha() and piece.isascii() and piece not in ("min", "max") for piece in below]
-    runs = [Run(letter, True), *(Run(piece, italic, "sub") for piece, italic in zip(below, slanted, strict=True))]
-    if part:
-        runs.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
-    return [*runs, Run(_RAISED[power], place="sup")] if power else runs
+    several = low.startswith("{") or ("_" in low and "," in low)
+    low = low.strip("{}").replace("_", " ").replace(",", ", ") if several else low.replace("@", " ")
+    runs = quantity_label(letter, low, "".join(_RAISED[c] for c in part))
+    return [*runs, Run(_RAISED[power], place="sup")] if power else [*runs]
 
 
 def _points(text: str) -> list[Run]:

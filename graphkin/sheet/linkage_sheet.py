@@ -13,33 +13,25 @@ from dataclasses import replace
 from functools import partial
 from itertools import combinations
 
+import numpy as np
+
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
+from graphkin.say.catalogue import say
 from graphkin.say.linkages import amount, kind_name, titled
-from graphkin.sheet import symbols
-from graphkin.sheet.drafting_figure import angle, right_angle
+from graphkin.sheet import lettering, symbols
+from graphkin.sheet.drafting_figure import angle
 from graphkin.sheet.fixed_link import away_from, grounds
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import (
-    LABEL,
-    TITLE,
-    Label,
-    Run,
-    number,
-    plain,
-    point_label,
-    points_label,
-    quantity_label,
-    width,
-)
+from graphkin.sheet.lettering import LABEL, Label, Run, number, plain, point_label, points_label, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.mechanism_figure import moving_links
-from graphkin.sheet.page import Sheet
+from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import papers_for
 from graphkin.sheet.single_figure import SCALE, Picture, gridded
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.titleblock import Table
+from graphkin.sheet.titleblock import Strip, Table
 from graphkin.sheet.window import Entry, Extent, Figure, Window
 from graphkin.studies.linkages import FAMILY, Linkage, Report, report
 from graphkin.studies.linkages.assembled import posed
@@ -47,35 +39,21 @@ from graphkin.studies.linkages.linkage import LinkagePosition
 
 _ON_A4 = 2  # so many linkages are drawn on A4
 _HEAD = 10.0  # room for the title of the family [mm]
-_FAMILY: dict[Lang, str] = {"en": "Linkages of four links", "zh": "平面四杆机构的类型"}
-_WORDS: dict[str, dict[Lang, str]] = {
-    "limits": {"en": "Limit positions of {output}", "zh": "{output} 的极限位置"},
-    "k": {"en": "K = (180° + θ)/(180° − θ) = {k}", "zh": "K = (180° + θ)/(180° − θ) = {k}"},
-    "timed": {"en": "K = {k} (crank {crank})", "zh": "K = {k}（曲柄 {crank}）"},
-    "one": {"en": "θ = 0, K = 1: no quick return", "zh": "θ = 0，K = 1，无急回特性"},
-    "dead": {"en": "dead points where {driver} drives: {values}", "zh": "{driver} 主动时的死点：{values}"},
-    "none": {"en": "no dead point where {driver} drives", "zh": "{driver} 主动时无死点"},
-    "gamma": {"en": "Transmission angle, {driver} driving", "zh": "传动角（{driver} 主动）"},
-    "least": {
-        "en": "γ_min = {gamma}, α_max = {alpha}, at {letter}_{driver} = {values}",
-        "zh": "γ_min = {gamma}，α_max = {alpha}，此时 {letter}_{driver} = {values}",
-    },
-}
 
 
 def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | None = None, title: str = "") -> Sheet:
-    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, at one scale.
+    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, at one scale. Raises
+    UnknownPaper.
 
     paper   a key of `PAPERS`; A4 on its side where left out, A3 for three linkages and more
     title   of the title block; the kind of the first where left out
-
-    Raises UnknownPaper.
     """
     chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
     several = len(reports) > 1
     tables = [found_sizes(one, "".join(one.linkage.names) if several else "") for one in reports]
-    _, grid, panels = gridded([_pictures(one, lang, several) for one in reports], chosen, tables)
-    return grid.page(panels, titled(reports[0].linkage, title or kind_name(reports[0], lang)), lang).sheet()
+    _, panels = gridded([_pictures(one, lang, several) for one in reports], chosen, Strip(tables))
+    machine = titled(reports[0].linkage, title or kind_name(reports[0], lang))
+    return Page(chosen, panels, machine, None, lang, Strip(tables)).sheet()
 
 
 def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
@@ -84,12 +62,13 @@ def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
     for linkage in (member.linkage for member in FAMILY):
         draw = partial(drawn_over, linkage, [linkage.drawn])
         pictures.append(_picture([linkage.drawn], draw, kind_name(report(linkage), lang)))
-    _, grid, panels = gridded([[picture] for picture in pictures], chosen, head=_HEAD)
-    title, room = plain(_FAMILY[lang]), chosen.frame
-    head = Text(title, complex(room.middle.real - width(title, TITLE) / 2, room.top + 7.0), TITLE)
+    _, panels = gridded([[picture] for picture in pictures], chosen, Strip(), _HEAD)
+    title, room, size = say("linkages.sheet family", lang), chosen.frame, lettering.TITLE
+    left = room.middle.real - lettering.width(plain(title), size) / 2
+    head = Text(plain(title), complex(left, room.top + 7.0), size)
     machine = replace(titled(FAMILY[0].linkage), name="linkages", file="linkages.toml", text="")
-    bare = [replace(panel, plane=None) for panel in panels]
-    return grid.page(bare, machine, lang, base=[head], title=_FAMILY[lang]).sheet()
+    bare = [replace(panel, plane=None, before=(*panel.before, *[head][k:])) for k, panel in enumerate(panels)]
+    return Page(chosen, bare, machine, None, lang, Strip(), title).sheet()
 
 
 def _pictures(one: Report, lang: Lang, several: bool) -> list[Picture]:
@@ -106,17 +85,18 @@ def _limits(one: Report, lang: Lang, start: str) -> Picture:
     def draw(window: Window) -> Figure:
         return Figure.of(_limit_angles(one, window)) + drawn_over(one.linkage, one.limits, window, around=one.critical)
 
-    texts = [start + _WORDS["limits"][lang].format(output=one.output)]
+    texts = [start + say("linkages.sheet limits", lang, output=one.output)]
     if one.k is not None:
         key = "timed" if one.timed_by else "one" if one.slow is None else "k"
-        texts.append(_WORDS[key][lang].format(k=numbers.number(one.k), crank=one.timed_by))
+        texts.append(say(f"linkages.sheet {key}", lang, k=numbers.number(one.k), crank=one.timed_by))
     texts += [_dead(one, name, lang) for name in one.dead if name != one.driver][:1]
     return _picture(one.limits, draw, *texts)
 
 
 def _transmission(one: Report, lang: Lang, start: str) -> Picture:
-    """The position of the least transmission angle first, and one to compare it with."""
-    shown = (one.least[0], *[end for end in one.critical if end is not one.least[0]][:1])
+    """The position of the least transmission angle, and one to compare it with; first one that is not folded flat."""
+    shown = sorted((one.least[0], *[end for end in one.critical if end is not one.least[0]][:1]), key=_flat)
+    shown = [one.linkage.drawn, shown[0]] if _flat(shown[0]) else shown
 
     def draw(window: Window) -> Figure:
         linkage = drawn_over(one.linkage, shown, window, True, (*one.limits, *one.critical))
@@ -124,22 +104,22 @@ def _transmission(one: Report, lang: Lang, start: str) -> Picture:
 
     gamma, alpha = (f"{numbers.number(math.degrees(angle or 0.0))}°" for angle in (one.gamma_min, one.alpha_max))
     letter, values = "s" if one.driver == one.slide else "φ", ", ".join(amount(one, end.driver) for end in one.least)
-    least = _WORDS["least"][lang].format(gamma=gamma, alpha=alpha, letter=letter, driver=one.driver, values=values)
+    least = say("linkages.sheet least", lang, gamma=gamma, alpha=alpha, letter=letter, driver=one.driver, values=values)
     dead = [_dead(one, one.driver, lang)] if one.driver in one.dead else []
-    return _picture(shown, draw, start + _WORDS["gamma"][lang].format(driver=one.driver), least, *dead)
+    return _picture(shown, draw, start + say("linkages.sheet gamma", lang, driver=one.driver), least, *dead)
 
 
 def _dead(one: Report, driver: str, lang: Lang) -> str:
     values, slides = one.dead[driver], driver == one.slide
     texts = (f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else numbers.angle(value) for value in values)
     shown = ", ".join(texts).replace("-", "−")
-    return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=shown)
+    return say(f"linkages.sheet {'dead' if values else 'none'}", lang, driver=driver, values=shown)
 
 
 def found_sizes(one: Report, name: str = "") -> Table:
     """Its lengths, and what is found of it; among several after its name."""
     turn, psi, theta, high, k = math.degrees(1), *(quantity_label(letter, "") for letter in "ψθHK")
-    least, most = (Run("γ", True), Run("min", place="sub")), (Run("α", True), Run("max", place="sub"))
+    least, most = quantity_label("γ", "min"), quantity_label("α", "max")
     sizes: list[tuple[Label, float | None, float, str]] = []
     sizes += [(points_label(link), size, 1e3, " mm") for link, size in one.linkage.sizes.items()]
     sizes += [(psi, one.swing, turn, "°"), (high, one.stroke, 1e3, " mm"), (theta, one.theta, turn, "°"),
@@ -150,13 +130,9 @@ def found_sizes(one: Report, name: str = "") -> Table:
     return Table(heads, (values,))
 
 
-# --- the figures ------------------------------------------------------------------------------------------------------
-
-
 Row = Sequence[LinkagePosition]  # positions drawn over each other
 
 _SHORT = 8.0  # a shorter bar bears no letters of its own [mm]
-_TRIAL = 80.0  # size of a figure when it is drawn to see how far its signs reach [mm]
 _STROKE_OFF = 15.0  # how far from the guide the stroke's dimension line lies [mm]
 _BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
 """Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
@@ -166,7 +142,14 @@ _PAST_BLOCK = 6.5  # side of the square in a right angle where it is to be seen 
 
 def _picture(positions: Row, draw: Callable[[Window], Figure], *texts: str) -> Picture:
     places = [place for position in positions for place in position.places]
-    return Picture(Extent.of(places, draw, trial=_TRIAL), draw, texts)
+    return Picture(Extent.of(places, draw), draw, texts)
+
+
+def _flat(position: LinkagePosition) -> bool:
+    """True where all its points are on one line."""
+    places = np.array(position.places) - position.places[0]
+    along = places[np.abs(places).argmax()]
+    return bool((np.abs((places / along).imag) < 1e-6).all())
 
 
 def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
@@ -174,13 +157,9 @@ def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
     return [window(place) for place in position.places]
 
 
-def drawn_over(
-    linkage: Linkage, positions: Row, window: Window, primes: bool = False, around: Row = ()
-) -> Figure:
-    """Ground first, then the thin positions, then the thick one; moving points lettered with numbers or primes.
-
-    around  further positions, of other figures, for which the ground is the same
-    """
+def drawn_over(linkage: Linkage, positions: Row, window: Window, primes: bool = False, around: Row = ()) -> Figure:
+    """Ground first, then the thin positions, then the thick one; moving points lettered with numbers or primes; around:
+    further positions, of other figures, for which the ground is the same."""
     machine = linkage.mechanism()
     first, *others = (Skeleton(machine, posed(linkage, machine, position), window, {}) for position in positions)
     elsewhere = [Skeleton(machine, posed(linkage, machine, position), window, {}) for position in around]
@@ -189,13 +168,20 @@ def drawn_over(
         for mark in _links(linkage, skeleton):
             marks.append(replace(mark, pen="thin") if isinstance(mark, Stroke | Disc) else mark)
     labels = [*_names(linkage, positions, first, primes)]
-    named = zip(linkage.names, on_paper(positions[0], window), strict=True)
+    named = [*zip(linkage.names, on_paper(positions[0], window), strict=True)]
     for (one, start), (other, end) in combinations(named, 2):  # links by their ends, as their lengths are called
         name = next((name for name in (one + other, other + one) if name in linkage.sizes), "")
         if name and abs(end - start) > _SHORT:
             if all(FRAME in machine.owners[pivot] for pivot in (one, other)):  # where no bar is
                 marks.insert(0, Stroke((start, end), "construction"))
             labels.append(LabelRequest(points_label(name), start, end, gap=1.2, size=LABEL, spare=True))
+    for pair in machine.slides if linkage.sizes.get("e") else ():  # from a pivot square to the line of the guide
+        owned = linkage.names if pair.guide == FRAME else machine.links[pair.guide].points
+        pivot, on = (dict(named)[name] for name in (next(p for p in linkage.names if p in owned), pair.point))
+        along = window.turned(cmath.rect(1, positions[0].turn))
+        foot = on + along * ((pivot - on) / along).real
+        marks.insert(0, Stroke((pivot, foot), "construction"))
+        labels.append(LabelRequest(plain("e", italic=True), pivot, foot, gap=1.2, size=LABEL))
     return Figure([*marks, *_links(linkage, first)], labels)
 
 
@@ -236,7 +222,7 @@ def _limit_angles(report: Report, window: Window) -> Iterator[Entry]:
     for end in report.limits:
         if end.how == "across":  # a crank at right angles to a bar that slides over its pin
             first, pin, last = on_paper(end, window)[:3]
-            yield from right_angle(pin, first - pin, last - pin, _PAST_BLOCK)
+            yield from symbols.right_angle(pin, first - pin, last - pin, _PAST_BLOCK)
     if report.swing is not None:
         yield from _psi(report, window)
     elif report.stroke is not None:
@@ -289,7 +275,7 @@ def _transmission_angles(report: Report, positions: Row, window: Window) -> Iter
     """gamma at each position; for a slider the pressure angle alpha, which is seen against the guide."""
     for count, end in enumerate(positions, start=1):
         seen, gamma = report.linkage.seen(end), end.gamma or 0.0
-        if seen is None:
+        if not abs(seen.one) * abs(seen.other):  # points on one another
             continue
         radius, label = 15.0, _degrees("γ", gamma, count)
         if seen.pressure:
@@ -297,5 +283,5 @@ def _transmission_angles(report: Report, positions: Row, window: Window) -> Iter
         at, one, other = window(seen.at), window.turned(seen.one), window.turned(seen.other)
         one = -one if (one.conjugate() * other).real < 0 else one  # the acute angle; what no link shows is drawn on
         yield from (Stroke((at, at + side / abs(side) * (radius + 3)), "construction") for side in (one, other))
-        yield from right_angle(at, one, other)
+        yield from symbols.right_angle(at, one, other)
         yield from angle(at, one, cmath.phase(other / one), radius, label)

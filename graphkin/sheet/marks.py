@@ -8,7 +8,7 @@ construction step a mark belongs to; `new` marks are those of the newest step of
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Literal, assert_never
+from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -52,7 +52,7 @@ class Stroke:
     """A line through `places`; `closed` back to the first; `shows`: of lines of links.
 
     accent  its colour where that is not its layer's
-    breaks  where another goes over it, and the step in which that is drawn
+    breaks  where another goes over it, the step in which that is drawn, and the half of the gap [mm]
     """
 
     places: tuple[Place, ...]
@@ -63,7 +63,7 @@ class Stroke:
     step: int | None = None
     new: bool = False
     accent: Accent | None = None
-    breaks: tuple[tuple[Place, int | None], ...] = ()
+    breaks: tuple[tuple[Place, int | None, float], ...] = ()
 
     @property
     def outline(self) -> tuple[Place, ...]:
@@ -79,11 +79,11 @@ class Stroke:
 
         line = LineString([(place.real, place.imag) for place in self.outline])
         dashes, drawn, least = list[float](), 0.0, BREAK / 2  # between two breaks as much line as gap
-        for middle in sorted(line.project(Point(place.real, place.imag)) for place, _ in self.breaks):
-            low, high = middle - BREAK / 2, middle + BREAK / 2
+        for middle, half in sorted((line.project(Point(at.real, at.imag)), half) for at, _, half in self.breaks):
+            low, high = middle - half, middle + half
             if low - drawn >= least and line.length - high >= BREAK / 2:
-                dashes += (low - drawn, BREAK)
-                drawn, least = high, BREAK
+                dashes += (low - drawn, high - low)
+                drawn, least = high, 2 * half
         return (*dashes, line.length - drawn + 1.0, 1.0) if dashes else ()
 
 
@@ -139,6 +139,8 @@ class VectorMark:
     solved the construction found its length
     half   on which side of the line alone its head opens, seen along it; back: how far its tip stands off the end [mm]
     pen    a lighter one for an arrow that is laid off, or only compared with
+    aside  how far it lies to the left of where it belongs, seen along it [mm]
+    broken  the length that is left out of it, in the gap in its middle [mm]
     """
 
     plane: Layer
@@ -156,11 +158,19 @@ class VectorMark:
     half: Half = ""
     back: float = 0.0
     pen: PenName = "vector"
+    aside: float = 0.0
+    broken: float = 0.0
 
     @property
     def length(self) -> float:
         """Its length by a ruler [mm]."""
         return abs(self.end - self.start)
+
+    @property
+    def dashes(self) -> tuple[float, ...]:
+        """The lengths of line and gap in turn, from its start past its end; none of a whole one [mm]."""
+        half = (self.length - BREAK) / 2
+        return (half, BREAK, half + 1.0, 1.0) if self.broken else ()
 
 
 @frozen
@@ -184,19 +194,15 @@ class PointMark:
 Mark = Stroke | Disc | ArcMark | Text | VectorMark | PointMark
 
 
+_MEASURES: dict[type[Mark], tuple[str, ...]] = {
+    Disc: ("centre", "radius"), ArcMark: ("centre", "radius"), Text: ("at", "size"), PointMark: ("at", "radius"),
+    VectorMark: ("start", "end", "aside", "broken"),
+}  # fmt: skip
+
+
 def enlarged(mark: Mark, times: float) -> Mark:
     """A mark so many times as large; its lines are as wide as before."""
-    match mark:
-        case Stroke(places=places, breaks=breaks):
-            breaks = tuple((times * place, step) for place, step in breaks)
-            return replace(mark, places=tuple(times * place for place in places), breaks=breaks)
-        case Disc(centre=centre, radius=radius) | ArcMark(centre=centre, radius=radius):
-            return replace(mark, centre=times * centre, radius=times * radius)
-        case Text(at=at, size=size):
-            return replace(mark, at=times * at, size=times * size)
-        case VectorMark(start=start, end=end, back=back):
-            return replace(mark, start=times * start, end=times * end, back=back)
-        case PointMark(at=at, radius=radius):
-            return replace(mark, at=times * at, radius=times * radius)
-        case _:
-            assert_never(mark)
+    if isinstance(mark, Stroke):
+        breaks = tuple((times * place, step, half) for place, step, half in mark.breaks)
+        return replace(mark, places=tuple(times * place for place in mark.places), breaks=breaks)
+    return replace(mark, **{name: times * getattr(mark, name) for name in _MEASURES[type(mark)]})

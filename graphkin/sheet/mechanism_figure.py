@@ -11,73 +11,53 @@ from typing import Any
 from graphkin.base.geometry import place
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
-from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
+from graphkin.model.pairs import Cam, CircularSlot, Pair, RollingContact, Slide
 from graphkin.planning import Method
 from graphkin.planning.method import births
-from graphkin.sheet import symbols
-from graphkin.sheet.added_points import contacts, named_specials, specials
+from graphkin.sheet import symbols, wheels
+from graphkin.sheet.added_points import asked_centres, contacts, named_specials, specials
 from graphkin.sheet.fixed_link import drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
-from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
-from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line
-from graphkin.sheet.wheels import (  # fmt: skip
-    circular_slot,
-    disc,
-    equivalents,
-    follower,
-    profiles,
-    rims,
-    rod_letters,
-    wheels,
-    wheels_of,
-)
+from graphkin.sheet.marks import BREAK, Disc, Mark, Place, PointMark, Shows, Stroke
+from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line, off_stretch
 from graphkin.sheet.window import Figure, Window
 
-_JOINED = 3.0  # lines that cross so near to a point are joined there [mm]
+_JOINED = 4.8  # lines that cross so near to a point are joined there: a break would leave a crumb [mm]
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 
 def mechanism_figure(
-    skeleton: Skeleton, method: Method, drawn: list[complex], others: Sequence[Skeleton] = ()
-) -> Figure:
+    skeleton: Skeleton, method: Method, drawn: list[complex] | None = None, others: Sequence[Skeleton] = (),
+    driving: Figure | None = None, bare: bool = False,
+) -> Figure:  # fmt: skip
     """Wheels and ground first, then links, blocks over their guides, hinges over links, arrows last.
 
-    drawn   the places that the figure has room for [m]
-    others  all positions of which it is one: the ground is the same in each
+    drawn    the places that the figure has room for [m]; without them there are no special points
+    others   all positions of which it is one: the ground is the same in each
+    driving  the drivers' arrows, where others have them, too
+    bare     without lower-pair equivalents, which a solution finds
     """
-    ground = grounds(*(others or [skeleton]))
-    return _figure(skeleton, method, specials(method, skeleton, drawn), ground, drives(skeleton, method))
-
-
-def moving_figure(skeleton: Skeleton, method: Method, others: Sequence[Skeleton], driving: Figure) -> Figure:
-    """One position of many that are shown in turn: its ground suits them all, its drivers' arrows are given."""
-    return _figure(skeleton, method, Figure(), grounds(*others), driving)
-
-
-def _figure(
-    skeleton: Skeleton, method: Method, special: Figure, ground: Figure, driving: Figure, bare: bool = False
-) -> Figure:
-    """bare: without lower-pair equivalents."""
-    turning, bodies, touching = wheels(skeleton), _bodies(skeleton), contacts(method, skeleton)
+    special = Figure() if drawn is None else specials(method, skeleton, drawn)
+    if drawn is not None and isinstance(skeleton.plot, Plot):
+        special += asked_centres(method, skeleton, skeleton.plot, drawn)
+    ground, driving = grounds(*(others or [skeleton])), driving or drives(skeleton, method)
+    turning, bodies, touching = wheels.wheels(skeleton), _bodies(skeleton), contacts(method, skeleton)
     marks = special.marks + turning.marks + ground.marks + bodies.marks + _hinges(skeleton) + touching.marks
-    marks += [*_through_bars(skeleton), *(equivalents(skeleton) if not bare else ()), *driving.marks]
+    dashed = Figure() if bare else wheels.equivalents(skeleton)
+    marks += [*_through_bars(skeleton), *dashed.marks, *driving.marks]
     labels = bodies.wanted
     for point in skeleton.points:  # letters of points; those at one place share a label
         away, step = -sum(skeleton.directions(point), 0j), skeleton.step(point)
         labels.append(LabelRequest(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
-    for part in (driving, ground, turning, special, touching):
+    for part in (driving, ground, turning, special, touching, dashed):
         labels += part.wanted
-    labels += rod_letters(skeleton) if not bare else ()
     return Figure(marks, labels)
 
 
 def moving_links(skeleton: Skeleton) -> list[Mark]:
     """Links, blocks and hinges alone."""
     return _bodies(skeleton).marks + _hinges(skeleton)
-
-
-# --- links ------------------------------------------------------------------------------------
 
 
 def _bodies(skeleton: Skeleton) -> Figure:
@@ -88,8 +68,10 @@ def _bodies(skeleton: Skeleton) -> Figure:
         places, step = [skeleton.at(p) for p in names], skeleton.step(*names)
         for slide in skeleton.guides(link):
             figure.marks += _guide(skeleton, slide)
-        if centre := disc(skeleton, link):  # a thin radius to each further point of a wheel
-            figure.marks += [mark for name in names if name != centre for mark in _radius(skeleton, link, centre, name)]
+        if centre := wheels.disc(skeleton, link):  # a thin radius to each further point of a wheel
+            for ends in ((centre, name) for name in names if name != centre):
+                shows, radius = Shows(link, "bar", ends), (skeleton.at(ends[0]), skeleton.at(ends[1]))
+                figure.marks.append(Stroke(radius, "thin", shows=shows, step=step))
         elif len(names) > 1:
             figure.marks += _body(names, places, link, step)
         figure.wanted += _link_number(skeleton, link, places, step)
@@ -97,20 +79,41 @@ def _bodies(skeleton: Skeleton) -> Figure:
 
 
 def _broken(skeleton: Skeleton, marks: Sequence[Mark]) -> Iterator[Mark]:
-    """Bars and guides, last ones first, broken where one goes over them that is of another link and no joint."""
-    joints, over = [skeleton.at(point) for point in skeleton.points], list[tuple[set[str], int | None, Place, Place]]()
+    """Bars and guides, last ones first, broken where one goes over them that is of another link and no joint, and about
+    hinges that are none of theirs."""
+    over = list[tuple[set[str], int | None, Place, Place]]()
+    rolls = skeleton.mechanism.of(RollingContact)
+    racks = [(roll.track, gap) for roll in rolls if (gap := wheels.toothed(skeleton, roll))]
     for mark in reversed(marks):
-        if isinstance(mark, Stroke) and mark.shows is not None and mark.shows.form in ("bar", "guide", "arc"):
+        if isinstance(mark, Stroke) and mark.shows is not None and mark.shows.form in ("bar", "guide"):
             of, sides = {mark.shows.link, mark.shows.line} - {""}, [*pairwise(mark.outline)]
-            met = [(crossing(*side, *ends), step) for side in sides for other, step, *ends in over if not other & of]
-            breaks = [(at, step) for at, step in met if at and all(abs(at - joint) > _JOINED for joint in joints)]
+            own = [(at, links) for at, _, links in skeleton.joints if links & of]
+            breaks = [(at, step, BREAK / 2) for side in sides for other, step, *ends in over
+                      if not other & of and (at := crossing(*side, *ends)) is not None
+                      and all(abs(at - joint) > _JOINED for joint, links in own if links & other)]  # fmt: skip
+            hinges = [joint for joint in skeleton.joints if len(joint[2]) > 1 and not joint[2] & of]
+            breaks += [(spot, step, half) for at, step, _ in hinges for side in sides
+                       for spot, half in _around(at, *side)]  # fmt: skip
             over += [(of, mark.step, *side) for side in sides]
             mark = replace(mark, breaks=tuple(breaks))
-        yield mark
+            teeth = [gap for link, gap in racks if link in of and off_stretch(gap[0], *sides[0]) < 0.05]
+            yield from wheels.rack_line(mark, *teeth[0]) if teeth and len(mark.places) == 2 else (mark,)  # no outline
+        else:
+            yield mark
+
+
+def _around(hinge: Place, start: Place, end: Place) -> list[tuple[Place, float]]:
+    """The gaps of a bar on both sides of a hinge on or beside it, with the half of their length [mm]."""
+    along = (end - start) / abs(end - start) if start != end else 1
+    off = (hinge - start) / along
+    if off_stretch(hinge, start, end) > symbols.HINGE + 0.5:
+        return []
+    half, foot = math.sqrt(max(0.0, symbols.HINGE**2 - off.imag**2)), start + off.real * along
+    sides = [foot + sign * (half + BREAK / 4) * along for sign in (1, -1)]
+    return [(side, BREAK / 4) for side in sides] if half > BREAK / 4 else [(foot, BREAK / 2)]
 
 
 def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
-    """The signs of all pairs of these kinds."""
     pairs = ((sign, pair) for kind, sign in signs.items() for pair in skeleton.mechanism.of(kind))
     return [mark for sign, pair in pairs for mark in sign(skeleton, pair)]
 
@@ -118,7 +121,8 @@ def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
 def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:
     """A bar, or the outline of three and more points; points inside it hang on two corners."""
     if (ends := in_line(places)) is not None:
-        return symbols.bar([places[k] for k in ends], Shows(link, "bar", tuple(names[k] for k in ends)), step)
+        shows = Shows(link, "bar", tuple(names[k] for k in ends))
+        return [Stroke(tuple(places[k] for k in ends), "visible", shows=shows, step=step)]
     round_about = hull(places)
     outline = Shows(link, "bar", tuple(names[k] for k in round_about))
     corners = tuple(places[k] for k in round_about)
@@ -131,11 +135,6 @@ def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | No
     return marks
 
 
-def _radius(skeleton: Skeleton, link: str, *ends: str) -> list[Mark]:
-    shows, step = Shows(link, "bar", ends), skeleton.step(*ends)
-    return [Stroke(tuple(map(skeleton.at, ends)), "thin", shows=shows, step=step)]
-
-
 def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     """A moving guide's own bar, welded to the rest of its link."""
     origin, step = slide.line.origin, skeleton.step(slide.line.origin, slide.point)
@@ -145,51 +144,41 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
         rod = Shows(slide.block, "guide", (slide.point,), slide.name)  # it ends at the point that slides
         return symbols.cylinder(skeleton.at(origin), skeleton.at(slide.point), (foot, tube, rod), step)
     start, end = skeleton.guide_bar(slide)
-    marks = symbols.bar([start, end], Shows(slide.guide, "guide", (origin, slide.point), slide.name), step)
+    shows = Shows(slide.guide, "guide", (origin, slide.point), slide.name)
+    marks: list[Mark] = [Stroke((start, end), "visible", shows=shows, step=step)]
     if skeleton.is_welded(slide) and slide.line.named:
         at = skeleton.at(origin)
         far = max((start, end), key=lambda p: abs(p - at))
         for other in [skeleton.at(p) for p in skeleton.named(slide.guide) if p != origin][:1]:
-            marks += symbols.corner(at, far, other, step)
+            marks += symbols.weld(at, far, other, step)
     return marks
 
 
 def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
-    """The block or the slot, over its guide."""
-    at, along = skeleton.at(slide.point), skeleton.along(slide)
+    at, along = skeleton.at(slide.point), skeleton.direction(slide.line)
     step = skeleton.step(slide.point, slide.line.origin)
-    if (rod := follower(skeleton, slide)) is not None:
+    if (rod := wheels.follower(skeleton, slide)) is not None:
         return [*rod]
+    if skeleton.is_cylinder(slide) or (slide.block is None and slide.guide == FRAME):
+        return []
     if slide.block is not None:
-        if skeleton.is_cylinder(slide):
-            return []
         shows = Shows(slide.block, "block", (slide.point,), slide.name)
         corners = symbols.block_corners(at, along)
         return [Stroke(corners, "outline", closed=True, fill="paper", shows=shows, step=step)]
-    if slide.guide == FRAME:
-        return []
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
     shows = Shows(slide.guide, "slot", (slide.point,), slide.name)
-    return symbols.slot((at - reach * along, at + 9.0 * along), shows, step)
+    rims = {way: symbols.SLOT / max(0.2, abs((way / along).imag)) for way in skeleton.directions(slide.point)}
+    bars = [Stroke((at, at + rim * way), "visible", step=step) for way, rim in rims.items()]  # they go on to the pin
+    return [*symbols.slot((at - reach * along, at + 9.0 * along), shows, step), *bars]
 
 
-OVER_LINKS: Signs = {Cam: profiles, Slide: _sliding}  # the signs of pairs that stand over the links; hinges are points
-BEFORE_LINKS: Signs = {CircularSlot: circular_slot}  # those over which links are drawn, as they are over `wheels`
+OVER_LINKS: Signs = {Cam: wheels.profiles, Slide: _sliding}  # signs of pairs that stand over links; hinges are points
+BEFORE_LINKS: Signs = {CircularSlot: wheels.circular_slot}  # those over which links are drawn, as over wheels
 
 
-def _through_bars(skeleton: Skeleton) -> list[Mark]:
-    """A bar that goes on past a pivot, or past another's that does, is drawn over the circle; other bars end at it."""
-    marks: list[Mark] = []
-    for point, (along, *others) in _passed(skeleton).items():
-        if others or FRAME in skeleton.mechanism.owners[point]:
-            at, half = skeleton.at(point), along * symbols.HINGE
-            marks += symbols.bar([at - half, at + half], None, skeleton.step(point))
-    return marks
-
-
-def _passed(skeleton: Skeleton) -> dict[str, list[complex]]:
-    """Hinges past which bars of links go on, with their directions."""
-    directions: dict[str, list[complex]] = {}
+def _through_bars(skeleton: Skeleton) -> Iterator[Mark]:
+    """A bar that goes on past a hinge, but no block's, is drawn over its circle; other bars end at it."""
+    passed = dict[str, complex]()
     for link in skeleton.mechanism.moving:
         names = skeleton.named(link)
         places = [skeleton.at(p) for p in names]
@@ -198,31 +187,20 @@ def _passed(skeleton: Skeleton) -> dict[str, list[complex]]:
         along = places[ends[1]] - places[ends[0]]
         for k, point in enumerate(names):
             if k not in ends and len(skeleton.mechanism.owners[point]) > 1:
-                directions.setdefault(point, []).append(along / abs(along))
-    return directions
-
-
-# --- points and names -------------------------------------------------------------------------
+                passed.setdefault(point, symbols.HINGE * along / abs(along))
+    for point in passed.keys() - {slide.point for slide in skeleton.mechanism.slides}:
+        at, half = skeleton.at(point), passed[point]
+        yield Stroke((at - half, at + half), "visible", step=skeleton.step(point))
 
 
 def _hinges(skeleton: Skeleton) -> list[Mark]:
-    """Hinges as white circles, beside a bar that goes on; other points of links as dots."""
-    marks, passed = list[Mark](), _passed(skeleton)
-    pins = {pair.pin for pair in skeleton.mechanism.pairs if pair.pin is not None}
-    signs = {slide.point for slide in skeleton.mechanism.slides}
-    signs |= {wheel.centre for wheel in wheels_of(skeleton.mechanism)}  # other hinges may have nothing but bars
+    """Hinges as white circles, other points of links as dots."""
+    marks, pins = list[Mark](), {pair.pin for pair in skeleton.mechanism.pairs if pair.pin is not None}
     for point in skeleton.points:
         at, step, owners = skeleton.at(point), skeleton.step(point), skeleton.mechanism.owners[point]
-        hinged, bars = len(owners) > 1 or point in pins, passed.get(point, [])
-        if hinged and len(bars) == 1 and FRAME not in owners and point not in pins | signs:
-            along = bars[0]
-            across = sum((off * along.conjugate()).imag for off in skeleton.directions(point))
-            side = along * (-1j if across < 0 else 1j)  # on which the links leave that end at it
-            marks.append(Disc(at + (symbols.HINGE + 0.35) * side, symbols.HINGE, "outline", "paper", step=step))
-            hinged = False
-        fill: Fill = "paper" if hinged else "ink"
-        radius, site = symbols.HINGE if hinged else 0.6, f"{point}@{owners[0]}"
-        marks.append(PointMark("position", point, point, at, radius, fill, step, site=site))
+        hinged, site = len(owners) > 1 or point in pins, f"{point}@{owners[0]}"
+        radius = symbols.HINGE if hinged else 0.6
+        marks.append(PointMark("position", point, point, at, radius, "paper" if hinged else "ink", step, site=site))
     return marks
 
 
@@ -230,26 +208,25 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
     """A link's number beside its longest bar, inside its outline, or beside its block."""
     label = link_label(skeleton.mechanism.called(link))
     slide, guide = skeleton.blocks.get(link), next(skeleton.guides(link), None)
-    if disc(skeleton, link):
+    if wheels.disc(skeleton, link):
         return  # it stands within the rim
     if slide is not None and len(places) < 2:
-        at, rod = skeleton.at(slide.point), follower(skeleton, slide)
+        at, rod = skeleton.at(slide.point), wheels.follower(skeleton, slide)
         if skeleton.is_cylinder(slide):
             yield LabelRequest(label, _tube_end(skeleton, slide), at, gap=1.2, step=step)
         elif rod is not None:
             yield LabelRequest(label, rod[0].places[0], rod[0].places[1], gap=1.2, step=step)
         else:
-            yield LabelRequest(label, at, gap=math.hypot(2.4, 2.8), away=skeleton.along(slide) * 1j, step=step)
-    elif len(places) > 1 and (ends := in_line(places)) is None:
+            yield LabelRequest(label, at, gap=math.hypot(2.4, 2.8), away=skeleton.direction(slide.line) * 1j, step=step)
+    elif len(places) > 1 and in_line(places) is None:
         corners = [places[k] for k in hull(places)]
         yield LabelRequest(label, sum(corners) / len(corners), gap=-2.6, step=step)
-    elif len(places) > 1 and ends is not None:
-        order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
-        longest = max(pairwise(order), key=lambda pair: abs(pair[1] - pair[0]))
-        yield LabelRequest(label, *longest, gap=1.2, step=step)
-    elif guide is not None:
-        yield LabelRequest(label, skeleton.at(guide.line.origin), _tube_end(skeleton, guide), gap=3.4, step=step)
-    elif places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
+    elif bars := [*skeleton.bars(link)]:
+        tube = guide if guide is not None and skeleton.is_cylinder(guide) else None
+        start, end = max(bars, key=lambda bar: abs(bar[1] - bar[0]))
+        end, gap = (end, 1.2) if tube is None else (_tube_end(skeleton, tube), 3.4)
+        yield LabelRequest(label, start, end, gap=gap, step=step)
+    elif places and not any(wheel.link == link for wheel in wheels.wheels_of(skeleton.mechanism)):
         yield LabelRequest(label, places[0], gap=4.0, step=step)
 
 
@@ -262,7 +239,9 @@ def _tube_end(skeleton: Skeleton, slide: Slide) -> Place:
 def mechanism_places(method: Method, plot: Plot) -> list[complex]:
     """The places that the mechanism itself takes up [m]."""
     machine, points = method.mechanism, {name: place(value) for name, value in plot.position.items()}
-    return [*(points[name] for name in machine.points if name in points), *rims(machine, points)]
+    circles = [circle for pair in machine.pairs for circle in pair.circles]
+    rims = (points[centre] + side * complex(radius, radius) for _, centre, radius in circles for side in (-1, 1))
+    return [*(points[name] for name in machine.points if name in points), *rims]
 
 
 def shown_places(method: Method, plot: Plot) -> list[complex]:
@@ -277,11 +256,6 @@ def plain_mechanism(method: Method, plot: Plot, window: Window, others: Sequence
     here, *every = (Skeleton(method.mechanism, each, window, born) for each in (plot, *others))
     figure = mechanism_figure(here, method, shown_places(method, plot), every)
     return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
-
-
-def bare_figure(method: Method, skeleton: Skeleton) -> Figure:
-    """The mechanism as a problem gives it: no special points and no lower-pair equivalents, which a solution finds."""
-    return _figure(skeleton, method, Figure(), grounds(skeleton), drives(skeleton, method), bare=True)
 
 
 def plainly(mark: Mark) -> Mark:

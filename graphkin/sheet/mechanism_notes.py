@@ -16,11 +16,11 @@ from graphkin.planning.method import rate_found
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Corner, Size
-from graphkin.sheet.dimension_lines import DimensionLines, angle_label
-from graphkin.sheet.free_room import Annotations, FreeRoom
+from graphkin.sheet.dimension_lines import DimensionLines, angle_label, extension_lines
+from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, quantity_label
-from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
+from graphkin.sheet.marks import ArcMark, Form, Mark, Shows, Stroke, Text
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
@@ -33,6 +33,7 @@ _NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter 
 _TOLD = 5.0  # a shorter length is told by words alone [mm]
 _TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
+_APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
 
 Arc = tuple[tuple[str, ...], float, complex, bool]
@@ -53,29 +54,29 @@ class MechanismNotes:
     planes: Sequence[Plane] = field(default_factory=tuple)
 
     def lines(self) -> list[Mark]:
-        return []
+        """The way of extension lines: no number of a link should stand in one."""
+        return [*extension_lines(self.skeleton, self.given)]
 
-    def __call__(self, free: FreeRoom) -> Annotations:
+    def __call__(self, free: FreeRoom) -> list[Mark]:
         """All of it among what stands there; data that find no room are written in lines at the foot of the figure."""
-        added, machine = Annotations(), self.reading.mechanism
+        added, machine = list[Mark](), self.reading.mechanism
         asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
         for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
             if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
-                added.over.extend(self._arc(half, free))
+                added += self._arc(half, free)
         lines, unsaid = DimensionLines(self.skeleton, free), dict[bool, list[Label]]()
         lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
-        for datum in self.given:
-            marks = lines.draw(datum)
-            added.over.extend(marks)
-            if not marks and not (isinstance(datum.shape, Corner) and angle_label(datum) in lettered):
+        at, levers = self.skeleton.at, measured_lengths(self.reading) if self.planes else ()
+        measured = [length_size(self.reading, *ends) for ends in levers if abs(at(ends[0]) - at(ends[1])) >= _TOLD]
+        for datum in lines.once([*self.given, *measured]):
+            added += (marks := lines.draw(datum))
+            lettered_too = isinstance(datum.shape, Corner) and angle_label(datum) in lettered
+            if not marks and datum not in measured and not lettered_too:
                 unsaid.setdefault(datum.derived, []).append(formula(datum.text))
-        for one, other in measured_lengths(self.reading) if self.planes else ():
-            if abs(self.skeleton.at(one) - self.skeleton.at(other)) >= _TOLD:
-                added.over.extend(lines.draw(length_size(self.reading, one, other)))
         for derived, labels in unsaid.items() if self.planes else ():
-            marks = [replace(mark, accent="grey") if derived else mark for mark in self._written(labels, free)]
-            free.add(marks)
-            added.over.extend(marks)
+            words = [replace(mark, accent="grey") if derived else mark for mark in self._written(labels, free)]
+            free.add(words)
+            added += words
         return added
 
     @staticmethod
@@ -98,7 +99,7 @@ class MechanismNotes:
         label = quantity_label(letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
         for points, radius, middle, crossing in islice(self._places(link, free), _TRIED):
-            at, turn = self._middle(points), cmath.rect(1, -sense * SWEEP / 2)
+            at, turn = sum(map(self.skeleton.at, points)) / len(points), cmath.rect(1, -sense * SWEEP / 2)
             arc = spin(at, middle / turn, sense, radius, step, Shows(link, form, points))
             for away in (middle / turn, middle * turn) if crossing else (middle,):
                 want = LabelRequest(label, at + away * radius, gap=0.9, away=away, step=step)
@@ -109,24 +110,19 @@ class MechanismNotes:
                     return marks
         return []
 
-    def _middle(self, points: Sequence[str]) -> Place:
-        return sum(map(self.skeleton.at, points)) / len(points)
-
     def _places(self, link: str, free: FreeRoom) -> Iterator[Arc]:
         """Places with room for such an arc: across a bar beside its pivot, or at the middle of a coupler; about a point
         of a link that has no bar."""
-        arcs = list(self._arcs(link))
         own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
-        rooms: list[Sequence[Mark]] = []
-        for points, radius, middle, crossing in arcs:
-            at, half = self._middle(points), SWEEP / 2
-            cut = own / radius if crossing else 0.0
-            pieces = ((-half, -cut), (cut, half)) if crossing else ((-half, half),)
-            start = cmath.phase(middle)
-            rooms.append([ArcMark(at, radius, start + low, high - low) for low, high in pieces])
-        while (number := free.first([(room, ()) for room in rooms])) is not None:
-            yield arcs[number]
-            arcs, rooms = arcs[number + 1 :], rooms[number + 1 :]
+        for wide, arcs in ((_APART, self._arcs(link)), (_APART / 2, self._arcs(link))):
+            while some := [*islice(arcs, _TRIED)]:
+                rooms = list[list[Mark]]()
+                for points, radius, middle, crossing in some:
+                    at, half = sum(map(self.skeleton.at, points)) / len(points), SWEEP / 2
+                    cut, start = own / radius if crossing else -half, cmath.phase(middle)
+                    rooms.append([ArcMark(at, r, start + low, half - cut) for low in (-half, cut)[: 1 + crossing]
+                                  for r in dict.fromkeys((radius, radius - wide, radius + wide))])  # fmt: skip
+                yield from (some[number] for number in free.fitting([(room, ()) for room in rooms]))
 
     def _arcs(self, link: str) -> Iterator[Arc]:
         owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)

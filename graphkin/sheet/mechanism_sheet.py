@@ -3,7 +3,7 @@
 It is the cheapest of several arrangements. An arrangement is a paper and its division into rooms, by which all is
 composed; it costs the labels that find no place, those at the end of a leader, and what stands in the strip off its
 figure. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
-smallest paper that holds all, other divisions of it, details, the same paper turned, a larger paper.
+smallest paper that holds all, details, the same paper turned, a larger paper.
 """
 
 from __future__ import annotations
@@ -12,10 +12,14 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
+from heapq import heapify, heapreplace
 
+import numpy as np
+
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
-from graphkin.errors import Lang
+from graphkin.errors import Lang, TooLargeForPaper
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import shown
 from graphkin.planning.method import Act
@@ -23,22 +27,22 @@ from graphkin.say.catalogue import say
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
-from graphkin.sheet.composition import Planes, SheetContents, Style
-from graphkin.sheet.detail import SAVED
+from graphkin.sheet.composition import DetailRoom, Planes, SheetContents, Style
+from graphkin.sheet.detail import DETAILS, SAVED
 from graphkin.sheet.label_requests import CRAMMED
-from graphkin.sheet.labels import burden
+from graphkin.sheet.labels import UNCLEAR, burden
 from graphkin.sheet.layout import Layout, cut_to
-from graphkin.sheet.lettering import LABEL, Label, formula, plain
-from graphkin.sheet.marks import Text, enlarged
-from graphkin.sheet.page import Lettered, Page, Sheet
-from graphkin.sheet.paper import PAPERS, Paper, TooLargeForPaper, papers_for
+from graphkin.sheet.lettering import LABEL
+from graphkin.sheet.page import Page, Sheet
+from graphkin.sheet.paper import PAPERS, Paper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
-from graphkin.sheet.text_blocks import LINE, broken
+from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_MANY, _WORST = 8.0, 80.0  # at a higher price a larger paper is tried; either way of one
+_MANY = 10.0  # at a higher price other papers are tried
+_CROWD = 32  # labels without a good place, of which two details relieve no more
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 
 
@@ -63,11 +67,10 @@ def mechanism_sheet(
     if style == "given":
         drawing = Planes(method, plot, ("position",), style, lang)
         contents = SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
-        return replace(cheapest(contents, paper).lettered.sheet, given=True)
+        return replace(cheapest(contents, paper).page.sheet(), given=True)
     method, plot = shown(method, plot)
-    drawing = Planes(method, plot, _planes(only), style, lang, paths)
-    contents = SheetContents(drawing, {} if tight else tables(method, plot, lang), tight=tight)
-    return cheapest(contents, paper).lettered.sheet if upto is None else next(_staged(contents, paper, [upto]))
+    contents = _whole(Planes(method, plot, _planes(only), style, lang, paths, breaks=upto is None), tight)
+    return cheapest(contents, paper).page.sheet() if upto is None else next(_staged(contents, paper, [upto]))
 
 
 def mechanism_step_sheets(
@@ -76,8 +79,11 @@ def mechanism_step_sheets(
 ) -> Iterator[Sheet]:  # fmt: skip
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     method, plot = shown(method, plot)
-    drawing = Planes(method, plot, _planes(only), "construction", lang)
-    yield from _staged(SheetContents(drawing, {} if tight else tables(method, plot, lang), tight=tight), paper)
+    yield from _staged(_whole(Planes(method, plot, _planes(only), "construction", lang), tight), paper)
+
+
+def _whole(drawing: Planes, tight: bool = False) -> SheetContents:
+    return SheetContents(drawing, {} if tight else tables(drawing.method, drawing.plot, drawing.lang), tight=tight)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -85,53 +91,37 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
     return tuple(plane for plane in PLANES if plane in planes)
 
 
-def scales_of(method: Method, plot: Plot, lang: Lang = "en") -> Mapping[Plane, float]:
-    """The scales of the sheet."""
-    contents = SheetContents(Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
-    return cheapest(contents, None).layout.scales
-
-
-# --- arrangements -----------------------------------------------------------------------------------------------------
+def scales_of(method: Method, plot: Plot, lang: Lang = "en", breaks: bool = True) -> Mapping[Plane, float]:
+    """The scales of the sheet, or of one on which no arrow is drawn broken."""
+    return cheapest(_whole(Planes(method, plot, PLANES, "construction", lang, breaks=breaks)), None).layout.scales
 
 
 @frozen
 class Arrangement:
-    """The contents of a sheet on one divided paper.
+    """The contents of a sheet on one divided paper."""
 
-    papers  the smallest of these that holds all is taken
-    cut     it is cut to its only figure
-    """
+    contents: SheetContents
+    layout: Layout
 
-    asked: SheetContents
-    papers: Sequence[Paper]
-    cut: bool = False
-
-    @cached_property
-    def laid_out(self) -> tuple[SheetContents, Layout]:
-        """With blocks in the strip for which figures leave no room. Raises TooLargeForPaper."""
+    @classmethod
+    def on(cls, contents: SheetContents, papers: Sequence[Paper]) -> Arrangement:
+        """On the smallest paper that holds all, with blocks in the strip for which figures leave no room. Raises
+        TooLargeForPaper."""
         try:
-            contents, layout = self.asked.laid_out(self.papers)
+            return cls(*contents.laid_out(papers))
         except TooLargeForPaper as error:
-            raise error.at(self.asked.drawing.method.mechanism.where("scales", error.key)) from None
-        only = contents.planes[0]
-        return contents, cut_to(layout, only, contents.extents[only]) if self.cut else layout
+            raise error.at(contents.drawing.method.mechanism.where("scales", error.key)) from None
 
     @property
-    def contents(self) -> SheetContents:
-        return self.laid_out[0]
+    def cut(self) -> Arrangement:
+        """Cut to its only figure, where it has but one."""
+        (plane, *others), extents = self.contents.planes, self.contents.extents
+        return self if others else replace(self, layout=cut_to(self.layout, plane, extents[plane]))
 
     @property
-    def layout(self) -> Layout:
-        return self.laid_out[1]
-
-    @property
-    def sold(self) -> list[Paper]:
+    def sold(self) -> Paper:
         """Its paper in the size in which it can be asked for."""
-        return [PAPERS[self.layout.paper.name]]
-
-    @cached_property
-    def page(self) -> Page:
-        return self.contents.page(self.layout)
+        return PAPERS[self.layout.paper.name]
 
     @cached_property
     def overfull(self) -> float:
@@ -140,86 +130,101 @@ class Arrangement:
         rooms, extents = self.layout.rooms, self.contents.drawing.extents
         return max(extents[p].lettering / (CRAMMED * room.size.real * room.size.imag) for p, room in rooms.items())
 
-    @cached_property
-    def price(self) -> float:
-        """Labels that find no place near by, the burden of the others, and what stands over the footer, off its figure:
-        by this arrangements are compared. Of an overfull one all labels have no place."""
+    def bounds(self) -> Iterator[float]:
+        """Its price, as far as it is composed: labels that find no place near by, the burden of the others, and what
+        stands over the footer, off its figure. Of an overfull one all labels have no place. Polygons are composed
+        first, those with details before others."""
         if self.overfull > 1:
-            return _LOST * sum(extent.labels for extent in self.contents.drawing.extents.values()) + self.overfull
-        near, above = self.page.lettered(far=False), self.layout.strip.size.imag - FOOT
-        return _LOST * near.lost + near.burden + max(0.0, above) / _STRIP
+            yield _LOST * sum(extent.labels for extent in self.contents.drawing.extents.values()) + self.overfull
+            return
+        yield (price := max(0.0, self.layout.strip.size.imag - FOOT) / _STRIP)
+        contents = self.contents
+        for plane in sorted(contents.planes, key=lambda plane: (plane not in contents.detailed, plane == "position")):
+            panel = contents.panel(self.layout, plane)
+            yield (price := round(price + _LOST * panel.near.clashes + burden(panel.burdens), 6))
+
+    @cached_property
+    def burdens(self) -> dict[Plane, Array]:
+        """The burdens of the labels of each polygon on the eye."""
+        polygons = [plane for plane in self.contents.planes if plane != "position" and self.overfull <= 1]
+        return {plane: self.contents.panel(self.layout, plane).burdens for plane in polygons}
 
     @property
-    def knotted(self) -> list[Plane]:
-        """Planes whose labels would be worth a detail."""
-        panels = zip(self.contents.planes, self.page.panels, strict=True) if self.overfull <= 1 else ()
-        return [plane for plane, panel in panels if plane != "position" and burden(panel.burdens) >= SAVED]
+    def crowds(self) -> list[Plane]:
+        """Planes in which so many labels have no good place that no detail relieves them."""
+        return [plane for plane, each in self.burdens.items() if np.count_nonzero(each >= UNCLEAR) > _CROWD]
 
-    @cached_property
-    def lettered(self) -> Lettered:
-        """Its labels as well as can be: some are left out where others find no good place."""
-        lettered = self.page.lettered(far=True)
-        return lettered.trimmed if self.contents.tight else lettered
+    @property
+    def knotted(self) -> dict[Plane, DetailRoom]:
+        """Details that would relieve labels: small ones where little is to be seen in them."""
+        weights = {plane: burden(each) for plane, each in self.burdens.items() if plane not in self.crowds}
+        return {plane: DetailRoom(DETAILS[weight > 2 * SAVED], self.burdens[plane])
+                for plane, weight in weights.items() if weight >= SAVED}  # fmt: skip
+
+    @property
+    def page(self) -> Page:
+        """All of it; of figures for another document no more paper than they need."""
+        page = self.contents.page(self.layout)
+        return page.trimmed if self.contents.tight else page
 
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
-    """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
+    """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure. A figure for
+    another document stays on the smallest; a crowd that no detail relieves wants a larger one, if any."""
     usual = papers_for(paper)
-    best = _on(Arrangement(contents, usual))
-    for least, papers in ((_MANY, usual[2:]), (_WORST, usual[2:3]), (_WORST, usual[3:])):
-        if best.price > least and papers and papers != best.sold:
-            best = min(best, _on(replace(best, papers=papers)), key=lambda each: each.price)
-    cut = len(contents.planes) == 1 and (contents.tight or paper is None)
-    return replace(best, cut=True) if cut else best
+    best, price = _cheaper(contents, usual)
+    lying = best.layout.paper.lying
+    for other in () if contents.tight else sorted(usual[2:], key=lambda other: other.lying != lying):
+        if price > _MANY and other != best.sold and not (best.crowds and other.area == best.sold.area):
+            with suppress(TooLargeForPaper):
+                best, price = _cheaper(contents, [other], (best, price))
+    return best.cut if paper is None or contents.tight else best
 
 
-def _on(first: Arrangement) -> Arrangement:
-    """The cheaper on the papers of an arrangement, as it is or with details."""
-    knots = [] if first.asked.detailed else first.knotted
-    other = replace(first, asked=replace(first.asked, detailed=knots)) if knots else first
-    return min(first, other, key=lambda each: each.price)
-
-
-# --- single steps -----------------------------------------------------------------------------------------------------
+def _cheaper(
+    contents: SheetContents, papers: Sequence[Paper], best: tuple[Arrangement, float] | None = None
+) -> tuple[Arrangement, float]:
+    """The cheapest on these papers, without details or with them, or the best so far; with its price. None is composed
+    further once another is known to be cheaper."""
+    first = Arrangement.on(contents, papers)
+    knots = first.knotted
+    every = [first, *([Arrangement.on(replace(contents, detailed=knots), papers)] if knots else [])]
+    tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
+    tried += [] if best is None else [(best[1], -1, best[0], iter(()))]
+    heapify(tried)
+    while (bound := next(tried[0][3], None)) is not None:
+        heapreplace(tried, (bound, *tried[0][1:]))
+    return tried[0][2], tried[0][0]
 
 
 def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    best, pitch = cheapest(contents, paper), LINE * LABEL
-    lines, stage = _spoken(best), replace(best, asked=replace(best.contents, stages=True))
-    area = best.sold[0].area
-    same = [each for each in papers_for(paper) if each.area == area]
+    best = cheapest(contents, paper)
+    told, stage = _spoken(best), replace(best, contents=replace(best.contents, stages=True))
+    same = [each for each in papers_for(paper) if each.area == best.sold.area]
+    wide = min(tables_room(each.reduced) for each in same)
+    said = max(WrittenLines.sentences(texts, wide, LABEL).size.imag for texts in told.values())  # over the footer
     for scales in () if contents.tight else (best.layout.scales, {}):  # those of the whole sheet, where there is room
-        said = pitch * max(map(len, lines.values()))  # the sentences stand over the footer
-        asked = replace(stage.asked, said=said, scales=scales, tables={})
         with suppress(TooLargeForPaper):
-            stage = replace(stage, asked=asked, papers=same)
-            lines = _spoken(stage)
+            stage = Arrangement.on(replace(stage.contents, said=said, scales=scales, tables={}), same)
+            stage = stage if paper else stage.cut
+            told = _spoken(stage)
             break
-    strip, whole = stage.layout.strip, stage.lettered.sheet
-    for act in [[*lines][number - 1] for number in numbers] or lines:
-        sheet = whole.upto(act.page)
-        if not contents.tight:
-            below, *above = sheet.layers
-            at = [complex(strip.left + 3, strip.top + 1 + pitch * (k + 0.8)) for k in range(len(lines[act]))]
-            marks = [Text(line, place, LABEL) for line, place in zip(lines[act], at, strict=True)]
-            larger = [enlarged(mark, stage.layout.paper.times) for mark in marks]
-            sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *larger)), *above))
-        yield sheet
+    page = stage.page
+    for act in [[*told][number - 1] for number in numbers] or told:
+        if page.strip is not None and stage.contents.said:
+            page = replace(page, strip=replace(page.strip, told=told[act]))
+        yield page.sheet().upto(act.page)
 
 
-def _spoken(stage: Arrangement) -> dict[Act, list[Label]]:
-    """The lines of each act's sentence, at the scales that are drawn. Raises TooLargeForPaper."""
+def _spoken(stage: Arrangement) -> dict[Act, list[str]]:
+    """The number and the sentence of each act, at the scales that are drawn. Raises TooLargeForPaper."""
     drawing, planes = stage.contents.drawing, stage.contents.planes
-    others = {} if planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
+    others = {} if planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang, breaks=False)
     reading = drawing.reading({**others, **stage.layout.scales})
     entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
     texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
     acts = [act for act in drawing.method.acts if act.plane in planes]
-    lines = dict[Act, list[Label]]()
-    for number, act in enumerate(acts, 1):
-        head = plain(say("sheet.step", drawing.lang, number=number, count=len(acts)))
-        sign = f"{circled(act.number)} " if act.numbered else ""
-        wide = tables_room(stage.layout.paper)
-        lines[act] = [head, *map(formula, broken(sign + texts.get(act, ""), wide, LABEL))]
-    return lines
+    heads = (say("sheet.step", drawing.lang, number=number, count=len(acts)) for number in range(1, len(acts) + 1))
+    signs = (f"{circled(act.number)} " if act.numbered else "" for act in acts)
+    return {act: [head, sign + texts.get(act, "")] for act, head, sign in zip(acts, heads, signs, strict=True)}

@@ -2,7 +2,7 @@
 
     versions (`Version`) of a plane --> a Picture each --> Page on a paper cut to it
 
-What is laid over is bold, what it lies on is thin; laid off or directed otherwise is emphasised, and a short arrow of
+What is laid over is bold, what it lies on is grey; laid off or directed otherwise is emphasised, and a short arrow of
 that kind is magnified. A picture that must not give the answer away has no right drawing, and tells no scale.
 """
 
@@ -26,7 +26,7 @@ from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Disc, Mark, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
+from graphkin.sheet.page import HEADINGS, Page, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.single_figure import Picture, foot_of
@@ -87,19 +87,18 @@ class Version:
         extent = Extent.of(self.places(), self.figure)
         picture = Picture(extent, self.figure, (say(f"pictures.under {self.name}", lang),))
         foot = foot_of([picture], _WIDE)
-        scale = extent.finest(Room(0, HEAD, _WIDE, _HIGH - foot))
+        scale = extent.scale(Room(0, HEAD, _WIDE, _HIGH - foot))
         short = self._short(scale) if self.plane != "position" else []
-        high = HEAD + extent.size.imag / scale + extent.reach.imag + foot
-        window = extent.window(Room(0, HEAD, _WIDE, high - foot), scale)
-        cell = Room(0.0, 0.0, _WIDE, high + _LENS * bool(short))
-        panel = Panel(self.figure(window), window, cell.inset(1, HEAD + 1, foot))
+        cell = Room(0.0, 0.0, _WIDE, HEAD + extent.cut_out(scale).bottom + foot)
+        panel = replace(picture.panel(cell.inset(0, HEAD, 0), foot, scale), before=())
         if short:  # a lens stands in the figure, or else under it: as far down as it goes
-            panel = lens(panel, self.figure, self.plane, [window(at) for at in short])
-            lowest = max(high, bounds(panel.figure.marks)[3] + _BELOW + foot)
-            cell = replace(cell, bottom=min(cell.bottom, lowest))
-        panel = replace(panel, room=cell.inset(1, HEAD + 1, foot), after=tuple(picture.caption(cell, foot)))
+            deep = replace(panel, room=replace(panel.room, bottom=panel.room.bottom + _LENS))
+            panel = lens(deep, self.figure, self.plane, [panel.window(at) for at in short])
+            lowest = bounds(panel.figure.marks)[3] + _BELOW + foot
+            cell = replace(cell, bottom=max(cell.bottom, min(cell.bottom + _LENS, lowest)))
         head = heading(HEADINGS[lang][self.plane], self.plane, scale, cell)
-        panel = replace(panel, before=head if answer else head[:1], plane=None)
+        before = (*(head if answer else head[:1]), *picture.caption(cell, foot))
+        panel = replace(panel, room=cell.inset(1, HEAD + 1, foot), before=before, plane=None)
         paper, title = Paper("figure", cell.right, cell.bottom, 0.0), HEADINGS[lang][self.plane]
         page = Page(paper, [panel], self.method.mechanism, self.plot.facts.values, lang, title=title)
         return page.sheet().upto(_OTHERWISE).redrawn(lambda mark: replace(mark, step=None))
@@ -119,7 +118,6 @@ class Version:
         return constructions(self.method)[self.plane]
 
     def places(self) -> list[complex]:
-        """The places that it shows, SI."""
         if self.plane == "position":
             return shown_places(self.method, self.plot)
         return [*self.there.values(), *self._own.values()]
@@ -146,7 +144,7 @@ class Version:
         return PolygonFigure(self.method.mechanism, self.construction, plot, window, {})
 
     def _penned(self, mark: Mark, scale: float) -> Mark:
-        """Emphasised where it is drawn otherwise, or is missing in what is laid over; thin under that."""
+        """Emphasised where it is drawn otherwise, or is missing in what is laid over; grey under that."""
         own = self._own
         if not own:
             return self._emphasised(mark)
@@ -155,11 +153,10 @@ class Version:
             if start is None or end is None or abs(end - start) < _GONE * scale:
                 return self._emphasised(mark)
         if isinstance(mark, VectorMark | Stroke) and mark.pen in ("asked", "vector", "visible"):
-            return replace(mark, pen="thin")
+            return replace(mark, pen="leader")
         return mark
 
     def _emphasised(self, mark: Mark) -> Mark:
-        """Marked, where it is drawn otherwise."""
         otherwise = False
         match mark:
             case VectorMark(tail=tail, head=head):

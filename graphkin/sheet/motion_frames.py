@@ -8,10 +8,10 @@ ends say as much. What is asked for stands under the headings with its running v
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property
-from itertools import pairwise
+from functools import cache, cached_property
+from itertools import pairwise, repeat
 
 import numpy as np
 
@@ -25,20 +25,21 @@ from graphkin.planning import Method
 from graphkin.planning.method import births
 from graphkin.running import replay_all
 from graphkin.running.path import along, stride
+from graphkin.say.catalogue import say
 from graphkin.sheet.boxes import xy
 from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import lay_out
-from graphkin.sheet.lettering import LABEL, Label, box, joined, number, plain, point_label, width
+from graphkin.sheet.lettering import LABEL, Label, joined, number, plain, point_label, quantity_label, width
 from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
+from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
-from graphkin.sheet.paper import KEYS, Room, TooLargeForPaper, papers_for
+from graphkin.sheet.paper import KEYS, Room, papers_for
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.results import label_of
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.titleblock import PITCH, Strip, strip_height
+from graphkin.sheet.titleblock import PITCH, Strip
 from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
 from graphkin.studies.sweeps import Course, asked, course, drawable, prove, quantities_at
 
@@ -48,14 +49,12 @@ _ASIDE_DEG, _ASIDE_PART = 0.05, 0.001
 """The distance from a change point at which its position is drawn, where the polygons would be 0/0."""
 _ROWS = 6  # so many values run along under a heading
 _PLANE: dict[str, Plane] = {"rad/s": "velocity", "m/s": "velocity", "rad/s^2": "acceleration", "m/s^2": "acceleration"}
-_ONE = 1e-6  # points of a polygon that are never farther apart are one [of its size]
+_ONE = 6  # points of a polygon are one that are always the same in so many decimals of its size
 _LARGE, _ENDLESS = 4.0, 12.0
 """A polygon so many times larger than half of them are is not drawn: near a dead point; where a turn has none, but a
 special point goes far off."""
 _WORTH = 2
 """A polygon is drawn as large as if it had so many times its letters: most of the time it is smaller than its room."""
-TOO_LARGE: dict[Lang, str] = {"en": "too large to be drawn here", "zh": "此处图形过大，不画"}
-BACK: dict[Lang, str] = {"en": "there and back; polygons: the way there", "zh": "往返运动；多边形按去程画"}
 
 
 def motion_frames(
@@ -74,19 +73,22 @@ def motion_frames(
              for t in _times(moved, count)]  # fmt: skip
     plots = [replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))) for t in times]
     back = bool(moved.path.stops) or not moved.angular
-    frames = _Frames(method, plots, (only,) if only else PLANES, lang, back, _running_values(moved, times))
+    frames = MotionFigures(method, plots, (only,) if only else PLANES, lang, back, _running_values(moved, times))
     return list(frames.sheets(paper))
 
 
 def _running_values(moved: Course, times: Sequence[float]) -> dict[Plane, list[list[Label]]]:
     """What is asked for, and the driver's place: by plane a row a quantity, in it a label a position."""
     machine, driver = moved.method.mechanism, moved.driver
-    names = [f"theta {driver.link}"] if driver.kind == "angle" and driver.from_vector is None else []
+    turns = driver.kind == "angle" and driver.from_vector is None
+    names = [f"theta {driver.link}"] if turns else []
     names = [*names, *(name for name in drawable(machine, asked(machine)) if centre_of(machine, name) is None)]
     rows: dict[Plane, list[list[Label]]] = {}
     for series in quantities_at(moved, [*dict.fromkeys(names)], np.array(times)).series:
-        unit, letters = EDGE[series.unit], (*label_of(series.quantity), *plain(" = "))
-        row = [(*letters, *number(value * unit.factor), *plain(unit.after)) for value in series.signed]
+        unit, values, letters = EDGE[series.unit], series.signed * EDGE[series.unit].factor, label_of(series.quantity)
+        if [series.name] == names[:1] and turns:  # as the sheets have it
+            letters, values = quantity_label("φ", machine.called(driver.link)), values % 360
+        row = [(*letters, *plain(" = "), *number(value), *plain(unit.after)) for value in values]
         rows.setdefault(_PLANE.get(series.unit, "position"), []).append(row)
     return {plane: every[:_ROWS] for plane, every in rows.items()}
 
@@ -104,8 +106,8 @@ def _times(moved: Course, count: int) -> list[float]:
 
 
 @frozen
-class _Frames:
-    """The positions and the planes that are drawn of each.
+class MotionFigures:
+    """The positions and the planes that are drawn of each; any other position is drawn to suit them.
 
     back    the mechanism goes there and back
     values  by plane: rows of labels, one a position
@@ -119,29 +121,27 @@ class _Frames:
     values: Mapping[Plane, Sequence[Sequence[Label]]]
 
     def sheets(self, paper: str | None) -> Iterator[Sheet]:
-        papers = [one for one in papers_for(paper) if one.landscape or paper]  # as screens are
-        try:
-            layout = lay_out(self._extents, strip_height, papers)
-        except TooLargeForPaper:  # a given scale at which the whole motion does not fit is not kept
-            free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
-            layout = lay_out(free, strip_height, papers)
-        windows = {plane: layout.window(plane, self._extents[plane]) for plane in self.planes}
-        at = {plane: dict(layout.corners(plane, self._extents[plane])).get(0, 0j) for plane in self.planes}
+        papers = [one for one in papers_for(paper) if one.width > one.height or paper]  # as screens are
+        extents = {plane: self.extent(plane) for plane in self.planes}
+        layout = lay_out(extents, Strip().height, papers, freely=True)
+        placed = {plane: layout.placed(plane, extent) for plane, extent in extents.items()}
+        windows = {plane: window for plane, (window, _) in placed.items()}
+        at = {plane: dict(corners).get(0, 0j) for plane, (_, corners) in placed.items()}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
         heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].printed, layout.rooms[plane])
                  for plane in self.planes}  # fmt: skip
         drawn: dict[Plane, list[list[Mark]]] = {}
         for plane, shown in self._shown.items():
             every = range(len(self.plots))
-            figures = [self._figure(plane, windows[plane], k) if k in shown else Figure() for k in every]
+            figures = [self.figure(plane, windows[plane], self.plots[k]) if k in shown else Figure() for k in every]
             drawn[plane] = lettered(figures, rooms[plane], [*heads[plane], *self._texts(plane, 0, at[plane])])
         for k, plot in enumerate(self.plots):
             panels = []
             for plane in self.planes:
                 before = *heads[plane], *self._texts(plane, k, at[plane])
-                panels.append(Panel(Figure(drawn[plane][k]), windows[plane], rooms[plane], before, (), plane))
-            strip, values = Strip(layout.strip), plot.facts.values
-            yield Page(layout.paper, panels, self.method.mechanism, values, self.lang, strip).sheet()
+                panels.append(Panel(Figure(drawn[plane][k]), windows[plane], rooms[plane], before, plane))
+            machine, values = self.method.mechanism, plot.facts.values
+            yield Page(layout.paper, panels, machine, values, self.lang, Strip()).sheet()
 
     def _texts(self, plane: Plane, k: int, corner: Place) -> Iterator[Text]:
         """A note and the values of a position."""
@@ -150,50 +150,58 @@ class _Frames:
 
     def _words(self, plane: Plane, k: int) -> Iterator[Label]:
         if k not in self._shown[plane]:
-            yield plain(TOO_LARGE[self.lang])
+            yield plain(say("sheet.too large", self.lang))
         elif plane == "position" and self.back:
-            yield plain(BACK[self.lang])
+            yield plain(say("sheet.there and back", self.lang))
         yield from (row[k] for row in self.values.get(plane, ()))
 
-    # --- how large ----------------------------------------------------------------------------
-
     @cached_property
-    def _values(self) -> dict[Plane, list[list[complex]]]:
-        """The points each plane shows, position by position, in SI units."""
-        values: dict[Plane, list[list[complex]]] = {}
-        for plane in self.planes:
-            if plane == "position":
-                values[plane] = [mechanism_places(self.method, plot) for plot in self.plots]
-                continue
-            construction, places = constructions(self.method)[plane], [plot.points(plane) for plot in self.plots]
-            names = construction.pole, *construction.nodes
-            values[plane] = [[complex(points[name]) for name in names if name in points] for points in places]
-        return values
+    def _names(self) -> dict[Plane, list[str]]:
+        """The points of each polygon, the pole first."""
+        polygons = {plane: constructions(self.method)[plane] for plane in self.planes if plane != "position"}
+        return {plane: [name for name in dict.fromkeys((polygon.pole, *polygon.nodes))
+                        if name in self.plots[0].points(plane)] for plane, polygon in polygons.items()}  # fmt: skip
+
+    def _places(self, plane: Plane, plot: Plot) -> list[complex]:
+        """The points a plane shows at a position, in SI units."""
+        if plane == "position":
+            return mechanism_places(self.method, plot)
+        points = plot.points(plane)
+        return [complex(points[name]) for name in self._names[plane]]
+
+    def fits(self, plane: Plane, plot: Plot) -> bool:
+        """True where a plane is drawn at a position: it is not endless there."""
+        size = self.reach(plane, plot)
+        return bool(np.isfinite(size)) and size <= self._most[plane]
+
+    def reach(self, plane: Plane, plot: Plot) -> float:
+        """The distance of the farthest point of a plane from its origin at a position [SI]."""
+        return max(map(abs, self._places(plane, plot)), default=0.0)
 
     @cached_property
     def _shown(self) -> dict[Plane, set[int]]:
         """The positions at which a plane is drawn: the first, and all others but those at which it is endless."""
-        shown: dict[Plane, set[int]] = {}
-        for plane, values in self._values.items():
-            sizes = np.array([max((abs(v) for v in at), default=0.0) for at in values])
-            usual = float(np.median(sizes[np.isfinite(sizes)]))
-            most = np.inf if plane == "position" else usual * (_LARGE if self.back else _ENDLESS)
-            fits = np.isfinite(sizes) & (sizes <= max(most, sizes[0]))
-            shown[plane] = set(np.flatnonzero(fits).tolist())
-        return shown
+        return {plane: {k for k, plot in enumerate(self.plots) if self.fits(plane, plot)} for plane in self.planes}
 
     @cached_property
-    def _extents(self) -> dict[Plane, Extent]:
-        return {plane: self._extent(plane) for plane in self.planes}
+    def _most(self) -> dict[Plane, float]:
+        """By plane the size of the largest figure that is drawn [SI]."""
+        most: dict[Plane, float] = {}
+        for plane in self.planes:
+            sizes = np.array([self.reach(plane, plot) for plot in self.plots])
+            usual = float(np.median(sizes[np.isfinite(sizes)]))
+            large = np.inf if plane == "position" else usual * (_LARGE if self.back else _ENDLESS)
+            most[plane] = max(large, float(sizes[0]))
+        return most
 
-    def _extent(self, plane: Plane) -> Extent:
+    def extent(self, plane: Plane) -> Extent:
         """With the reach of the signs at each quarter of the way."""
         shown = sorted(self._shown[plane])
-        places = [value for k in shown for value in self._values[plane][k]]
+        places = [value for k in shown for value in self._places(plane, self.plots[k])]
         spread = shown[:: max(1, len(shown) // 8)]
 
         def drawn(window: Window) -> Figure:
-            figures = [self._figure(plane, window, k) for k in spread]
+            figures = [self.figure(plane, window, self.plots[k]) for k in spread]
             return Figure([mark for figure in figures for mark in figure.marks], figures[0].wanted)
 
         words = [[*self._words(plane, k)] for k in range(len(self.plots))]
@@ -203,58 +211,59 @@ class _Frames:
         extent = replace(extent, blocks=(((size,), False),) if wide else ())
         return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
-    # --- figures ------------------------------------------------------------------------------
-
-    def _figure(self, plane: Plane, window: Window, k: int) -> Figure:
+    def figure(self, plane: Plane, window: Window, plot: Plot) -> Figure:
+        """A plane's figure at a position, and the letters it wants."""
         born = births(self.method, plane)
         if plane != "position":
             construction = constructions(self.method)[plane]
-            polygon = PolygonFigure(self.method.mechanism, construction, self.plots[k], window, born)
+            polygon = PolygonFigure(self.method.mechanism, construction, plot, window, born)
             places, middle = polygon.named, sum(polygon.points.values()) / max(1, len(polygon.points))
-            named = [[name for name in group if name in places] for group in self._as_one[plane]]
+            named = [[name for name in group if name in places] for group in self.as_one[plane]]
             letters = [(joined([*map(point_label, group)]), places[group[0]]) for group in named if group]
             wanted = [LabelRequest(label, at, gap=0.5, away=at - middle) for label, at in letters]
             return Figure(polygon_figure(polygon).marks, wanted)
-        here, *others = (
-            Skeleton(self.method.mechanism, plot, window, born)
-            for plot in (self.plots[k], *self.plots[:: max(1, len(self.plots) // 24)])
-        )
+        here, others = Skeleton(self.method.mechanism, plot, window, born), self._others(window)
         owners, drivers = self.method.mechanism.owners, self.method.drivers  # arrows at the frame stand
         stand = all(driver.vector is not None and FRAME in owners[driver.vector[0]] for driver in drivers)
-        return moving_figure(here, self.method, others, drives(others[0] if stand else here, self.method))
+        return mechanism_figure(here, self.method, None, others, drives(others[0] if stand else here, self.method))
 
     @cached_property
-    def _as_one(self) -> dict[Plane, list[tuple[str, ...]]]:
+    def _others(self) -> Callable[[Window], list[Skeleton]]:
+        """Positions all along the motion, each drawn through one window."""
+        born, some = births(self.method, "position"), self.plots[:: max(1, len(self.plots) // 24)]
+        return cache(lambda window: [Skeleton(self.method.mechanism, plot, window, born) for plot in some])
+
+    @cached_property
+    def as_one(self) -> dict[Plane, list[tuple[str, ...]]]:
         """The points of each polygon; those that never part are one, the pole and what is fixed first."""
         as_one: dict[Plane, list[tuple[str, ...]]] = {}
-        for plane in self.planes:
-            construction = constructions(self.method)[plane]
-            nodes = dict.fromkeys((construction.pole, *construction.nodes))
-            names = [name for name in nodes if name in self.plots[0].points(plane)]
-            paths = {name: np.array([complex(plot.points(plane)[name]) for plot in self.plots]) for name in names}
-            size = max((float(np.nanmax(np.abs(path))) for path in paths.values()), default=0.0)
-            groups: dict[str, list[str]] = {}
-            for name in names:
-                alike = (one for one in groups if np.nanmax(np.abs(paths[one] - paths[name])) <= _ONE * size)
-                groups.setdefault(next(alike, name), []).append(name)
-            as_one[plane] = [tuple(group) for group in groups.values()]
+        for plane, names in self._names.items():
+            every, groups = [self._places(plane, plot) for plot in self.plots], dict[bytes, list[str]]()
+            paths = np.nan_to_num(np.array(every).T)
+            for name, path in zip(names, np.round(paths / (abs(paths).max(initial=0.0) or 1.0), _ONE), strict=True):
+                groups.setdefault((path + 0.0).tobytes(), []).append(name)  # 0 for -0
+            as_one[plane] = [*map(tuple, groups.values())]
         return as_one
 
 
 # --- letters that go along without hopping ----------------------------------------------------------------------------
 
 _LIKING = 0.1  # the weight of what a place costs by itself, against the things that a letter lies on there
-_CLEAR = 0.4  # the room that letters keep from lines [mm]
+_CLEAR, _APART = 0.4, 1.0  # the room that letters keep from lines, and from letters beside them [mm]
 _SELDOM = 0.1
 """Letters that points share for a moment, where they lie on one another, flash up: those on fewer of the figures."""
 _WAY = 0.15  # the cost of a letter's way about what it names [1/mm]
 _OUTSIDE = 6.0  # leaving its room counts like lying on so many lines
 
 
-def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list[list[Mark]]:
-    """The marks of each figure with their letters; `off`: what letters keep off, too."""
+def lettered(
+    figures: Sequence[Figure], room: Room, off: Sequence[Mark] = (), step: int | None = None
+) -> list[list[Mark]]:
+    """The marks of each figure with their letters, of figures that follow one another; `off`: what letters keep off,
+    too; step: of figures in any order, a letter is on one side of its point on all, which suits each so-many-th."""
+    looked_at = range(0, len(figures), step or 1)
     marks: list[list[Mark]] = [list(figure.marks) for figure in figures]
-    drawn = [obstacles([*figure.marks, *off]) for figure in figures]
+    drawn = {k: obstacles([*figures[k].marks, *off]) for k in looked_at}
     letters: list[list[Place]] = [[] for _ in figures]
     halves: list[list[complex]] = [[] for _ in figures]
     every: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
@@ -263,21 +272,21 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
             every.setdefault((want.label, want.end is None), {}).setdefault(k, want)
     often = (wants for wants in every.values() if len(wants) >= _SELDOM * len(figures))
     for wants in sorted(often, key=len, reverse=True):  # the most frequent come first, seldom ones not at all
-        wide, up, down = box(*next((want.label, want.size) for want in wants.values()))
-        half, clear = complex(wide, up + down) / 2, complex(_CLEAR, _CLEAR)
-        middles, costs = list[Array](), list[Array]()
-        for k, want in wants.items():  # the number of things on which each of the places lies
-            near = want.near(half)
+        half, clear = next(iter(wants.values())).half, complex(_CLEAR, _CLEAR)
+        sides, costs = list[Array](), list[Array]()
+        nearby = {k: want.near(half, wide=True) for k, want in wants.items()}
+        for k in (k for k in wants if k in looked_at):  # the number of things on which each of the places lies
+            near = nearby[k]
             low, high = xy(near.middle - half - clear), xy(near.middle + half + clear)
             cost = _LIKING * near.cost + np.bincount(drawn[k].touched(low.T, high.T), minlength=len(near.middle))
             outside = ([room.left, room.top] > low.T).any(axis=1) | ([room.right, room.bottom] < high.T).any(axis=1)
             costs.append(cost + _on_others(near.middle, half, letters[k], halves[k]).sum(axis=1) + _OUTSIDE * outside)
-            middles.append(near.middle)
-        chosen = _gliding([row - want.place for row, want in zip(middles, wants.values(), strict=True)], costs)
-        for (k, want), row, best in zip(wants.items(), middles, chosen, strict=True):
+            sides.append(near.middle - wants[k].place)
+        alike = int(np.sum(costs, axis=0).argmin()) if step and costs else 0
+        for (k, want), best in zip(wants.items(), repeat(alike) if step else _gliding(sides, costs), strict=False):
+            row = nearby[k].middle
             if not _on_others(row[best : best + 1], half, letters[k], halves[k]).any():  # hidden while it would be
-                at = complex(row[best]) + complex(-wide, up - down) / 2
-                marks[k].append(Text(want.label, at, want.size, want.step))
+                marks[k] += want.about(complex(row[best]))
                 letters[k].append(complex(row[best]))
                 halves[k].append(half)
     return marks
@@ -286,7 +295,7 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
 def _on_others(middles: Array, half: complex, letters: Sequence[Place], halves: Sequence[complex]) -> Array:
     """True where a letter in each of the middles lies on others (n, others)."""
     off, reach = middles[:, None] - np.array(letters, dtype=complex), np.array(halves, dtype=complex) + half
-    return np.asarray((abs(off.real) < reach.real + _CLEAR) & (abs(off.imag) < reach.imag + _CLEAR))
+    return np.asarray((abs(off.real) < reach.real + _APART) & (abs(off.imag) < reach.imag + _CLEAR))
 
 
 def _gliding(sides: Sequence[Array], costs: Sequence[Array]) -> list[int]:

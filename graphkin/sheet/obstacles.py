@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from graphkin.base.geometry import Array
-from graphkin.sheet.boxes import Blocks, Edges, xy
+from graphkin.sheet.boxes import beyond, meet, xy
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
@@ -23,53 +23,49 @@ _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 class Obstacles:
     """Line segments by place.
 
-    Boxes are held against them in blocks of a few that are close together: most of what is drawn is far from a block,
-    and asked one by one boxes would take longer than all else of a crowded sheet.
+    _across  what a millimetre to the right and one down count across each, to its left as it goes down: one together;
+             of one without a length, as if it went down (2, n)
     """
 
     def __init__(self, start: Array, end: Array) -> None:
         """start, end: of the segments (2, n)."""
-        self._lines = Edges.of(start, end)
+        from shapely import STRtree, linestrings
+
+        self._start, self._end, along = start, end, end - start
+        self._low, self._high = np.minimum(start, end), np.maximum(start, end)
+        along[1] += (along == 0).all(axis=0)
+        self._across = np.array([-along[1], along[0]]) / (np.where(along[1] < 0, -1.0, 1.0) * abs(along).sum(axis=0))
+        self._tree = STRtree(linestrings(np.stack([start.T, end.T], axis=1)))
+
+    def _beside(self, low: Array, high: Array) -> tuple[Array, Array]:
+        """Pairs of boxes low..high (2, n) and of lines whose surroundings touch them, by their numbers."""
+        from shapely import linestrings
+
+        boxes, lines = self._tree.query(linestrings(np.stack([low.T, high.T], axis=1)))
+        return boxes, lines
 
     def touched(self, low: Array, high: Array) -> Array:
         """Rows of the boxes low..high (n, 2) that touch something, once for each line touched."""
-        return _rows(self.around(low.T, high.T, (0.0,))[0])
+        return np.repeat(np.arange(len(low)), self.around(low.T, high.T, (0.0,))[0])
 
     def around(self, low: Array, high: Array, margins: Sequence[float]) -> list[Array]:
         """To how many lines each of the boxes low..high (2, n) is nearer than each of some margins [mm]."""
-        if not low.shape[1]:
-            return [np.zeros(0, dtype=np.intp) for _ in margins]
-        most = max(margins)
-        blocks = Blocks.of(low - most, high + most)
-        counts = [np.zeros(blocks.low.shape[1:], dtype=np.intp) for _ in margins]
-        for block, lines in blocks.beside(self._lines.low, self._lines.high):
-            apart = self._lines.apart(lines[:, None], *blocks.taken(block))
-            for count, margin in zip(counts, margins, strict=True):
-                _add(count, block, apart <= margin - most)
-        return [blocks.back(count) for count in counts]
+        count, most = low.shape[1], max(margins)
+        boxes, lines = self._beside(low - most, high + most)
+        middle, half = (low + high) / 2, (high - low) / 2
+        across, off = self._across.take(lines, axis=1), middle.take(boxes, axis=1) - self._start.take(lines, axis=1)
+        wide = half.take(boxes, axis=1)  # the growth of a box to all sides with which it reaches the line
+        apart = abs(across[0] * off[0] + across[1] * off[1]) - abs(across[0]) * wide[0] - abs(across[1]) * wide[1]
+        boxes, lines, apart = (each[apart <= most] for each in (boxes, lines, apart))
+        ends = self._low.take(lines, axis=1), self._high.take(lines, axis=1)  # or its surroundings
+        apart = np.maximum(apart, beyond(*ends, low.take(boxes, axis=1), high.take(boxes, axis=1)))
+        return [np.bincount(boxes[apart <= margin], minlength=count) for margin in margins]
 
     def crossed(self, start: Array, end: Array) -> Array:
         """Rows of the lines start..end (n, 2) that cross something, once for each line crossed."""
-        if not len(start):
-            return np.zeros(0, dtype=np.intp)
-        blocks = Blocks.of(np.minimum(start, end).T, np.maximum(start, end).T)
-        first, last = (ends.T.take(blocks.order, axis=1).reshape(blocks.low.shape) for ends in (start, end))
-        counts = np.zeros(blocks.low.shape[1:], dtype=np.intp)
-        for block, lines in blocks.beside(self._lines.low, self._lines.high):
-            met = self._lines.met(lines[:, None], first.take(block, axis=1), last.take(block, axis=1))
-            _add(counts, block, met)
-        return _rows(blocks.back(counts))
-
-
-def _add(count: Array, blocks: Array, hits: Array) -> None:
-    """Count the hits beside boxes of blocks (m, size), block by block."""
-    first = np.flatnonzero(np.concatenate([[True], blocks[1:] != blocks[:-1]]))
-    count[blocks[first]] += np.add.reduceat(hits, first, axis=0, dtype=np.intp)
-
-
-def _rows(counts: Array) -> Array:
-    """Each row as often as something was counted for it."""
-    return np.repeat(np.arange(len(counts)), counts)
+        rows, lines = self._beside(start.T, end.T)
+        others = self._start.take(lines, axis=1), self._end.take(lines, axis=1)
+        return np.sort(rows[meet(start.T.take(rows, axis=1), end.T.take(rows, axis=1), *others)])
 
 
 def obstacles(drawn: Iterable[Mark]) -> Obstacles:
@@ -131,11 +127,13 @@ def bounds(drawn: Iterable[Mark]) -> tuple[float, float, float, float]:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def places(drawn: Iterable[Mark], apart: float = _LETTER) -> Array:
-    """Some places on all marks, no farther apart along their outlines than a letter is wide (2, n)."""
-    outlines = [outline for mark in drawn for outline, _ in _outlines(mark)]
-    start = np.array([place for outline in outlines for place in outline[:-1]], dtype=complex)
-    end = np.array([place for outline in outlines for place in outline[1:]], dtype=complex)
+def places(drawn: Iterable[Mark], apart: float = _LETTER) -> tuple[Array, Array]:
+    """Places on marks, no farther apart along their outlines than that [mm] (2, n), and the number of each's mark."""
+    outlines = [(number, outline) for number, mark in enumerate(drawn) for outline, _ in _outlines(mark)]
+    start = np.array([place for _, outline in outlines for place in outline[:-1]], dtype=complex)
+    end = np.array([place for _, outline in outlines for place in outline[1:]], dtype=complex)
     count = np.ceil(abs(end - start) / apart).astype(np.intp) + 1
     number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    return xy(np.repeat(start, count) + np.repeat((end - start) / np.maximum(count - 1, 1), count) * number)
+    on = np.repeat(start, count) + np.repeat((end - start) / np.maximum(count - 1, 1), count) * number
+    owner = np.repeat([mark for mark, _ in outlines], [len(outline) - 1 for _, outline in outlines])
+    return xy(on), np.repeat(owner, count).astype(np.intp)

@@ -1,6 +1,6 @@
 """The one page: figures in their rooms, over a strip with results and title, lettered and handed on as a `Sheet`.
 
-    figures through windows (`fit`) --> Panels --> Page --lettered--> Lettered --sheet--> Sheet --step_sheets--> Sheets
+    figures through windows --> Panels, lettered one by one --> Page --sheet--> Sheet --step_sheets--> Sheets
 
 Here alone labels are settled, sheets made, and sheets of single steps taken from a whole one. What a sheet shows is
 the business of the `.._sheet` files: each says which figures it has and what goes into its strip.
@@ -17,19 +17,19 @@ from typing import Literal, Protocol, SupportsFloat
 import numpy as np
 
 from graphkin.base.geometry import Array
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
-from graphkin.sheet.free_room import Annotations, FreeRoom
+from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import tangled
-from graphkin.sheet.labels import Settled, burden, settle
-from graphkin.sheet.lettering import LABEL, plain, width
+from graphkin.sheet.labels import Settled, settle
+from graphkin.sheet.lettering import LABEL, formula, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text, enlarged
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Paper, Room, written
-from graphkin.sheet.titleblock import Strip, strip
+from graphkin.sheet.titleblock import Strip
 from graphkin.sheet.window import Figure, Window
 
 HEADINGS: dict[Lang, dict[Plane, str]] = {
@@ -39,13 +39,9 @@ HEADINGS: dict[Lang, dict[Plane, str]] = {
 HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm]
 
 _AIR = 2.0  # of labels to rows of equations and tables: nearer they would read as one more [mm]
-_TANGLED = 1.4  # the burden of a short arrow's label among others, where one on a leader is 1
-_FEW = 24  # labels that are no crowd
+_UNDER = ("construction", "measured")  # thin lines of a construction lie under the figure's
 _EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
-_LAYERS: Mapping[Plane, LayerName] = {
-    "position": "mechanism", "velocity": "velocity", "acceleration": "acceleration",
-}  # fmt: skip
 
 
 @frozen
@@ -57,7 +53,7 @@ class Layer:
     plane: Plane | None = None
 
 
-@frozen
+@bulky
 class Sheet:
     """A finished drawing.
 
@@ -111,7 +107,7 @@ class Last(Protocol):
     def lines(self) -> list[Mark]:
         """Lines that labels should keep off, where that costs nothing."""
 
-    def __call__(self, free: FreeRoom) -> Annotations:
+    def __call__(self, free: FreeRoom) -> list[Mark]:
         """As many as there is room for, among figure and labels."""
 
 
@@ -121,7 +117,7 @@ class Panel:
 
     figure         on paper already, with the labels it wants; window: through which it is seen
     room           where its labels may stand [mm]
-    before, after  what is painted before it (its heading), and after its labels (its caption)
+    before         what is painted before it: its heading, its caption
     more           what is drawn last, where figure and labels have left room; labels keep off its lines if they can
     taken          rooms of what is no part of the figure: labels keep off
     plane          whose origin and scale the sheet tells; None for a figure whose scale it does not
@@ -131,7 +127,6 @@ class Panel:
     window: Window
     room: Room
     before: tuple[Mark, ...] = ()
-    after: tuple[Mark, ...] = ()
     plane: Plane | None = "position"
     more: Last | None = None
     taken: tuple[Room, ...] = ()
@@ -145,24 +140,27 @@ class Panel:
     def scene(self) -> LabelScene:
         """Labels that want a place, and all that they keep off."""
         giving_way = self.more.lines() if self.more is not None else ()
-        corners = ((r.left + 1j * r.top, r.right + 1j * r.top, r.right + 1j * r.bottom, r.left + 1j * r.bottom)
-                   for r in (room.inset(-_AIR, 0, -_AIR) for room in self.taken))  # fmt: skip
-        taken = [Stroke(places, closed=True, fill="ink") for places in corners]
+        taken = [Stroke(room.inset(-_AIR, 0, -_AIR).corners, closed=True, fill="ink") for room in self.taken]
         return LabelScene(self.figure.wanted, [*self.drawn, *taken], self.room, giving_way)
 
     @cached_property
     def near(self) -> Settled:
         """Its labels near what they name."""
-        return self._settled(crowd=False)
+        return self._settled()
 
     @cached_property
     def far(self) -> Settled:
-        """Its labels in a crowd, where some find no good place otherwise."""
+        """Its labels in a crowd, where some find no good place otherwise, and some are left out."""
         crowd = self.scene.crammed or self.near.clashes or self.near.unclear
-        return self._settled(crowd=True) if crowd else self.near
+        return self._settled(self.near) if crowd else self.near
 
-    def _settled(self, crowd: bool) -> Settled:
-        return settle(self.scene, crowd)
+    def _settled(self, near: Settled | None = None) -> Settled:
+        return settle(self.scene, near is not None, near)
+
+    @cached_property
+    def lettering(self) -> list[Mark]:
+        """Its labels, and what is drawn last where they have left room."""
+        return [*self.far.marks, *(self.more(FreeRoom(self.scene, self.far.marks)) if self.more else ())]
 
     @cached_property
     def burdens(self) -> Array:
@@ -170,32 +168,24 @@ class Panel:
         wanted = self.figure.wanted
         if self.scene.crammed or not wanted:
             return np.full(len(wanted), 2.0)
-        return self.near.burdens(len(wanted)) + _TANGLED * tangled(wanted)
-
-    def finished(self, settled: Settled) -> tuple[Settled, Annotations]:
-        """Its labels, and what is drawn last where they have left room."""
-        if self.more is None:
-            return settled, Annotations()
-        return settled, self.more(FreeRoom(self.scene, [*settled.marks, *self.after]))
+        return self.near.burdens(wanted) + tangled(wanted)
 
 
 @frozen
 class Page:
     """All that one paper holds, without labels.
 
-    drivers  their values [rad, m]
+    drivers  their values [rad, m]; those of the file where left out
     strip    what stands at its foot; a page without one has no frame either
-    base     what is painted over the strip, under the figures
     title    the mechanism's own where left out
     """
 
     paper: Paper
     panels: Sequence[Panel]
     mechanism: Mechanism
-    drivers: Sequence[SupportsFloat]
+    drivers: Sequence[SupportsFloat] | None
     lang: Lang
     strip: Strip | None = None
-    base: Sequence[Mark] = ()
     title: str = ""
 
     @property
@@ -211,92 +201,55 @@ class Page:
     def scales(self) -> Mapping[Plane, float]:
         return {plane: window.printed for plane, window in self.windows.items()}
 
-    def lettered(self, far: bool = True) -> Lettered:
-        """With its labels; `far`: where some of a panel find no good place, some are left out."""
-        return Lettered(self, [panel.far if far else panel.near for panel in self.panels])
-
-    def sheet(self) -> Sheet:
-        return self.lettered().sheet
-
-
-@frozen
-class Lettered:
-    """A page with its labels, panel by panel."""
-
-    page: Page
-    labels: list[Settled]
-
     @property
-    def lost(self) -> int:
-        """The number of labels that found no place of their own."""
-        return sum(settled.clashes for settled in self.labels)
-
-    @cached_property
-    def crowded(self) -> int:
-        """The number of labels that stand off from what they name, at the end of a leader."""
-        return sum(len(settled.led) for settled in self.labels)
-
-    @property
-    def burden(self) -> float:
-        """The burden of its labels on the eye, where they are near what they name."""
-        return sum(burden(panel.burdens) for panel in self.page.panels)
-
-    @cached_property
-    def finished(self) -> list[tuple[Settled, Annotations]]:
-        """Each panel's labels, and what is drawn last where they have left room."""
-        return [panel.finished(settled) for panel, settled in zip(self.page.panels, self.labels, strict=True)]
-
-    @property
-    def trimmed(self) -> Lettered:
+    def trimmed(self) -> Page:
         """On a paper that ends where the figures do."""
-        page, paper = self.page, self.page.paper
-        drawn = [mark for panel in page.panels for mark in panel.drawn]
-        for settled, added in self.finished:
-            drawn += [*settled.marks, *added.under, *added.over]
-        _, _, right, bottom = bounds(drawn)
-        wide, high = min(paper.width, ceil(right + _EDGE)), min(paper.height, ceil(bottom + _EDGE))
-        return replace(self, page=replace(page, paper=replace(paper, width=float(wide), height=float(high))))
+        paper = self.paper
+        _, _, right, bottom = bounds(mark for panel in self.panels for mark in (*panel.drawn, *panel.lettering))
+        wide, high = ceil(right + _EDGE), min(paper.height, ceil(bottom + _EDGE))  # an arc may reach beyond its room
+        return replace(self, paper=replace(paper, width=float(wide), height=float(high)))
 
-    @property
     def sheet(self) -> Sheet:
-        page, times = self.page, self.page.paper.times
+        """Lettered."""
+        times = self.paper.times
+        values = [driver.value or 0.0 for driver in self.mechanism.drivers] if self.drivers is None else self.drivers
         sheet = Sheet(
-            page.paper.enlarged, tuple(self._layers()), page.scales,
-            {plane: times * window.origin for plane, window in page.windows.items()}, page.mechanism,
-            tuple(float(value) for value in page.drivers), page.title or page.mechanism.headline(page.lang), page.lang,
+            self.paper.enlarged, tuple(self._layers()), self.scales,
+            {plane: times * window.origin for plane, window in self.windows.items()}, self.mechanism,
+            tuple(map(float, values)), self.title or self.mechanism.headline(self.lang), self.lang,
         )  # fmt: skip
         return sheet if times == 1 else sheet.redrawn(lambda mark: enlarged(mark, times))
 
     def _layers(self) -> Iterator[Layer]:
         """The sheet under the figures, each plane's figure, and over all of them the leaders and the letters."""
-        page = self.page
         foot: list[Mark] = []
-        if page.strip is not None:  # title, results, and the scales that are not over their figures
-            heads = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
-            texts, notes = {mark.label for mark in heads if isinstance(mark, Text)}, page.strip.notes
+        if self.strip is not None:  # title, results, and the scales that are not over their figures
+            texts = {mark.label for panel in self.panels for mark in panel.before if isinstance(mark, Text)}
+            notes = self.strip.notes
             once = len(notes) > 1 == len(set(notes.values()))  # a note on all of them needs no scale beside it
-            unsaid = {plane for plane, scale in page.scales.items() if written(plane, scale) not in texts}
-            scales = {p: s for p, s in page.scales.items() if p in unsaid or (p in notes and not once)}
-            foot = strip(page.strip, page.mechanism, page.paper, scales, page.lang)
-        yield Layer("sheet", (*foot, *page.base))
+            unsaid = {plane for plane, scale in self.scales.items() if written(plane, scale) not in texts}
+            scales = {p: s for p, s in self.scales.items() if p in unsaid or (p in notes and not once)}
+            foot += self.strip.marks(self.mechanism, self.paper, scales, self.lang)
+        yield Layer("sheet", tuple(foot))
         drawn: dict[Plane, list[Mark]] = {}
-        over: list[tuple[Plane | None, Mark]] = []
-        for panel, (settled, added) in zip(page.panels, self.finished, strict=True):
+        over: list[Stroke | Text] = []
+        for panel in self.panels:
             figure = drawn.setdefault(panel.plane or "position", [])
-            figure += [*added.under, *panel.drawn, *panel.after]
-            figure += [mark for mark in added.over if not isinstance(mark, Text)]
-            over += [(panel.plane, mark) for mark in settled.marks]
-            over += [(panel.plane, mark) for mark in added.over if isinstance(mark, Text)]
+            figure += [mark for mark in panel.lettering if isinstance(mark, Stroke) and mark.pen in _UNDER]
+            figure += panel.drawn
+            for mark in panel.lettering:
+                if isinstance(mark, Text) or (isinstance(mark, Stroke) and mark.pen == "leader"):
+                    over.append(replace(mark, accent=mark.accent or panel.plane))
+                elif not (isinstance(mark, Stroke) and mark.pen in _UNDER):
+                    figure.append(mark)
         for plane, marks in drawn.items():
-            yield Layer(_LAYERS[plane], tuple(marks), plane)
-        each = [(plane, mark) for plane, mark in over if isinstance(mark, Stroke | Text)]
-        accented = [replace(mark, accent=mark.accent or plane) for plane, mark in each]
-        yield Layer("leaders", tuple(mark for mark in accented if isinstance(mark, Stroke)))
-        yield Layer("labels", tuple(mark for mark in accented if isinstance(mark, Text)))
+            yield Layer("mechanism" if plane == "position" else plane, tuple(marks), plane)
+        yield Layer("leaders", tuple(mark for mark in over if isinstance(mark, Stroke)))
+        yield Layer("labels", tuple(mark for mark in over if isinstance(mark, Text)))
 
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:
     """The name of a figure and its scale, in the upper left corner of its room; one under the other in a narrow one."""
-    label, at = plain(text), complex(room.left + 3, room.top + 5.5)
+    label, at = formula(text), complex(room.left + 3, room.top + 5.5)
     beside = width(label, LABEL) + 4 if room.size.real >= HEAD_WIDTH else 5.5j
     return Text(label, at, LABEL), Text(written(plane, scale), at + beside, LABEL)

@@ -6,17 +6,16 @@ Sizes are in millimetres. A scale is what one millimetre on paper stands for: mu
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from functools import lru_cache
-from typing import Literal, NamedTuple
+from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import GraphkinError, Where
+from graphkin.errors import UnknownPaper
 from graphkin.sheet.lettering import Label, Run, number, quantity_label
 
 
@@ -38,6 +37,11 @@ class Room:
     def middle(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom) / 2
 
+    @property
+    def corners(self) -> tuple[complex, complex, complex, complex]:
+        low, high = complex(self.left, self.top), complex(self.right, self.bottom)
+        return low, complex(high.real, low.imag), high, complex(low.real, high.imag)
+
     def inset(self, sides: float, top: float, foot: float) -> Room:
         """The same without a margin at each side, at the top and at the foot."""
         return Room(self.left + sides, self.top + top, self.right - sides, self.bottom - foot)
@@ -50,15 +54,6 @@ class Room:
         wide, high = self.size.real / columns, self.size.imag / -(-count // columns)
         corners = ((self.left + k % columns * wide, self.top + k // columns * high) for k in range(count))
         return [Room(left, top, left + wide, top + high) for left, top in corners]
-
-
-class Rooms(NamedTuple):
-    """Many rectangles of the paper, side by side as arrays (n,) [mm, y down]."""
-
-    left: Array
-    top: Array
-    right: Array
-    bottom: Array
 
 
 _A4 = 210.0 * 297.0  # [mm^2]
@@ -81,13 +76,13 @@ class Paper:
     times: float = 1.0
 
     @property
-    def landscape(self) -> bool:
-        return self.width > self.height
-
-    @property
     def area(self) -> float:
         """[mm^2]"""
         return self.width * self.height
+
+    @property
+    def lying(self) -> bool:
+        return self.width > self.height
 
     @property
     def reduced(self) -> Paper:
@@ -109,6 +104,11 @@ class Paper:
         """The room within the drawing frame."""
         left = self.filing if self.margin else 0.0
         return Room(left, self.margin, self.width - self.margin, self.height - self.margin)
+
+    def divided(self, height: float) -> tuple[Room, Room]:
+        """The field for figures, and under it a strip of that height [mm]."""
+        edge = self.frame.bottom - height
+        return replace(self.frame, bottom=edge), replace(self.frame, top=edge)
 
 
 PAPERS: Mapping[str, Paper] = {
@@ -160,35 +160,9 @@ KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceler
 """Key of a plane's scale in the mechanism file."""
 SERIES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
 """The first digits of scales: 1-2-5 (ISO 5455, the first series of GB/T 14690) and between them its second series."""
-_NONE = 1e-300
+_ALL = np.array([float(f"{step}e{power}") for power in range(-30, 30) for step in SERIES])
+_NONE = 1e-30
 _CLOSE = 1 - 1e-9  # a scale that is too fine by rounding alone still fits
-
-
-class TooLargeForPaper(GraphkinError):
-    """A given scale at which the drawing fits no paper."""
-
-    where: Where
-    key: str
-    given: float
-    fits: float
-    paper: str
-    unit: str
-
-    en = (
-        "{where}: at {given:g} {unit} the drawing does not fit on {paper}. {fits:g} would fit; "
-        "or leave the scale out and it is chosen."
-    )
-    zh = "{where}：按 {given:g} {unit}，图形放不进 {paper} 图纸。可改用 {fits:g}，或不写比例尺，由程序选取。"
-
-
-class UnknownPaper(GraphkinError):
-    """A paper that is not in the table."""
-
-    name: str
-    known: str
-
-    en = "There is no paper {name!r} here. Take one of {known}."
-    zh = "没有 {name!r} 这种图纸。可选：{known}。"
 
 
 def papers_for(name: str | None) -> list[Paper]:
@@ -211,22 +185,12 @@ def finest_each(least: Array) -> Array:
     """The scale of the series next above each of many values (0.01 where there is none)."""
     if not least.min() > _NONE:
         return np.full(least.shape, 0.01)
-    series = _series(*(math.floor(math.log10(float(end))) for end in (least.min(), least.max())))
-    return np.array(series)[np.searchsorted(series, least * _CLOSE)]
-
-
-@lru_cache(64)
-def _series(first: int, last: int) -> tuple[float, ...]:
-    """All scales from one power of ten to the one after another, the finest first."""
-    scales = [float(f"{step}e{power}") for power in range(first, last + 1) for step in SERIES]
-    return (*scales, float(f"1e{last + 1}"))
+    return _ALL[np.searchsorted(_ALL, least * _CLOSE)]
 
 
 def finer(scale: float) -> float:
     """The next finer scale of the series."""
-    power = math.floor(math.log10(scale) + 1e-9)
-    at = SERIES.index(round(scale / 10.0**power, 1))
-    return float(f"{SERIES[at - 1]}e{power if at else power - 1}")
+    return float(_ALL[np.searchsorted(_ALL, scale * _CLOSE) - 1])
 
 
 def written(plane: Plane, scale: float) -> Label:

@@ -11,9 +11,10 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
+from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LEAST, Label, number, plain, point_label, points_label
+from graphkin.sheet.lettering import LEAST, Label, formula, number, plain
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName, Room, finest
 from graphkin.sheet.symbols import arrow
@@ -26,7 +27,6 @@ _FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
 _TICK, _NUMBERED = 0.9, 1.5
 """Half of a tick [mm]."""
 _LONGEST = 16.0  # the longest velocity [mm]
-_HERE = "\0"  # the place of a name in a text
 
 
 def clipped(
@@ -54,10 +54,7 @@ def circle(centre: Place, radius: float, room: Room) -> list[Place]:
 
 @frozen
 class Paths:
-    """Paths of points on one figure.
-
-    arrows  with the velocity at each tick, all to one scale
-    """
+    """Paths of points on one figure; arrows: with the velocity at each tick, all to one scale."""
 
     curves: tuple[PointPath, ...] = ()
     arrows: bool = False
@@ -90,7 +87,7 @@ class Paths:
         shows = Shows(owner, "path", (curve.point,), curve.course.driver.name)
         yield Stroke(places, "outline", closed=curve.closed, shows=shows)
         middle, at = complex(np.mean(places)), places[len(places) // 8]
-        name = _around(say("sheet.path of", self.lang, point=_HERE), point_label(curve.point))
+        name = formula(say("sheet.path of", self.lang, point=names.point(curve.point)))
         yield LabelRequest(name, at, gap=1.2, away=at - middle, size=LEAST)
         for tick in curve.ticks:
             at, across = window(tick.place), window.turned(tick.way) * 1j
@@ -109,7 +106,7 @@ class Paths:
         if self.curves:
             one = self.curves[0]
             driver, step = one.course.driver.name, one.shown(one.step)
-            lines.append(_around(say("sheet.ticks", self.lang, step=step, driver=_HERE), points_label(driver)))
+            lines.append(formula(say("sheet.ticks", self.lang, step=step, driver=driver)))
         if self.arrows:
             lines.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
         if self.arrows and self.curves[0].seconds is not None:
@@ -118,9 +115,3 @@ class Paths:
 
 
 NONE = Paths()
-
-
-def _around(text: str, name: Label) -> Label:
-    """A text with a name in italics put in."""
-    before, _, after = text.partition(_HERE)
-    return (*plain(before), *name, *plain(after))

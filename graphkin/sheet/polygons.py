@@ -18,12 +18,13 @@ from graphkin.planning import Method
 from graphkin.planning.at_rest import relabelled
 from graphkin.planning.method import rate_found
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, joined, plain, point_label, vector_label
+from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, vector_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line, off_stretch
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
 
+_UNITS = {"velocity": "m/s", "acceleration": "m/s²"}
 _LEAST = 0.4  # a circle smaller than this is a point [mm]
 
 
@@ -91,15 +92,6 @@ def gear_circles(
     return figure
 
 
-def gear_points(images: Sequence[GearImage], window: Window) -> dict[str, list[Label]]:
-    """Letters of the gears whose image is a point, by the polygon's point they lie on."""
-    letters: dict[str, list[Label]] = {}
-    for image in images:
-        if image.radius / window.scale < _LEAST and image.label not in letters.get(image.centre, []):
-            letters.setdefault(image.centre, []).append(image.label)
-    return letters
-
-
 _SAME = 0.15  # closer than this two points are one on paper [mm]
 _LETTERS = 8  # of the points in one place so many are lettered at most
 _NAMES = 4  # so many names an arrow bears; others are read from the letters at its head
@@ -148,6 +140,7 @@ class PolygonFigure:
     born    the act in which each of its points is found; gears: images
     solving whether arrows that the construction finds are told from those it starts from
     held    how points that drivers at rest hold are written, and their letters: they are fixed points
+    left_out  the head of an arrow that is drawn broken, and the piece that is not drawn [SI]
     """
 
     mechanism: Mechanism
@@ -158,13 +151,14 @@ class PolygonFigure:
     gears: list[GearImage] = field(default_factory=list)
     solving: bool = False
     held: Mapping[str, str] = field(default_factory=dict)
+    left_out: Mapping[str, complex] = field(default_factory=dict)
 
     @cached_property
     def points(self) -> dict[str, Place]:
         """Every point of the polygon on paper, the pole first."""
         values = self.plot.points(self.construction.plane)
         names = dict.fromkeys((self.construction.pole, *self.construction.nodes))
-        return {name: self.window(place(values[name])) for name in names if name in values}
+        return {name: self.window(place(values[name]) - self.left_out.get(name, 0)) for name in names if name in values}
 
     @property
     def named(self) -> dict[str, Place]:
@@ -188,6 +182,7 @@ class PolygonFigure:
                 self.construction.plane, one.name, one.tail, one.head, start, end, step,
                 sites=tuple(map(named_site, one.sites)), also=tuple(other.name for other in others), part=one.part,
                 solved=None in sizes, pen="asked" if named & self._asked else "laid" if thin else "vector",
+                broken=abs(self.left_out.get(one.head, 0)) / self.window.scale,
             )  # fmt: skip
 
     @cached_property
@@ -218,6 +213,9 @@ class PolygonFigure:
         names = [(vector_label(self.written(one.name)), self.step(one.tail, one.head)) for one in (first, *others)
                  if one in most]  # fmt: skip
         more = [(plain("\u2026"), names[-1][1])] if len(others) >= _NAMES else []
+        if vector.broken:
+            unit, size = _UNITS[self.construction.plane], (vector.length + vector.broken) * self.window.scale
+            more.append(((*number(size), Run(f" {unit}")), names[-1][1]))
         return [names[0], *(((Run(" = "), *label), step) for label, step in names[1:] + more)]
 
     @cached_property
@@ -286,7 +284,7 @@ def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[
 
 
 def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
-    """A label for each place: points that lie on one another share it, the pole first."""
+    """A label for each place: points that lie on one another share it, the pole first; each joins at its own step."""
     places: list[tuple[Place, list[str]]] = []
     for name, at in polygon.named.items():
         same = next((names for there, names in places if abs(there - at) < _SAME), None)
@@ -294,13 +292,19 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
             places.append((at, same := []))
         same.append(name)
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
-    fixed = gear_points(polygon.gears, polygon.window)
+    points = [image for image in polygon.gears if image.radius / polygon.window.scale < _LEAST]
     requests: list[LabelRequest] = []
     for at, names in places:
-        letters = dict.fromkeys(polygon.letters(name) for name in names)
-        labels = [point_label(name) for name in letters] + [label for name in names for label in fixed.get(name, ())]
-        labels = labels if len(labels) <= _LETTERS else [*labels[: _LETTERS - 1], plain("…")]
-        requests.append(LabelRequest(joined(labels), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
+        labels = dict[Label, int | None]()
+        for name in sorted(names, key=lambda name: polygon.step(name) or 0):
+            labels.setdefault(point_label(polygon.letters(name)), polygon.step(name))
+        gears = ((image.label, image.step) for name in names for image in points if image.centre == name)
+        every = [*labels.items(), *dict.fromkeys(gears)]
+        every = every if len(every) <= _LETTERS else [*every[: _LETTERS - 1], (plain("…"), every[_LETTERS - 1][1])]
+        parts = [every[0], *((joined([(), label]), step) for label, step in every[1:])]
+        label, steps = tuple(run for part, _ in parts for run in part), {step for _, step in parts}
+        own = tuple(parts) if len(steps) > 1 else ()
+        requests.append(LabelRequest(label, at, gap=0.5, away=at - middle, step=parts[0][1], parts=own))
     return requests
 
 
@@ -309,14 +313,16 @@ def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[Lab
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     names = {vector.name: polygon.written(vector.name) for vector in vectors}
     twice = {name for name, written in names.items() if written != name and written in names}
-    letter, requests = LETTER[polygon.construction.plane], list[LabelRequest]()
+    letter, requests, construction = LETTER[polygon.construction.plane], list[LabelRequest](), polygon.construction
+    terms = {*construction.vectors(), *(f"{letter}_{equation.of}" for equation in construction.equations)}
     for vector in vectors:
         if vector.length < _NOTHING or vector.name in twice:
             continue
         absolute = vector.tail == polygon.construction.pole and vector.head in polygon.named
         spare = absolute and vector.name == f"{letter}_{polygon.of(vector.head)}"  # the letter at its head says as much
+        rank = (2 if vector.name in terms or vector.pen == "asked" else 1) if spare and not vector.broken else 0
         own, away = polygon.names(vector), (vector.start + vector.end) / 2 - middle
         label, parts = tuple(chain.from_iterable(name for name, _ in own)), tuple(own) if own[1:] else ()
-        requests.append(LabelRequest(label, vector.start, vector.end, away=away, step=vector.step, spare=spare,
+        requests.append(LabelRequest(label, vector.start, vector.end, away=away, step=vector.step, spare=rank,
                                      of=vector.name, parts=parts))  # fmt: skip
     return requests

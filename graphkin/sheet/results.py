@@ -46,8 +46,6 @@ def tables(method: Method, plot: Plot, lang: Lang) -> dict[Plane, list[TableBloc
 
 @frozen
 class _TablesInMaking:
-    """The tables in the making."""
-
     method: Method
     plot: Plot
     lang: Lang
@@ -55,7 +53,6 @@ class _TablesInMaking:
 
     @cached_property
     def questions(self) -> dict[_Key, asked.Quantity]:
-        """What the problem asks for."""
         quantities = (read(self.method.mechanism, text) for text in self.method.mechanism.ask)
         return {self.key(quantity): quantity for quantity in quantities if quantity is not None}
 
@@ -179,8 +176,10 @@ class _TablesInMaking:
         rows = list[tuple[Label, ...]]()
         for key, quantity in self.questions.items():
             if key not in self.shown:  # units stand with the names, as in the other tables
-                text, unit, label = lines.result(quantity), EDGE[quantity.unit].sign, label_of(quantity)
-                figure = text.removesuffix(unit).rstrip()
+                text, label = lines.result(quantity), label_of(quantity)
+                far = isinstance(quantity, asked.Centre) and "°" in text  # at infinity: its direction is told
+                unit = "°" if far else EDGE[quantity.unit].sign
+                figure = text.replace("°", "") if far else text.removesuffix(unit).rstrip()
                 rows.append((bold(label if figure == text else _unit(label, unit)), bold(formula(figure))))
         return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 

@@ -4,29 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from math import log
-from typing import SupportsFloat
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
-from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.say.dimensions import sizes
-from graphkin.say.reading import Reading
-from graphkin.sheet.dimension_lines import angles
+from graphkin.sheet.composition import Planes
 from graphkin.sheet.drafting_figure import together
-from graphkin.sheet.layout import HEAD, Layout, alone, divided
+from graphkin.sheet.layout import HEAD, Layout, lay_out
 from graphkin.sheet.lettering import LABEL, formula, width
-from graphkin.sheet.marks import Mark, Text
-from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
-from graphkin.sheet.mechanism_notes import MechanismNotes
+from graphkin.sheet.marks import Text
+from graphkin.sheet.mechanism_figure import plain_mechanism, plainly
 from graphkin.sheet.page import Page, Panel, Sheet, heading
-from graphkin.sheet.paper import Paper, Room
-from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.paper import Paper, Room, papers_for
 from graphkin.sheet.text_blocks import broken
-from graphkin.sheet.titleblock import Strip, Table, strip_height
+from graphkin.sheet.titleblock import Strip
 from graphkin.sheet.window import Extent, Figure, Window
 
 _LABELS = 20  # the number of labels by which upright paper or paper on its side is chosen
@@ -34,16 +27,12 @@ _LABELS = 20  # the number of labels by which upright paper or paper on its side
 
 @frozen
 class SingleFigure:
-    """A figure alone on its page: its room [mm], and its window from SI to paper.
-
-    found, told  tables and sentences of its strip
-    """
+    """A figure alone on its page: its room [mm], and its window from SI to paper."""
 
     method: Method
     layout: Layout
     window: Window
-    found: Sequence[Table] = ()
-    told: Sequence[str] = ()
+    strip: Strip
 
     @property
     def room(self) -> Room:
@@ -60,78 +49,44 @@ class SingleFigure:
         head = heading(words, "position", self.window.printed, self.layout.rooms["position"])
         figure = Figure(figure.marks, [*together(figure.wanted)])
         panel = Panel(figure, self.window, self.room, before=head)
-        foot = Strip(self.layout.strip, self.found, further=further or {}, told=self.told)
-        return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, foot).sheet()
+        strip = replace(self.strip, further=further or {})
+        return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, strip).sheet()
 
 
 def place_for(
-    method: Method, plots: Sequence[Plot], places: Sequence[complex], paper: str | None,
-    found: Sequence[Table] = (), told: Sequence[str] = (),
-) -> SingleFigure:  # fmt: skip
-    """On the smallest paper where these places [m] fit; a given scale that is too fine is not kept.
-
-    plots  at which the mechanism is to be drawn; found, told: tables and sentences for the strip.
-    Raises UnknownPaper.
-    """
+    method: Method, plots: Sequence[Plot], places: Sequence[complex], paper: str | None, strip: Strip
+) -> SingleFigure:
+    """On the smallest paper where these places [m] fit; a given scale that is too fine is not kept; plots: at which the
+    mechanism is to be drawn. Raises UnknownPaper."""
 
     def drawn(window: Window) -> Figure:
         return sum((plain_mechanism(method, plot, window) for plot in plots), Figure())
 
     extent = replace(Extent.of(places, drawn), given=method.mechanism.scales.get("length"), labels=_LABELS)
-    layout = alone(extent, partial(strip_height, found=found, told=told), paper)
-    return SingleFigure(method, layout, layout.window("position", extent), found, told)
-
-
+    layout = lay_out({"position": extent}, strip.height, papers_for(paper), freely=True)
+    return SingleFigure(method, layout, layout.placed("position", extent)[0], strip)
 
 
 def problem_picture(method: Method, plot: Plot, size: complex, lang: Lang) -> Sheet:
     """The figure of a problem: the mechanism with its letters, and nothing that is found, on a paper no larger than
     this [mm] with nothing around it."""
-    reading = Reading(method, plot, {}, lang)
-    extent = Extent.of(mechanism_places(method, plot), partial(_given, reading))
-    scale = extent.finest(Room(0, 0, size.real, size.imag))
-    whole = extent.size / scale + extent.reach
-    room = Room(0, 0, whole.real, whole.imag)
+    drawing = Planes(method, plot, ("position",), "given", lang)
+
+    def draw(window: Window) -> Figure:
+        figure = drawing.figure("position", window)
+        return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
+
+    extent = Extent.of(drawing.values("position"), draw)
+    scale = extent.scale(Room(0, 0, size.real, size.imag))
+    room = extent.cut_out(scale)
     window = extent.window(room, scale)
-    notes = MechanismNotes(Skeleton(method.mechanism, plot, window, {}), reading, sizes(reading))
-    panel = Panel(_given(reading, window), window, room, more=notes)
+    panel = Panel(draw(window), window, room, more=drawing.last("position", window, {}, None))
     paper = Paper("figure", room.right, room.bottom, 0.0)
-    return Page(paper, [panel], method.mechanism, plot.facts.values, lang).sheet()
-
-
-def _given(reading: Reading, window: Window) -> Figure:
-    skeleton = Skeleton(reading.mechanism, reading.plot, window, {})
-    bare = bare_figure(reading.method, skeleton)
-    bare = angles(sizes(reading), skeleton, bare.marks) + bare
-    return Figure([plainly(mark) for mark in bare.marks], bare.wanted)
+    sheet = Page(paper, [panel], method.mechanism, plot.facts.values, lang).sheet()
+    return sheet.redrawn(lambda mark: replace(mark, step=None))
 
 
 # --- one grid for sheets of several figures ---------------------------------------------------------------------------
-
-
-@frozen
-class SheetGrid:
-    """A paper divided: the field for figures, and the strip under it."""
-
-    paper: Paper
-    field: Room
-    strip: Strip
-
-    @classmethod
-    def over(
-        cls, paper: Paper, tables: Sequence[Table] = (), told: Sequence[str] = (), least: float = 0.0
-    ) -> SheetGrid:
-        """Over a strip as high as its tables and sentences need; least: at least so high [mm]."""
-        field, foot = divided(paper, strip_height(paper, tables, told=told, least=least))
-        return cls(paper, field, Strip(foot, tables, told=told))
-
-    def page(
-        self, panels: Iterable[Panel], machine: Mechanism, lang: Lang, *, base: Sequence[Mark] = (), title: str = "",
-        drivers: Sequence[SupportsFloat] | None = None,
-    ) -> Page:  # fmt: skip
-        """The page with these panels; drivers: their values, the file's where left out."""
-        values = [driver.value or 0.0 for driver in machine.drivers] if drivers is None else drivers
-        return Page(self.paper, [*panels], machine, values, lang, self.strip, base, title)
 
 
 SCALE = "(1: )"
@@ -155,7 +110,7 @@ class Picture:
     def panel(self, cell: Room, foot: float, scale: float) -> Panel:
         """On paper, its caption in the foot of its cell."""
         window = self.extent.window(cell.inset(0, 0, foot), scale)
-        return Panel(self.draw(window), window, cell.inset(1, 1, foot), after=tuple(self.caption(cell, foot, scale)))
+        return Panel(self.draw(window), window, cell.inset(1, 1, foot), tuple(self.caption(cell, foot, scale)))
 
     def caption(self, cell: Room, foot: float, scale: float = 1.0) -> Iterator[Text]:
         for k, line in enumerate(self.lines(cell.size.real), start=1):
@@ -170,22 +125,18 @@ def foot_of(pictures: Iterable[Picture], wide: float) -> float:
 
 
 def gridded(
-    groups: Sequence[Sequence[Picture]], paper: Paper, tables: Sequence[Table] = (), told: Sequence[str] = (),
-    head: float = 0.0,
-) -> tuple[float, SheetGrid, Iterator[Panel]]:  # fmt: skip
-    """Pictures in equal cells, each group at one scale, in as many columns as make them largest; the coarsest of the
-    scales [m/mm].
-
-    head  room over them [mm]
-    """
-    grid, tried = SheetGrid.over(paper, tables, told), list[tuple[float, float, list[Room], list[float]]]()
+    groups: Sequence[Sequence[Picture]], paper: Paper, strip: Strip, head: float = 0.0
+) -> tuple[float, list[Panel]]:
+    """Pictures in equal cells over a strip, each group at one scale, in as many columns as make them largest; and the
+    coarsest of the scales [m/mm]; head: room over them [mm]."""
+    field, _ = paper.divided(strip.height(paper))
     every = [(picture, number) for number, group in enumerate(groups) for picture in group]
+    tried = list[tuple[float, float, list[Room], list[float]]]()
     for columns in range(1, len(every) + 1):
-        cells = grid.field.inset(0, head, 0).cells(len(every), columns)
+        cells = field.inset(0, head, 0).cells(len(every), columns)
         foot = foot_of((picture for picture, _ in every), cells[0].size.real)
-        free = cells[0].inset(0, 0, foot)
-        scales = [max(picture.extent.scale(free) for picture in group) for group in groups]
+        scales = [max(one.extent.scale(cells[0].inset(0, 0, foot)) for one in group) for group in groups]
         tried.append((sum(map(log, scales)), foot, cells, scales))
     _, foot, cells, scales = min(tried, key=lambda one: one[0])
     each = zip(every, cells, strict=True)
-    return max(scales), grid, (picture.panel(cell, foot, scales[number]) for (picture, number), cell in each)
+    return max(scales), [picture.panel(cell, foot, scales[number]) for (picture, number), cell in each]

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Mapping
-from functools import cached_property
+import math
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache, cached_property
+from itertools import pairwise
 from typing import Protocol
 
 from graphkin.base.geometry import Value, number, place
@@ -29,10 +31,8 @@ class PlacedMechanism(Protocol):
 
 @frozen
 class Skeleton:
-    """A mechanism at one position, through a window; a point that has no place is not drawn.
-
-    born   the step in which each point is found
-    """
+    """A mechanism at one position, through a window; a point that has no place is not drawn; born: the step in which
+    each point is found."""
 
     mechanism: Mechanism
     plot: PlacedMechanism
@@ -62,16 +62,19 @@ class Skeleton:
         return tuple(p for p in self.mechanism.points if p in self.plot.position)
 
     @cached_property
+    def joints(self) -> list[tuple[Place, int | None, set[str]]]:
+        """The places of points, the steps that draw them, and the links that they are on or slide along."""
+        owners, slides = self.mechanism.owners, self.mechanism.slides
+        links = {p: {*owners[p], *(slide.guide for slide in slides if slide.point == p)} for p in self.points}
+        return [(self.at(point), self.step(point), on) for point, on in links.items()]
+
+    @cached_property
     def blocks(self) -> dict[str, Slide]:
         """The slide each sliding block belongs to: the first, for a block on two guides."""
         return {slide.block: slide for slide in reversed(self.mechanism.slides) if slide.block is not None}
 
     def guides(self, link: str) -> Iterator[Slide]:
         return (slide for slide in self.mechanism.slides if slide.guide == link)
-
-    def along(self, slide: Slide) -> complex:
-        """Direction of a slide's line on paper."""
-        return self.direction(slide.line)
 
     def direction(self, line: Line) -> complex:
         """Direction of any line of a link on paper."""
@@ -88,43 +91,42 @@ class Skeleton:
 
     def guide_bar(self, slide: Slide) -> tuple[Place, Place]:
         """A moving guide's line as far as it is drawn: past its points and past the block."""
-        along, foot = self.along(slide), self.at(slide.line.origin)
+        along, foot = self.direction(slide.line), self.at(slide.line.origin)
         stops = [(along.conjugate() * (self.at(p) - foot)).real for p in self._on_line(slide)]
         t = (along.conjugate() * (self.at(slide.point) - foot)).real
-        low, high = min((0.0, *stops)), max((0.0, *stops))
-        low, high = min(low, t - OVERRUN), max(high, t + OVERRUN)
+        low, high = min(0.0, *stops, t - OVERRUN), max(0.0, *stops, t + OVERRUN)
         return foot + along * low, foot + along * high
 
     def _on_line(self, slide: Slide) -> Iterator[str]:
-        along, foot = self.along(slide), self.at(slide.line.origin)
+        along, foot = self.direction(slide.line), self.at(slide.line.origin)
         for point in self.named(slide.guide):
             if abs((along.conjugate() * (self.at(point) - foot)).imag) < 0.05:
                 yield point
 
-    def segments(self) -> Iterator[tuple[Place, Place]]:
-        """Every bar of the moving links."""
-        for link in self.mechanism.moving:
-            yield from self.bars(link)
+    @cached_property
+    def segments(self) -> list[tuple[Place, Place]]:
+        return [bar for link in self.mechanism.moving for bar in self.bars(link)]
 
     def bars(self, link: str) -> Iterator[tuple[Place, Place]]:
-        """The bars of a moving link."""
         places = [self.at(p) for p in self.named(link)]
         yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
         for slide in self.guides(link):
             cylinder = self.is_cylinder(slide)
             yield (self.at(slide.line.origin), self.at(slide.point)) if cylinder else self.guide_bar(slide)
 
-    def directions(self, point: str) -> Iterator[complex]:
+    @cached_property
+    def directions(self) -> Callable[[str], tuple[complex, ...]]:
         """Directions in which lines leave a point, on paper."""
+        return cache(lambda point: tuple(self._directions(point)))
+
+    def _directions(self, point: str) -> Iterator[complex]:
         here = self.at(point)
         for link in self.mechanism.owners[point]:
             if link == FRAME:
                 continue
-            others = [self.at(p) for p in self.named(link)]
-            for slide in self.guides(link):
-                others += self.guide_bar(slide) if not self.is_cylinder(slide) else (self.at(slide.point),)
+            others = [end for bar in self.bars(link) if off_stretch(here, *bar) < 0.1 for end in bar]
             if (slide_of := self.blocks.get(link)) is not None and slide_of.point == point:
-                others += (here + self.along(slide_of), here - self.along(slide_of))
+                others += (here + side * self.direction(slide_of.line) for side in (1, -1))
             yield from ((p - here) / abs(p - here) for p in others if abs(p - here) > 0.5)
 
 
@@ -156,16 +158,13 @@ def in_line(places: list[Place]) -> tuple[int, int] | None:
 
 
 def hull(places: list[Place]) -> list[int]:
-    """Numbers of the points on the convex hull, round about (Andrew's monotone chains)."""
-    order, around = sorted(range(len(places)), key=lambda k: (places[k].real, places[k].imag)), list[int]()
-    for numbers in (order, order[::-1]):
-        chain: list[int] = []
-        for k in numbers:
-            while len(chain) > 1:
-                a, b = places[chain[-1]] - places[chain[-2]], places[k] - places[chain[-2]]
-                if (a.conjugate() * b).imag > 1e-9:
-                    break
-                chain.pop()
-            chain.append(k)
-        around += chain[:-1]
-    return around
+    """Numbers of the points on the convex hull, round about: all others lie within less than half a turn from each."""
+
+    def outer(k: int) -> bool:
+        ways = sorted(cmath.phase(place - places[k]) for place in places if abs(place - places[k]) > 1e-9)
+        again = (way + math.tau for way in ways[:1])
+        first = all(abs(place - places[k]) > 1e-9 for place in places[:k])  # of points at one place
+        return first and any(after - way > math.pi + 1e-6 for way, after in pairwise((*ways, *again)))
+
+    middle = sum(places) / len(places)
+    return sorted(filter(outer, range(len(places))), key=lambda k: cmath.phase(places[k] - middle))

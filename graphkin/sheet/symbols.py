@@ -13,6 +13,8 @@ from dataclasses import replace
 from graphkin.construction import Plane
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows, Stroke
 
+_SQUARE, _SQUARE_DEG = 2.3, 1e-6
+"""Side of the square in a right angle [mm]; its cosine is no larger."""
 HINGE = 1.3  # radius of a hinge [mm]
 PIVOT_DEPTH = 4.6  # from a pivot's centre to the ground [mm]
 BLOCK = complex(10.0, 5.6)  # length and height of a block [mm]
@@ -21,6 +23,7 @@ SWEEP = math.radians(62)  # angle of a turning arrow
 SLOT = 1.75  # half of the width of a slot [mm]
 _HEAD = 3.0
 _PITCH, _SLANT = 1.5, 1.7
+_WELD = 2.4  # side of the filled corner between lines of one piece [mm]
 
 
 def pivot(at: Place, down: complex, step: int | None = None) -> list[Mark]:
@@ -64,26 +67,15 @@ def arc_hatch(at: Place, arm: complex, half: float, outward: float, step: int | 
     return [Stroke((at + radius * out, at + (radius + slant) * out), "hatch", step=step) for out in ways]
 
 
-def bar(places: Sequence[Place], shows: Shows | None, step: int | None = None) -> list[Mark]:
-    """A link as a thick line."""
-    return [Stroke(tuple(places), "visible", shows=shows, step=step)]
-
-
-def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list[Mark]:
-    """Two lines welded together: the corner between them as a plate; nothing where they are almost in line."""
-    a, b = one - at, other - at
-    if abs(a) < 3 or abs(b) < 3:
+def weld(at: Place, one: Place, other: Place, step: int | None = None) -> list[Mark]:
+    """Two lines of one piece: the corner between them, filled; nothing where they are almost in line."""
+    a, b = ((end - at) / abs(end - at) for end in (one, other))
+    if abs((a.conjugate() * b).imag) < math.sin(math.radians(8)):
         return []
-    a, b = a / abs(a), b / abs(b)
-    opening = abs(cmath.phase(b / a))
-    if not math.radians(8) < opening < math.radians(172):
-        return []
-    reach = min(6.0, 3.0 / math.sin(opening / 2)) if opening < math.pi / 2 else 4.2
-    return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="tint", step=step)]
+    return [Stroke((at, at + a * _WELD, at + b * _WELD), "outline", closed=True, fill="ink", step=step)]
 
 
 def block_corners(at: Place, along: complex) -> tuple[Place, ...]:
-    """The corners of a sliding block."""
     x, y = along * BLOCK.real / 2, 1j * along * BLOCK.imag / 2
     return at + x + y, at + x - y, at - x - y, at - x + y
 
@@ -128,15 +120,11 @@ def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], ste
 def spin(
     at: Place, towards: complex, sense: float, radius: float, step: int | None = None, shows: Shows | None = None
 ) -> list[Mark]:
-    """An arc with an arrow about a pivot, from the direction `towards` on; sense +1 is counter-clockwise.
-
-    Paper has y down, so counter-clockwise is a negative sweep.
-    """
+    """An arc with an arrow about a pivot, from the direction `towards` on; sense +1 is counter-clockwise, a negative
+    sweep on paper, whose y is down."""
     start, turn = cmath.phase(towards), -sense * SWEEP
-    tip = at + cmath.rect(radius, start + turn)
     shaft = turn + sense * 0.8 * _HEAD / radius
-    back = at + cmath.rect(radius, start + turn + sense * _HEAD / radius)
-    head = arrow_head(tip, (tip - back) / abs(tip - back), step)
+    head = _arc_head(at, cmath.rect(radius, start + turn), -sense, step, _HEAD)
     return [ArcMark(at, radius, start, shaft, "vector", step=step), replace(head, shows=shows)]
 
 
@@ -154,7 +142,6 @@ def arrow(
 
 
 def arrow_head(tip: Place, along: complex, step: int | None, length: float = _HEAD) -> Stroke:
-    """A filled arrow head."""
     back = tip - length * along
     side = 0.55j * along * length / _HEAD
     return Stroke((tip, back + side, back - side), "hatch", closed=True, fill="ink", step=step)
@@ -164,13 +151,24 @@ THIN_HEAD = 2.2  # length of the heads of dimension lines [mm]
 
 
 def angle_arc(at: Place, radius: float, first: complex, sweep: float, step: int | None = None) -> list[Mark]:
-    """An arc from a direction on, with a head at each end where it is long enough [rad, clockwise on paper]."""
-    marks: list[Mark] = [ArcMark(at, radius, cmath.phase(first), sweep, "thin", step)]
-    if abs(sweep) * radius >= 3 * THIN_HEAD:
-        for arm, sense in ((first, -math.copysign(1, sweep)), (first * cmath.rect(1, sweep), math.copysign(1, sweep))):
-            way = sense * 1j * arm * cmath.rect(1, -sense * THIN_HEAD / 2 / radius)
-            marks.append(arrow_head(at + arm * radius, way, step, THIN_HEAD))
+    """An arc from a direction on, with a head at each end [rad, clockwise on paper]; heads of a short one point inwards
+    from arcs beyond it (ISO 129), where it is shorter still than one; otherwise its end alone has one."""
+    if (long := abs(sweep) * radius) < 0.1:
+        return []
+    on = math.copysign(1, sweep)
+    inside = -1 if long < 1.5 * THIN_HEAD else 1
+    past = 2 * THIN_HEAD / radius * on if inside < 0 else 0.0
+    marks: list[Mark] = [ArcMark(at, radius, cmath.phase(first) - past, sweep + 2 * past, "thin", step)]
+    ends = ((first * cmath.rect(1, sweep), on * inside), (first, -on * inside))
+    for arm, sense in ends[: 1 if inside > 0 and long < 3 * THIN_HEAD else 2]:
+        marks.append(_arc_head(at, radius * arm, sense, step, THIN_HEAD))
     return marks
+
+
+def _arc_head(at: Place, arm: complex, sense: float, step: int | None, length: float) -> Stroke:
+    """A head at the end of an arc about a place, clockwise on paper where `sense` is 1."""
+    way = sense * 1j * arm / abs(arm) * cmath.rect(1, -sense * length / 2 / abs(arm))
+    return arrow_head(at + arm, way, step, length)
 
 
 def dimension_line(
@@ -194,3 +192,13 @@ def dimension_line(
             extensions.append(Stroke((end + out * free, tip + out * 1.5), "thin", step=step))
     out = along if inside else -along
     return line, extensions, [arrow_head(one, -out, step, THIN_HEAD), arrow_head(other, out, step, THIN_HEAD)]
+
+
+def right_angle(
+    at: Place, one: complex, other: complex, side: float = _SQUARE, step: int | None = None
+) -> list[Stroke]:
+    """A square between two lines; nothing where the angle is another."""
+    if abs(one.real * other.real + one.imag * other.imag) > _SQUARE_DEG * abs(one) * abs(other):
+        return []
+    one, other = side * one / abs(one), side * other / abs(other)
+    return [Stroke((at + one, at + one + other, at + other), "construction", step=step)]

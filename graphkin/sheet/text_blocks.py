@@ -12,7 +12,7 @@ from itertools import repeat
 from typing import Protocol
 
 from graphkin.base.value import frozen
-from graphkin.construction import Plane
+from graphkin.construction import Image, Plane
 from graphkin.planning.method import Act, Method
 from graphkin.planning.needed import acts_of_equations
 from graphkin.say.entry import Entry, Sentence, VectorEquation
@@ -84,12 +84,10 @@ class WrittenLines:
 
     @property
     def size(self) -> complex:
-        """Width and height [mm]."""
         wide = max((width(line, self.letters) for line in self.lines), default=0.0)
         return complex(wide, LINE * self.letters * len(self.lines))
 
     def marks(self, corner: Place, step: int | None = None) -> Iterator[Text]:
-        """From their upper left corner."""
         for k, (line, into) in enumerate(zip(self.lines, (*self.into, *repeat(0.0, len(self.lines))))):
             yield Text(line, corner + into + 1j * self.letters * (LINE * k + 1.1), self.letters, step)
 
@@ -165,7 +163,7 @@ class EquationBlock:
     def within(self, room: float) -> Iterator[EquationBlock]:
         """As two, the equals signs one under the other, where it is wider than that [mm]."""
         head, *columns = self.columns
-        cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
+        cut = max((k for k, (label, _, _) in enumerate(columns) if label == plain("=")), default=0)
         if self.wide <= room or cut < 2:
             yield self
         else:
@@ -182,13 +180,11 @@ class Ladder:
 
     @property
     def size(self) -> complex:
-        """Width and height [mm]."""
         first = max(block.widths[0] for block in self.blocks)
         wide = max(first - block.widths[0] + block.wide for block in self.blocks)
         return complex(wide, sum(block.high for block in self.blocks))
 
     def marks(self, corner: Place) -> Iterator[Mark]:
-        """From its upper left corner."""
         yield from self.rows(corner)
         yield from self.rings(corner)
 
@@ -221,25 +217,27 @@ class Ladder:
 
 
 def ladder(entries: Iterable[Entry], rows: tuple[str, str], plane: Plane, method: Method) -> Ladder | None:
-    """Every equation that the words print, with the numbers of the steps that it needs; None where they print none.
-
-    rows  what stands before the rows
-    """
-    equations: list[tuple[VectorEquation, Act | None]] = []
+    """Every equation that the words print, with the numbers of the steps that it needs, and a row for each other
+    motion; None where they print none; rows: what stands before the rows."""
+    equations: list[tuple[VectorEquation | str, Act | None]] = []
     for entry in entries:
         if isinstance(entry, VectorEquation):
             equations.append((entry, None))
         elif isinstance(entry, Sentence) and entry.act is not None:  # of several that are solved together, of all
             equations = [(equation, first or entry.act) for equation, first in equations]
-    needs = acts_of_equations(method, plane, [act for _, act in equations if act is not None])
-    blocks: list[EquationBlock] = []
+            equations += [(entry.row, entry.act)] if entry.row else []
+    acts = [act for equation, act in equations if act is not None and not isinstance(equation, str)]
+    needs = [*acts_of_equations(method, plane, acts)]
+    known = {act for each in needs for act in each if not isinstance(act.done, Image)}
+    blocks, steps = list[EquationBlock](), iter(needs)
     for equation, act in equations:
-        numbers = () if act is None else tuple(each.number for each in next(needs))
-        columns = (((), plain(rows[0]), plain(rows[1])), *_columns(equation))
-        blocks.append(EquationBlock(columns, None if act is None else act.page, numbers))
+        page = None if act is None else act.page
+        if isinstance(equation, str) and act is not None and act not in known:
+            row = (((),) * 3, (formula(equation), (), ()))
+            blocks.append(EquationBlock(row, page, (act.number,), high=LINE * LABEL))
+        elif isinstance(equation, VectorEquation):
+            own = () if act is None else next(steps)
+            terms = ((formula(name), formula(way), formula(size)) for name, way, size in equation.columns)
+            columns = (((), plain(rows[0]), plain(rows[1])), *terms)
+            blocks.append(EquationBlock(columns, page, tuple(each.number for each in own if each in known)))
     return Ladder(tuple(blocks), plane) if blocks else None
-
-
-def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:
-    for name, direction, size in equation.columns:
-        yield formula(name), formula(direction), formula(size)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -14,7 +14,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import Paper, Room, written
-from graphkin.sheet.text_blocks import Ladder, WrittenLines
+from graphkin.sheet.text_blocks import Ladder, WrittenLines, broken
 
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
@@ -36,7 +36,6 @@ class Table:
 
     @cached_property
     def widths(self) -> list[float]:
-        """Width of each column [mm]."""
         wide = [[self.before(row[k], k) + width(row[k], LABEL) for row in self.rows] for k in range(len(self.head))]
         return [max([width(head, LABEL), *own]) for head, own in zip(self.head, wide, strict=True)]
 
@@ -68,16 +67,11 @@ class Table:
         rows = tuple(tuple(row[k] for k in shown) for row in self.rows if any(row[k] for k in shown[1:]))
         return Table(tuple(self.head[k] for k in shown), rows) if rows else None
 
-    def cut(self, count: int) -> list[Table]:
-        """In parts of so many rows; it is tried on many papers."""
-        if count not in self._parts:
-            spans = [slice(k, k + count) for k in range(0, len(self.rows), count)]
-            self._parts[count] = [Table(self.head, self.rows[span], self.steps[span]) for span in spans]
-        return self._parts[count]
-
     @cached_property
-    def _parts(self) -> dict[int, list[Table]]:
-        return {}
+    def cut(self) -> Callable[[int], list[Table]]:
+        """In parts of so many rows; it is tried on many papers."""
+        return cache(lambda count: [Table(self.head, self.rows[k : k + count], self.steps[k : k + count])
+                                    for k in range(0, len(self.rows), count)])  # fmt: skip
 
 
 @lru_cache(4096)
@@ -88,14 +82,9 @@ def _whole(cell: Label) -> float | None:
     return width((first._replace(text=whole[0]),), LABEL) if whole is not None and not first.italic else None
 
 
-# --- on paper ---------------------------------------------------------------------------------
-
-
 def arranged(tables: list[Table], room: float) -> list[list[Table]]:
-    """Tables side by side in `room` mm, in one or two tiers, whichever is lower; long ones cut.
-
-    What has no room even so is left out, the last asked first.
-    """
+    """Tables side by side in `room` mm, in one or two tiers, whichever is lower; long ones cut. What has no room even
+    so is left out, the last asked first."""
     rows = sum(len(table.rows) for table in tables)
 
     def cost(tiers: list[list[Table]]) -> float:
@@ -111,11 +100,9 @@ def _cut(tier: list[Table], room: float) -> list[Table]:
         parts = [part for table in tier for part in table.cut(rows)]
         if across(parts) <= room:
             return parts
-    kept: list[Table] = []
-    for table in tier:
-        part = table.cut(_MOST_ROWS)[0]
-        if across([*kept, part]) <= room:
-            kept.append(part)
+    kept = [table.cut(_MOST_ROWS)[0] for table in tier]
+    while across(kept) > room:
+        kept.pop()
     return kept
 
 
@@ -154,11 +141,9 @@ class TableBlock:
 
     @property
     def size(self) -> complex:
-        """[mm]"""
         return complex(max(map(across, self.tiers), default=0.0), height_of(self.tiers))
 
     def marks(self, corner: Place) -> list[Mark]:
-        """From their upper left corner."""
         marks: list[Mark] = []
         for tier in self.tiers:
             pen = corner
@@ -186,22 +171,46 @@ _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实�
 _RULER, _NAME = 100.0, "graphkin"
 
 
-def strip_height(
-    paper: Paper, found: Sequence[Table] = (), equations: Sequence[Ladder] = (), told: Sequence[str] = (),
-    least: float = 0.0,
-) -> float:  # fmt: skip
-    """The height that the footer needs on a paper with what stands over it; least: room for that [mm]."""
-    above = max(least, sum(block.size.imag for block in _above(paper, found, equations, told)))
-    return FOOT + (above + 2.5 if above else 0.0)
+@frozen
+class Strip:
+    """What stands at the foot of a sheet over title, source and scales.
 
+    found   tables; told: sentences under them; equations: those that have no room with their polygons
+    notes   words beside a plane's scale; further: scales that no figure tells
+    least   room for all that stands over the footer, at least [mm]
+    """
 
-def _above(
-    paper: Paper, found: Sequence[Table], equations: Sequence[Ladder], told: Sequence[str]
-) -> list[TableBlock | WrittenLines | Ladder]:
-    """What stands over the footer, one under the other."""
-    wide = tables_room(paper)
-    words = WrittenLines.sentences(told, wide, LABEL)
-    return [TableBlock(arranged([*found], wide)), words, *(each.within(wide) for each in equations)]
+    found: Sequence[Table] = ()
+    told: Sequence[str] = ()
+    equations: Sequence[Ladder] = ()
+    notes: Mapping[Plane, Label] = field(default_factory=dict)
+    further: Mapping[Plane, float] = field(default_factory=dict)
+    least: float = 0.0
+
+    def blocks(self, paper: Paper) -> list[TableBlock | WrittenLines | Ladder]:
+        """What stands over the footer, one under the other."""
+        wide = tables_room(paper)
+        words = WrittenLines.sentences(self.told, wide, LABEL)
+        return [TableBlock(arranged([*self.found], wide)), words, *(each.within(wide) for each in self.equations)]
+
+    def height(self, paper: Paper) -> float:
+        """All that it needs on a paper [mm]."""
+        above = max(self.least, sum(block.size.imag for block in self.blocks(paper)))
+        return FOOT + (above + 2.5 if above else 0.0)
+
+    def marks(self, machine: Mechanism, paper: Paper, scales: Mapping[Plane, float], lang: Lang) -> Iterator[Mark]:
+        """The drawing frame, the footer, and what stands over that."""
+        _, room = paper.divided(self.height(paper))
+        yield frame(paper)
+        for top in dict.fromkeys((room.top, room.bottom - FOOT)):
+            yield Stroke((complex(room.left, top), complex(room.right, top)), "outline")
+        corner = complex(room.left + 3, room.top + 1.5)
+        for block in self.blocks(paper):
+            own = block.plane if isinstance(block, Ladder) else None
+            yield from (replace(m, accent=own) if own and isinstance(m, Text) else m for m in block.marks(corner))
+            corner += 1j * block.size.imag
+        foot = Room(room.left + 3, room.bottom - FOOT, room.right - 3, room.bottom)
+        yield from _footer(machine, foot, {**scales, **self.further}, self.notes, lang, _RULER / paper.times)
 
 
 def tables_room(paper: Paper) -> float:
@@ -209,43 +218,9 @@ def tables_room(paper: Paper) -> float:
     return paper.frame.size.real - 6
 
 
-@frozen
-class Strip:
-    """The contents of the foot of a sheet beside title, source and scales.
-
-    found  tables; notes: words beside a plane's scale; further: scales that no figure tells
-    told   sentences under the tables
-    equations  those that have no room with their polygons
-    """
-
-    room: Room
-    found: Sequence[Table] = ()
-    notes: Mapping[Plane, Label] = field(default_factory=dict)
-    further: Mapping[Plane, float] = field(default_factory=dict)
-    equations: Sequence[Ladder] = ()
-    told: Sequence[str] = ()
-
-
-def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane, float], lang: Lang) -> list[Mark]:
-    """The drawing frame, the footer, and what stands over that."""
-    room = asked.room
-    marks: list[Mark] = [frame(paper)]
-    for top in dict.fromkeys((room.top, room.bottom - FOOT)):
-        marks.append(Stroke((complex(room.left, top), complex(room.right, top)), "outline"))
-    corner = complex(room.left + 3, room.top + 1.5)
-    for block in _above(paper, asked.found, asked.equations, asked.told):
-        own = block.plane if isinstance(block, Ladder) else None
-        marks += (replace(m, accent=own) if own and isinstance(m, Text) else m for m in block.marks(corner))
-        corner += 1j * block.size.imag
-    foot = Room(room.left + 3, room.bottom - FOOT, room.right - 3, room.bottom)
-    return [*marks, *_footer(machine, foot, {**scales, **asked.further}, asked.notes, lang, _RULER / paper.times)]
-
-
 def frame(paper: Paper) -> Mark:
     """The drawing frame."""
-    room = paper.frame
-    low, high = complex(room.left, room.top), complex(room.right, room.bottom)
-    return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "visible", closed=True)
+    return Stroke(paper.frame.corners, "visible", closed=True)
 
 
 def _footer(
@@ -278,17 +253,6 @@ def _footer(
 
 def two_lines(text: str, size: float, room: float) -> list[str]:
     """At most two lines that fit the room; what is longer ends in dots."""
-    if width(plain(text), size) <= room:
-        return [text] if text else []
-    head = _fitting(text, size, room)
-    rest = text[len(head) :].strip()
-    if width(plain(rest), size) > room:
-        rest = _fitting(rest, size, room - width(plain("..."), size)).rstrip() + "..."
-    return [head.strip(), rest]
-
-
-def _fitting(text: str, size: float, room: float) -> str:
-    """The longest beginning that fits, to a space if there is one."""
-    end = next(end for end in range(len(text), -1, -1) if end <= 1 or width(plain(text[:end]), size) <= room)
-    space = text.rfind(" ", 0, end + 1)
-    return text[:end] if space < end // 2 else text[: space + 1]
+    first, *others = [*broken(text, room, size), *[""] * (not text)]
+    rest, dots = " ".join(others), width(plain("..."), size)
+    return [first, *others] if len(others) < 2 else [first, next(broken(rest, room - dots, size)) + "..."]

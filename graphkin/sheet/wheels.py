@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 
-from graphkin.base.geometry import Value, place
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import spelled
@@ -21,8 +20,7 @@ from graphkin.sheet.skeleton import OVERRUN, Skeleton, off_stretch
 from graphkin.sheet.window import Figure
 
 _RIM = 3.0  # thickness of a ring's rim [mm]
-_CROSS = 4.4
-_TOOTH, _DEPTH = 3.4, 0.95  # from tooth to tooth of those that are shown, and half as high as they are [mm]
+_TOOTH, _DEPTH = 2.7, 0.85  # from tooth to tooth of those that are shown, and half as high as they are [mm]
 _SMALL = 9.0  # in a wheel of less radius there is no room for its number [mm]
 _REACH = 14.0  # how far a slot of the equivalent goes to both sides of its block [mm]
 _ROD, _BUSH = 34.0, (15.0, 27.0)
@@ -35,11 +33,8 @@ _MOST = 2.4  # half of the widest slot there is room for on a small circle [rad]
 
 @frozen
 class Wheel:
-    """A circle that rolls: its link, centre and radius [m].
-
-    gear  its pitch circle is drawn, not its outline
-    ring  the others run inside it
-    """
+    """A circle that rolls: its link, centre and radius [m]; gear: its pitch circle is drawn, not its outline; ring: the
+    others run inside it."""
 
     link: str
     centre: str
@@ -52,21 +47,23 @@ def wheels_of(machine: Mechanism) -> list[Wheel]:
     """Every wheel once: gears, then what rolls and what it rolls on. A ring stays a ring."""
     every: dict[tuple[str, str, float], Wheel] = {}
     for kind, rims_of in UNDER_LINKS.items():
-        for wheel in (wheel for pair in machine.of(kind) for wheel in rims_of(pair)):
+        for wheel in (wheel for pair in machine.of(kind) for wheel in rims_of(machine, pair)):
             key = wheel.link, wheel.centre, round(wheel.radius, 12)
-            if key not in every or (wheel.ring and not every[key].ring):
-                every[key] = wheel
+            same = every.get(key, wheel)
+            every[key] = replace(wheel, gear=wheel.gear or same.gear, ring=wheel.ring or same.ring)
     return list(every.values())
 
 
-def _gears(gear: Gear) -> Iterator[Wheel]:
+def _gears(_: Mechanism, gear: Gear) -> Iterator[Wheel]:
     for link, centre, radius in gear.circles:
         yield Wheel(link, centre, radius, gear=True, ring=gear.internal and radius == max(gear.radii))
 
 
-def _rolling(roll: RollingContact) -> Iterator[Wheel]:
+def _rolling(machine: Mechanism, roll: RollingContact) -> Iterator[Wheel]:
+    """A wheel on a moving line is a pinion, unless it does nothing but roll there."""
     turning_inside = roll.internal and roll.track_radius < roll.radius
-    rack = roll.line is not None and roll.track != FRAME
+    held = len(machine.owners[roll.centre]) + sum(roll.wheel in pair.joins for pair in machine.of(RollingContact)) > 2
+    rack = roll.line is not None and roll.track != FRAME and held
     yield Wheel(roll.wheel, roll.centre, roll.radius, gear=rack, ring=turning_inside)
     if roll.track_centre is not None:
         ring = roll.internal and not turning_inside
@@ -90,40 +87,55 @@ def wheels(skeleton: Skeleton) -> Figure:
             step, reach = skeleton.step(roll.centre), roll.radius / skeleton.window.scale + 12
             track = straight(skeleton, roll.line, roll.name, roll.centre, reach, step)
             under = (1j if roll.left else -1j) * skeleton.direction(roll.line)
+            if gap := toothed(skeleton, roll):
+                along = skeleton.direction(roll.line)
+                rack = [gap[0] + along * t - under * high for t, high in _teeth(round(2 * gap[1] / _TOOTH + 0.5))]
+                rack += [end + 2 * _DEPTH * under for end in (rack[-1], rack[0])]
+                figure.marks.append(Stroke(tuple(rack), "outline", closed=True, step=step))
             ground = symbols.guide(track.places[0], track.places[1], under, step, track.shows)
-            figure.marks += ground if roll.line.link == FRAME else [track, *_rack(skeleton, roll, roll.line)]
+            line, *wall = ground if roll.line.link == FRAME else [track]
+            figure.marks += [*(rack_line(line, *gap) if gap else [line]), *wall]
     for gear in skeleton.mechanism.of(Gear):
         figure.marks += _mesh(skeleton, gear)
     return figure
 
 
+def toothed(skeleton: Skeleton, roll: RollingContact) -> tuple[Place, float] | None:
+    """The middle and half of a rack's teeth about its pinion; None of other tracks."""
+    wheels = [wheel for wheel in wheels_of(skeleton.mechanism) if wheel.gear and wheel.link == roll.wheel]
+    if roll.line is None or not any(abs(wheel.radius - roll.radius) < 1e-9 for wheel in wheels):
+        return None
+    along, foot = skeleton.direction(roll.line), skeleton.at(roll.line.origin)
+    start, end = straight(skeleton, roll.line, roll.name, roll.centre, 6 * _TOOTH, None).places
+    low, high = (((end - foot) / along).real / _TOOTH for end in (start, end))
+    first, last = math.ceil(low + 1), math.floor(high - 1)
+    return foot + along * _TOOTH * (first + last) / 2, _TOOTH * (last - first + 0.5) / 2
+
+
+def rack_line(line: Stroke, at: Place, half: float) -> list[Stroke]:
+    """The line of a rack, thin along its teeth."""
+    start, end = line.places[0], line.places[-1]
+    near, far = (at + sign * half * (end - start) / abs(end - start) for sign in (-1, 1))
+    rest = [ends for ends in ((start, near), (far, end)) if ((ends[1] - ends[0]) / (end - start)).real > 0]
+    return [replace(line, pen="thin"), *(replace(line, places=ends, shows=None) for ends in rest)]
+
+
 def _mesh(skeleton: Skeleton, gear: Gear) -> Iterator[Mark]:
-    """A few teeth of both gears where they touch: three of one in the gaps of the other."""
-    one, other = (skeleton.at(centre) for centre in gear.centres)
-    radii, step = [radius / skeleton.window.scale for radius in gear.radii], skeleton.step(*gear.centres)
-    for k, (at, radius, way) in enumerate(zip((one, other), radii, (other - one, one - other), strict=True)):
-        ring = gear.internal and radius == max(radii)
-        arm, out = way / abs(way) * (-1 if gear.internal and not ring else 1), -1 if ring else 1
-        if radius > 2 * _TOOTH:
-            corners = [(t, high) for t, high in _teeth((-1, 0, 1) if k else (-0.5, 0.5))]
-            places = [at + (radius + out * high) * arm * cmath.rect(1, t / radius) for t, high in corners]
-            yield Stroke(tuple(places), "thin", step=step)
+    """Teeth of the larger gear where they touch: its gaps are the teeth of the other."""
+    large, small = sorted(zip(gear.radii, gear.centres, strict=True), reverse=True)
+    at, radius = skeleton.at(large[1]), large[0] / skeleton.window.scale
+    arm = (skeleton.at(small[1]) - at) / abs(skeleton.at(small[1]) - at)
+    if radius > 2 * _TOOTH:
+        places = (at + (radius + high) * arm * cmath.rect(1, t / radius) for t, high in _teeth(5))
+        yield Stroke(tuple(places), "outline", step=skeleton.step(*gear.centres))
 
 
-def _teeth(middles: Sequence[float]) -> Iterator[tuple[float, float]]:
-    """Corners of teeth along a pitch line, and above it [mm]."""
-    for middle in middles:
-        for share, high in ((-0.33, -_DEPTH), (-0.17, _DEPTH), (0.17, _DEPTH), (0.33, -_DEPTH)):
-            yield (middle + share) * _TOOTH, high
-
-
-def _rack(skeleton: Skeleton, roll: RollingContact, line: Line) -> Iterator[Mark]:
-    """The teeth of a rack on the side of its pinion, about where they touch."""
-    along = skeleton.direction(line)
-    up = along * (-1j if roll.left else 1j)  # to the pinion, y down
-    foot = skeleton.at(roll.centre) - up * roll.radius / skeleton.window.scale
-    places = (foot + along * t + up * (high + _DEPTH) for t, high in _teeth(range(-5, 6)))
-    yield Stroke(tuple(places), "outline", step=skeleton.step(roll.centre))
+def _teeth(count: int) -> list[tuple[float, float]]:
+    """Corners of teeth along a pitch line from their middle on, and above it; they begin and end on it [mm]."""
+    corners = [((k + share - (count - 1) / 2) * _TOOTH, high) for k in range(count)
+               for share, high in ((-0.36, -_DEPTH), (-0.14, _DEPTH), (0.14, _DEPTH), (0.36, -_DEPTH))]  # fmt: skip
+    end = (count - 0.5) / 2 * _TOOTH
+    return [(-end, 0.0), *corners[1:-1], (end, 0.0)]
 
 
 def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
@@ -131,29 +143,16 @@ def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
     step, shows = skeleton.step(wheel.centre), Shows(wheel.link, "wheel", (wheel.centre,))
     yield Disc(at, radius, "centre" if wheel.gear else "outline", shows=shows, step=step)
     rim, fixed = radius, wheel.link == FRAME
-    if wheel.gear:
-        for along in (1, 1j):  # a cross at its centre
-            yield Stroke((at - _CROSS * along, at + _CROSS * along), "thin", step=step)
-        if wheel.ring:
-            rim = radius + _RIM
-            yield Disc(at, rim, "outline", step=step)
-    if (spoke := _spoke(skeleton, wheel)) is not None:
-        bar, way = spoke
-        yield Stroke((at, at + way * radius), "outline", step=step)
-        yield Stroke((at, at + bar * _CROSS, at + way * _CROSS), "outline", closed=True, fill="ink", step=step)
+    if wheel.gear and wheel.ring:
+        rim = radius + _RIM
+        yield Disc(at, rim, "outline", step=step)
+    arms = [place - at for place in map(skeleton.at, skeleton.named(wheel.link)) if abs(place - at) > radius + 1]
+    for arm in arms if radius > _SMALL / 2 and not fixed and not disc(skeleton, wheel.link) else ():
+        for side in (1, -1):  # a bar of one piece with it that goes on past its rim
+            on = at + radius * arm / abs(arm)
+            yield from symbols.weld(on, at, on + side * 1j * arm, step)
     if fixed:
         yield from symbols.rim_hatch(at, rim, 1.0 if wheel.ring else -1.0, step)
-
-
-def _spoke(skeleton: Skeleton, wheel: Wheel) -> tuple[complex, complex] | None:
-    """Of a wheel on a link that reaches beyond its rim: the direction of a bar, and of the spoke welded to it."""
-    at, scale = skeleton.at(wheel.centre), skeleton.window.scale
-    arms = [place - at for place in map(skeleton.at, skeleton.named(wheel.link)) if abs(place - at) > _CROSS]
-    if not arms or wheel.link == FRAME or wheel.radius / scale <= _CROSS or disc(skeleton, wheel.link):
-        return None
-    bar = arms[0] / abs(arms[0])
-    taken = [*skeleton.directions(wheel.centre), 1 + 0j]  # to the right an angle may begin
-    return bar, min((1j * bar, -1j * bar), key=lambda way: max((arm * way.conjugate()).real for arm in taken))
 
 
 def disc(skeleton: Skeleton, link: str) -> str:
@@ -171,11 +170,9 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
     out, gap = (radius + _RIM, 0.6) if wheel.ring else (radius, 0.4) if radius < _SMALL else (radius - 4.2, -2.6)
-    taken = [*skeleton.directions(wheel.centre), *((_spoke(skeleton, wheel) or ())[1:])]
-    for other in wheels_of(skeleton.mechanism):
-        off = skeleton.at(other.centre) - at
-        if abs(off) > 0.5:
-            taken.append(off / abs(off) if not other.ring else -off / abs(off))
+    taken = [*skeleton.directions(wheel.centre), 1 + 0j]  # to the right an angle may begin
+    offs = [(skeleton.at(other.centre) - at, other.ring) for other in wheels_of(skeleton.mechanism)]
+    taken += [(-off if ring else off) / abs(off) for off, ring in offs if abs(off) > 0.5]
     taken += [1j] if FRAME in skeleton.mechanism.owners.get(wheel.centre, ()) else []
     directions = [cmath.rect(1, math.radians(a)) for a in (-45, -135, -90, 45, 135, 0, 180, 90)]
     away = max(directions, key=lambda one: -max(((t * one.conjugate()).real for t in taken), default=-1.0))
@@ -183,9 +180,8 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
 
 
 def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float, step: int | None) -> Stroke:
-    """The line of a link in the roll or cam `name`, `reach` mm to both sides of the foot of a point on it; as far as
-    the link's points on it.
-    """
+    """The line of a link in the roll or cam `name`, `reach` mm to both sides of the foot of a point on it, as far as
+    the link's points on it."""
     along, foot = skeleton.direction(line), skeleton.at(line.origin)
     t = (along.conjugate() * (skeleton.at(near) - foot)).real
     low, high = t - reach, t + reach
@@ -205,13 +201,6 @@ def circles(skeleton: Skeleton) -> Iterator[tuple[Place, float]]:
     for centre, radius in sorted({circle[1:] for pair in skeleton.mechanism.pairs for circle in pair.circles}):
         if radius > 0:
             yield skeleton.at(centre), radius / skeleton.window.scale
-
-
-def rims(machine: Mechanism, position: Mapping[str, Value]) -> Iterator[complex]:
-    """Corners of the squares around all circles, in the mechanism's plane: how far they reach [m]."""
-    for _, centre, radius in (circle for pair in machine.pairs for circle in pair.circles):
-        at = place(position[centre])
-        yield from (at - complex(radius, radius), at + complex(radius, radius))
 
 
 def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
@@ -234,32 +223,29 @@ def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
     return marks
 
 
-def equivalents(skeleton: Skeleton) -> list[Mark]:
-    """In dashes: the link between two centres, or the slot through a centre at a face's distance."""
-    marks: list[Mark] = []
-    for pair in skeleton.mechanism.pairs:
+def equivalents(skeleton: Skeleton) -> Figure:
+    """In dashes: the link between two centres with its letter, which equations use, or the slot through a centre at a
+    face's distance."""
+    figure = Figure()
+    for pair in (pair for pair in skeleton.mechanism.pairs if pair.rolling is None):
         match pair.equivalent:
-            case Rod(_, centres) if pair.rolling is None:
+            case Rod(_, centres):
                 edges, step = {centre for _, centre, radius in pair.circles if radius == 0}, skeleton.step(*centres)
-                marks.append(Stroke((skeleton.at(centres[0]), skeleton.at(centres[1])), "dashed", step=step))
+                start, end = map(skeleton.at, centres)
+                figure.marks.append(Stroke((start, end), "dashed", step=step))
                 hinges = [skeleton.at(centre) for centre in centres if centre not in edges]
-                marks += [Disc(hinge, symbols.HINGE, "thin", step=step) for hinge in hinges]
-            case Slot(line, centre) if pair.rolling is None:
+                figure.marks += [Disc(hinge, symbols.HINGE, "thin", step=step) for hinge in hinges]
+                figure.wanted.append(LabelRequest(link_label(spelled(rod_name(pair))), start, end, step=step))
+            case Slot(line, centre):
                 at, along, step = skeleton.at(centre), skeleton.direction(line), skeleton.step(centre)
-                marks += [  # the block runs on the face's line moved sideways to the centre; both belong to one link
+                figure.marks += [  # the block runs on the face's line moved to the centre; both belong to one link
                     Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step),
                     Stroke(symbols.block_corners(at, along), "dashed", closed=True, step=step),
                     Disc(at, symbols.HINGE, "thin", step=step),
                 ]
-    return marks
-
-
-def rod_letters(skeleton: Skeleton) -> Iterator[LabelRequest]:
-    """The letters of links between two centres, which equations use."""
-    for pair in skeleton.mechanism.pairs:
-        if isinstance(rod := pair.equivalent, Rod) and pair.rolling is None:
-            start, end = map(skeleton.at, rod.points)
-            yield LabelRequest(link_label(spelled(rod_name(pair))), start, end, step=skeleton.step(*rod.points))
+            case None:
+                pass
+    return figure
 
 
 def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:
@@ -273,7 +259,7 @@ def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:
                 if profile.centre == slide.point:
                     return _rod(skeleton, slide, at, cam_centre, profile.radius / skeleton.window.scale)
                 if profile.line is not None:  # where the face crosses the line on which the block slides
-                    face, along = skeleton.direction(profile.line), skeleton.along(slide)
+                    face, along = skeleton.direction(profile.line), skeleton.direction(slide.line)
                     off, turn = skeleton.at(profile.line.origin) - at, (along.conjugate() * face).imag
                     if abs(turn) > _STEEP:
                         foot = at + along * (off.conjugate() * face).imag / turn
@@ -283,7 +269,7 @@ def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:
 
 def _rod(skeleton: Skeleton, slide: Slide, at: Place, cam_centre: Place, radius: float | None) -> list[Stroke]:
     """From its end at the cam on; of a face no radius."""
-    along = skeleton.along(slide)
+    along = skeleton.direction(slide.line)
     out = along * math.copysign(1, (along.conjugate() * (at - cam_centre)).real)
     side, step = 1j * out, skeleton.step(slide.point)
     shows = Shows(slide.block or "", "guide", (), slide.name)

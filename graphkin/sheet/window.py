@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
 from itertools import product
 
@@ -74,14 +74,13 @@ class Figure:
 
 
 def constructions(method: Method) -> dict[Plane, Construction]:
-    """The three constructions of a method, by plane."""
     return {"position": method.position, "velocity": method.velocity, "acceleration": method.acceleration}
 
 
 _TRIAL = 100.0  # size of a figure when it is drawn to see how far its signs reach [mm]
 _LETTERS = 6.5  # room for labels around a figure [mm]
 _CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
-Stairs = Mapping[tuple[int, int], Sequence[tuple[float, float]]]
+Stairs = tuple[tuple[tuple[int, int], tuple[tuple[float, float], ...]], ...]
 _STEPS = (0.0, 0.25, 0.5, 0.75, 1.1)  # so much of a figure's width lies over or under a block, not beside it
 
 
@@ -106,21 +105,18 @@ class Extent:
     given: float | None = None
     labels: int = 10
     lettering: float = 0.0
-    stairs: Stairs = field(default_factory=dict)
-    blocks: tuple[tuple[Sequence[complex], bool], ...] = ()
+    stairs: Stairs = ()
+    blocks: tuple[tuple[tuple[complex, ...], bool], ...] = ()
 
     @classmethod
     def of(
         cls, points: Sequence[complex], draw: Callable[[Window], Figure], given: float | None = None,
-        letters: float = _LETTERS, trial: float = _TRIAL,
+        letters: float = _LETTERS,
     ) -> Extent:  # fmt: skip
-        """Drawn once to see how far it reaches, at a given scale or as large as a trial is [mm].
-
-        letters  what labels need around it [mm]
-        """
+        """Drawn once to see how far it reaches, at its scale or as large as a trial; letters: room about it [mm]."""
         low, high = corners(points)
-        scale = given or finest(high - low, complex(trial, trial))
-        figure = draw(Window(0j, scale))
+        window = trial_window(points, given)
+        figure, scale = draw(window), window.scale
         left, top, right, bottom = bounds(figure.marks)
         return cls(
             low, high, max(0.0, low.real / scale - left) + letters, max(0.0, -high.imag / scale - top) + letters,
@@ -148,16 +144,16 @@ class Extent:
 
     def scale(self, room: Room) -> float:
         """The given scale where it fits one room at that, else the finest at which it does."""
-        return self.given if self.given is not None and self.fits(self.given, room) else self.finest(room)
-
-    def fits(self, scale: float, room: Room) -> bool:
-        whole, inner = self.size / scale, room.size - self.reach
-        return whole.real <= inner.real * _CLOSE and whole.imag <= inner.imag * _CLOSE
-
-    def finest(self, room: Room) -> float:
-        """The finest scale of the series at which it fits one room."""
         inner = room.size - self.reach
+        whole = self.size / (self.given or 1.0)
+        if self.given and whole.real <= inner.real * _CLOSE and whole.imag <= inner.imag * _CLOSE:
+            return self.given
         return finest(self.size, complex(max(inner.real, 1.0), max(inner.imag, 1.0)))
+
+    def cut_out(self, scale: float) -> Room:
+        """The whole of it on a paper cut to it."""
+        whole = self.size / scale + self.reach
+        return Room(0.0, 0.0, whole.real, whole.imag)
 
     def window(self, room: Room, scale: float) -> Window:
         """The window through which it is in the middle of a room with all its signs."""
@@ -169,25 +165,25 @@ class Extent:
         return Window(corner - complex(self.low.real, -self.high.imag) / scale, scale * times, times)
 
 
+def trial_window(points: Sequence[complex], given: float | None = None) -> Window:
+    """The window through which places are seen to learn how they lie, at a given scale or as large as a trial [mm]."""
+    low, high = corners(points)
+    return Window(0j, given or finest(high - low, complex(_TRIAL, _TRIAL)))
+
+
 def _stairs(marks: Sequence[Mark], low: complex, high: complex, scale: float) -> Stairs:
     """For each corner (0 left or above, 1 right or below), and each part of the width next to it: where what is farther
     begins across, and what is in that part, down, as parts of the whole; infinite where there is nothing."""
-    x, y = places(marks)
+    (x, y), _ = places(marks)
     size = [max(side / scale, 1e-9) for side in ((high - low).real, (high - low).imag)]
-    whole = np.clip((x - low.real / scale) / size[0], 0, 1), np.clip((y + high.imag / scale) / size[1], 0, 1)
-    steps = dict[tuple[int, int], list[tuple[float, float]]]()
+    whole = ((x - low.real / scale) / size[0], (y + high.imag / scale) / size[1])
+    whole = np.round(np.clip(whole, 0, 1), 9)  # what lies on a step lies there, whatever rounding says
+    stairs = list[tuple[tuple[int, int], tuple[tuple[float, float], ...]]]()
     for corner in product((0, 1), (0, 1)):
         across, down = (1 - part if side else part for side, part in zip(corner, whole, strict=True))
         parts = [(across[across >= step], down[across < step]) for step in _STEPS]
-        steps[corner] = [(float(x.min(initial=np.inf)), float(y.min(initial=np.inf))) for x, y in parts]
-    return steps
-
-
-def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:
-    """The window through which a figure fills a paper cut to its size, with a margin [mm]; and the whole of it."""
-    left, top, right, bottom = bounds(draw(Window(0j, scale)).marks)
-    whole = Room(0.0, 0.0, right - left + 2 * margin, bottom - top + 2 * margin)
-    return Window(complex(margin - left, margin - top), scale), whole
+        stairs.append((corner, tuple((float(x.min(initial=np.inf)), float(y.min(initial=np.inf))) for x, y in parts)))
+    return tuple(stairs)
 
 
 def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:

@@ -11,7 +11,7 @@ from typing import assert_never
 
 from graphkin.analytic import Mobility, mobility
 from graphkin.base.plain import Plain
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import PairName
 from graphkin.model.pairs import RollingContact, pin_name, rod_name
@@ -52,10 +52,11 @@ class SupposedLink:
     pair: PairName
 
 
-@frozen
+@bulky
 class Structure:
     """The links, pairs, freedoms and groups of a mechanism.
 
+    method              the plan of the mechanism whose structure it is
     moving, low, high   counts of moving links, of lower and of higher pairs; rolling contacts are neither
     rolls               each rolling contact by its links, with the freedoms it takes: no slip, and the distance kept,
                         unless other pairs keep that
@@ -65,6 +66,7 @@ class Structure:
     methods             keys of the methods that the construction needs: "two points", "coincident", ..
     """
 
+    method: Method
     moving: int
     low: int
     high: int
@@ -108,7 +110,7 @@ def structure(method: Method) -> Structure:
             rolls.append((tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1))
     uncounted = sum(each.part == "line" and each.pair[0] == RollingContact.table for each in method.aside)
     return Structure(
-        len(mechanism.moving), low, high, mobility(mechanism),
+        method, len(mechanism.moving), low, high, mobility(mechanism),
         groups(method), tuple(_methods(method)), tuple(rolls), uncounted,
     )  # fmt: skip
 
@@ -213,9 +215,9 @@ def _methods(method: Method) -> Iterator[str]:
         yield "lower"
 
 
-def as_json(method: Method) -> dict[str, Plain]:
+def as_json(whole: Structure) -> dict[str, Plain]:
     """The structure as `structure --json` prints it."""
-    mechanism, whole = method.mechanism, structure(method)
+    mechanism = whole.method.mechanism
     groups: list[Plain] = []
     for group in whole.groups:
         entry: dict[str, Plain] = {"kind": group.kind, "class": group.cls, "links": list(group.links)}

@@ -107,19 +107,24 @@ def _written_on(
 def _drawn(
     picture: PagePicture, drawing: MeasuredDrawing, shapes: Sequence[PaperPolygon], questions: Questions
 ) -> dict[str, complex]:
-    """Vectors between two letters, and arrows that the file itself names after a quantity: `v_B3B2`."""
-    named: dict[str, complex] = {}
+    """Vectors between two letters, and arrows that the file itself names after a quantity: `v_B3B2`; one drawn broken,
+    with the piece that it says it leaves out."""
+    named, broken = dict[str, complex](), dict[str, complex]()
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
+        if read is not None and "," in arrow.name and "," not in read[0]:
+            continue  # as seen from a point that no question names
         plane = numbers.PLANES.get(read[1].unit) if read is not None else None
         if read is not None and plane is not None and plane in drawing.scales and not read[2]:
-            named.setdefault(read[0], drawing.vector(arrow.head - arrow.tail, plane))
+            drawn = arrow.head - arrow.tail
+            whole = drawn * (1 + arrow.left_out / (abs(drawn) or 1.0))
+            (broken if arrow.left_out else named).setdefault(read[0], drawing.vector(whole, plane))
     lettered: dict[str, complex] = {}
     for shape, vector in [(polygon, vector) for polygon in shapes for vector in polygon.vectors]:
         tail, head = (drawing.points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
         if vector.question and tail is not None and head is not None and shape.plane in drawing.scales:
             lettered.setdefault(vector.question, drawing.vector(head - tail, shape.plane))
-    return named | lettered
+    return named | lettered | broken
 
 
 def directions(picture: PagePicture, questions: Questions, limits: Limits) -> dict[str, HandedValue]:

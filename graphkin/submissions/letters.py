@@ -24,6 +24,7 @@ from graphkin.base import geometry
 from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Plane
 from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.quantities.reading import quietly
 from graphkin.submissions.numbers import plain
 from graphkin.submissions.picture import Dot, PagePicture, PictureText, distances, lines_about
 from graphkin.submissions.questions import Questions
@@ -279,7 +280,8 @@ def _vectors(construction: Construction, on_pole: Collection[str], questions: Qu
     """Those of the equations, then the absolute motions that are not among them."""
 
     def question(text: str) -> str:
-        read = questions.read(text)
+        # of the mechanism itself: what follows a comma is no unit
+        read = questions.read(text) if quietly(questions.mechanism, text) is not None else None
         return read[0] if read is not None else ""
 
     letter, drawn = LETTER[construction.plane], set[tuple[str, str]]()

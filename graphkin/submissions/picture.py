@@ -48,11 +48,12 @@ class Dot:
 
 @frozen
 class PictureArrow:
-    """A vector that bears a name in the file."""
+    """A vector that bears a name in the file; left_out: of one drawn broken, by what the file says [mm]."""
 
     name: str
     tail: complex
     head: complex
+    left_out: float = 0.0
 
 
 @frozen

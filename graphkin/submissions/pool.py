@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import faulthandler
+import gc
 import multiprocessing
 import os
 import signal
@@ -19,17 +20,19 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
 from multiprocessing.process import BaseProcess
-from typing import TypeVar
+from typing import ParamSpec, TypeVar
 
 from graphkin.errors import TookTooLong, Where
 
 _Item = TypeVar("_Item")
 _Result = TypeVar("_Result")
+_Args = ParamSpec("_Args")
 _AGAIN = 0.2  # a reader that swallows the alarm hears it again so soon [s]
 _LATER = 2.0  # so long after the alarm the watchdog ends the process [s]
 _ENDED = 1  # the exit status of a process that its watchdog has ended
 _AHEAD = 3
 _NOWHERE: list[int] = []  # the file into which the watchdog writes; none where this process may not be ended
+_THREADS = "/proc/self/task"
 _GRACE = 5.0  # beyond its limits a batch is waited for so long [s]
 
 
@@ -128,13 +131,42 @@ def _alone(
 
 
 def worker_pool(workers: int) -> ProcessPoolExecutor:
-    """Of processes that leave an interruption to the one that has sent them the work."""
-    return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"), initializer=_begin)
+    """Of processes that leave an interruption to the one that has sent them the work. They are copies of this one, in
+    which all is loaded, where it has no other thread that could hold a lock meanwhile."""
+    alone = os.path.isdir(_THREADS) and len(os.listdir(_THREADS)) == 1
+    return _Pool(workers, mp_context=multiprocessing.get_context("fork" if alone else "spawn"), initializer=_begin)
+
+
+class _Pool(ProcessPoolExecutor):
+    """Its processes are begun, and known to it, before an interruption is heard; they never hear any."""
+
+    def submit(self, fn: Callable[_Args, _Result], /, *args: _Args.args, **named: _Args.kwargs) -> Future[_Result]:
+        with _deaf():
+            return super().submit(fn, *args, **named)
+
+
+@contextlib.contextmanager
+def _deaf() -> Iterator[None]:
+    """An interruption waits; a process that is begun now inherits that, and is deaf while Python is being loaded."""
+    if not hasattr(signal, "pthread_sigmask") or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    heard: list[int] = []
+    handler = signal.signal(signal.SIGINT, lambda number, _: heard.append(number))
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        signal.signal(signal.SIGINT, handler or signal.SIG_DFL)
+    if heard:
+        signal.raise_signal(signal.SIGINT)
 
 
 def _begin() -> None:
     """From now on this process is ended where an alarm is not heard."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    gc.freeze()  # what a copy has from the beginning stays shared
     if not _NOWHERE:
         _NOWHERE.append(os.open(os.devnull, os.O_WRONLY))
 
@@ -145,8 +177,10 @@ def _processes(pool: ProcessPoolExecutor) -> list[BaseProcess]:
 
 def _end(pool: ProcessPoolExecutor) -> None:
     """Now, not when a hanging worker is done."""
-    processes = _processes(pool)
+    processes, manager = _processes(pool), getattr(pool, "_executor_manager_thread", None)
     pool.shutdown(wait=False, cancel_futures=True)
     for process in processes:
         process.kill()
         process.join(1.0)
+    if manager is not None:  # it gives back what the processes shared; not waited for where it hangs
+        manager.join(1.0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import field, replace
 from functools import cached_property
 from itertools import chain
 from pathlib import Path, PurePosixPath
@@ -15,6 +15,7 @@ from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.submissions import archives, documents, office
 from graphkin.submissions.answers import answers_at, named_at, of_file
 from graphkin.submissions.archives import decoded
+from graphkin.submissions.board import HandedBoard, board_in
 from graphkin.submissions.documents import StudentDocument
 from graphkin.submissions.handed import Handed, handed_in
 from graphkin.submissions.pool import limited
@@ -135,11 +136,13 @@ def _by_names(by: Owner, names: Sequence[str], roster: Roster | None) -> set[str
 
 @frozen
 class _Contents:
-    """The documents in a hand-in, its drawings by name, and why the rest is passed over."""
+    """The documents in a hand-in, its drawings by name, those of them that are boards, and why the rest is passed
+    over."""
 
     documents: tuple[StudentDocument, ...]
     drawings: tuple[tuple[str, bytes], ...]
     notes: tuple[GraphkinError, ...]
+    boards: Mapping[str, HandedBoard] = field(default_factory=dict)
 
 
 def _contents(handed: Handed, limits: Limits) -> _Contents:
@@ -151,10 +154,14 @@ def _contents(handed: Handed, limits: Limits) -> _Contents:
     texts: list[StudentDocument] = []
     drawings: list[tuple[str, bytes]] = []
     notes: list[GraphkinError] = []
+    boards: dict[str, HandedBoard] = {}
     unpacked = (_unpacked(*file, _where(handed, file[0]), limits, notes) for file in handed.files)
     for name, content in chain.from_iterable(unpacked):
         try:
             if PurePosixPath(name).suffix.lower() in DRAWINGS:
+                if (board := board_in(content, _where(handed, name), limits)) is not None:
+                    boards[name] = board
+                    texts.append(board.document)
                 drawings.append((name, content))
             else:
                 texts.append(_document(name, content, _where(handed, name), limits))
@@ -162,7 +169,7 @@ def _contents(handed: Handed, limits: Limits) -> _Contents:
             notes.append(problem)
     if not texts and not drawings:
         raise notes[0] if notes else errors.NoAnswers(Where(handed.file))
-    return _Contents(tuple(texts), tuple(drawings), tuple(notes))
+    return _Contents(tuple(texts), tuple(drawings), tuple(notes), boards)
 
 
 def _where(handed: Handed, name: str) -> Where:
@@ -218,21 +225,28 @@ def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Content
     entries = (entry for document in contents.documents for entry in document.entries)
     written = answers_at(entries, key, _questions, limits)
     values, drawn, notes = dict(written.values), dict[int, MeasuredDrawing](), [*contents.notes, *written.notes]
+    for name, board in contents.boards.items():
+        board.refuse_foreign(key.mechanism, _where(handed, name))
+    work = next((board.work for name, board in contents.boards.items() if of_file(name, key)[1] == 1), None)
     for name, content in contents.drawings:
         try:
             asked, at = of_file(name, key)
-            where, scales = _where(handed, name), written.scales
+            where, own = _where(handed, name), contents.boards.get(name)
+            scales = written.scales if own is None else {**written.scales, **own.work.scales}
             vectors, drawn[at], others = measured(name, content, where, asked, scales, _questions(asked), limits)
+            if own is not None:  # its pencil is as exact as a sheet's
+                remarks = (remark for remark in drawn[at].remarks if not isinstance(remark, errors.OwnSheet))
+                drawn[at] = replace(drawn[at], remarks=tuple(remarks))
             values = {**named_at(vectors, at), **values}
             notes += others
         except GraphkinError as problem:
             notes.append(problem)
-    if not values:
+    if not values and work is None:
         if len(notes) == 1 and not isinstance(notes[0], errors.BrokenSubmission):
             raise notes[0]
         whole = (note for note in notes if not isinstance(note, errors.NotAQuestion))  # what stopped a file as a whole
         raise next(whole, errors.NoAnswers(Where(handed.file)))
-    return Submission(student, handed.file, values, None, tuple(notes), handed.place, drawn)
+    return Submission(student, handed.file, values, None, tuple(notes), handed.place, drawn, work)
 
 
 _REMEMBERED: list[tuple[ReadableProblem, Questions]] = []

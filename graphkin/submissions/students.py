@@ -99,6 +99,7 @@ def students_in(rows: Iterable[Sequence[str]], where: Where) -> tuple[Student, .
     return tuple(students.values())
 
 
+@lru_cache(256)
 def _head(text: str) -> str:
     return folded(text[:60]).replace("_", " ").strip(" :")
 

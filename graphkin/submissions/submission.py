@@ -91,6 +91,43 @@ class MeasuredDrawing:
 
 
 @frozen
+class FilledTerm:
+    """A term of an equation by its number in its plane, with the choices that were made; "" where none was."""
+
+    plane: Plane
+    equation: int
+    term: str
+    direction: str
+    magnitude: str
+
+
+@frozen
+class BoardStep:
+    """One act of the pencil.
+
+    at       its places [mm from the pole, y up]: the ends of an arrow or a line, the place of a point
+    name     of the arrow or the point; through, line: of a line, as the student took them
+    """
+
+    number: int
+    plane: Plane
+    tool: str
+    at: tuple[complex, ...]
+    name: str = ""
+    through: str = ""
+    line: str = ""
+
+
+@frozen
+class BoardWork:
+    """The equations and the drawing of one board; scales [SI unit per mm] as the student chose them."""
+
+    equations: tuple[FilledTerm, ...] = ()
+    steps: tuple[BoardStep, ...] = ()
+    scales: Mapping[Plane, float] = field(default_factory=dict)
+
+
+@frozen
 class Submission:
     """The answers of one student, or why they cannot be read.
 
@@ -100,6 +137,7 @@ class Submission:
     notes    what was passed over: a question that is none, a second answer to one, a letter that was not found
     place    line of a class table, or name of the member of an archive: under which results go back to the platform
     drawings  what was measured on the drawing of each position, by its number
+    board     the equations and the steps of a drawing board's file, of the drawn position
     """
 
     student: str
@@ -109,6 +147,7 @@ class Submission:
     notes: tuple[GraphkinError, ...] = ()
     place: str = ""
     drawings: Mapping[int, MeasuredDrawing] = field(default_factory=dict)
+    board: BoardWork | None = None
 
 
 @frozen

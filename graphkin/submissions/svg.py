@@ -17,6 +17,7 @@ from graphkin.errors import BrokenSubmission, Where
 from graphkin.submissions.picture import Dot, PagePicture, PictureArrow, PictureText
 from graphkin.submissions.submission import Limits
 
+BOARD = "graphkin-board"  # the id of the metadata of a drawing board's file
 _PX = 25.4 / 96
 _INK = "{http://www.inkscape.org/namespaces/inkscape}"
 _ROLE = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}role"
@@ -65,6 +66,8 @@ def read_svg(content: bytes, where: Where, limits: Limits) -> PagePicture:
     lines = tuple(line for mark in marks if isinstance(mark, list) for line in mark)
     dots = tuple(mark for mark in marks if isinstance(mark, Dot))
     texts = tuple(mark for mark in marks if isinstance(mark, PictureText))
+    if BOARD in reader.by_id:  # its points say what they are, whatever letters stand beside them
+        dots, texts = tuple(dot for dot in dots if dot.plane is not None), ()
     places = [*(end for line in lines for end in line), *(dot.place for dot in dots), *(text.corner for text in texts)]
     if not all(abs(place.real) + abs(place.imag) < _FAR for place in places):  # NaN is no place either
         raise BrokenSubmission(where, "SVG", "numbers")
@@ -139,7 +142,10 @@ class _SvgReader:
         self.pieces += len(pieces)
         self.limits.check(self.where, "elements", self.pieces)
         if len(pieces) == 1:
-            self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
+            gap = re.fullmatch(r"\d+\.\d{4}", element.attrib.get("data-broken", ""))
+            unit = abs(affine(1.0, 0.0) - affine(0.0, 0.0))
+            left_out = unit * float(gap[0]) if gap and "stroke-dasharray" in element.attrib else 0.0
+            self.arrows.append(PictureArrow(_named(element)[0], *pieces[0], left_out))
         return pieces
 
 

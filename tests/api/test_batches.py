@@ -36,7 +36,7 @@ def same(one: Iterable[Swept], other: Iterable[Swept]) -> int:
         assert (first.name, first.driver, first.reach) == (second.name, second.driver, second.reach) or first.error
         assert (first.error and first.error.message()) == (second.error and second.error.message())
         assert np.array_equal(first.driven, second.driven)
-        for a, b in zip(first.series, second.series, strict=True):
+        for a, b in zip(first.found.values(), second.found.values(), strict=True):
             assert (a.name, a.unit) == (b.name, b.unit)
             assert np.array_equal(a.values, b.values, equal_nan=True)
     return count

@@ -241,7 +241,7 @@ def test_the_same_names_everywhere(name: str):
 def test_a_sweep_has_them_too():
     mechanism = graphkin.load("ex3-1")
     found = graphkin.sweep(mechanism, {"AB": np.linspace(60, 90, 4)}, ["omega 3"])
-    exact = graphkin.motion(mechanism, [np.radians(np.linspace(60, 90, 4))])
+    exact = graphkin.motion(mechanism, [np.linspace(60, 90, 4)])
     for word, key in (("omega", "2"), ("v", "C"), ("a", "B3"), ("position", "C"), ("alpha", "3")):
         assert np.allclose(getattr(found, word)[key], getattr(exact, word)[key], rtol=1e-9)
     assert found["omega 3"].rpm == pytest.approx(exact.omega["3"].rpm)
@@ -271,7 +271,7 @@ def test_a_unit_that_does_not_fit(of: str, unit: str):
 
 
 def test_arrays_share_memory_and_keep_units():
-    found = graphkin.motion(graphkin.load("ex3-1"), [np.radians([60, 90])])
+    found = graphkin.motion(graphkin.load("ex3-1"), [[60, 90]])
     omega = found.omega["3"]
     assert np.shares_memory(omega, found.motions.omega["3"])
     assert omega[:1].unit == omega[0].unit == "rad/s"
@@ -281,7 +281,7 @@ def test_arrays_share_memory_and_keep_units():
 
 def test_what_was_read_cannot_be_written_into():
     """Else a quantity that is read later would be worked out of what stands there by then."""
-    drawn = graphkin.replay(graphkin.plan(graphkin.load("ex3-1")), [np.radians(np.linspace(50, 70, 9))])
+    drawn = graphkin.replay(graphkin.plan(graphkin.load("ex3-1")), [np.linspace(50, 70, 9)])
     for read in (drawn.omega["2"], drawn.position["B"], drawn["omega 2"].si, drawn.v["B"][2:]):
         with pytest.raises(ValueError, match="read-only"):
             read *= 1000
@@ -364,7 +364,7 @@ def test_paths_of_points():
     mechanism = graphkin.load("ex3-1")
     found = graphkin.sweep(mechanism, [0, 50, 100], "path C, x C, y C")
     assert np.allclose(found["path C"].vectors, np.asarray(found["x C"]) + 1j * np.asarray(found["y C"]))
-    assert np.allclose(found["path C"], graphkin.motion(mechanism, [np.radians([0, 50, 100])]).position["C"])
+    assert np.allclose(found["path C"], graphkin.motion(mechanism, [[0, 50, 100]]).position["C"])
     assert list(found.columns())[1:] == ["path C x [mm]", "path C y [mm]", "x C [mm]", "y C [mm]"]
     asking = graphkin.loads(mechanism.text.replace('"omega 2"', '"path C", "x C"'))
     place = complex(graphkin.Drawing.of(asking).answers()["path C"].vector)

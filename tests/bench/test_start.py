@@ -19,10 +19,11 @@ LIMITS = {
     "list": 0.4,
     "equations ex3-1": 1.2,
     "draw ex3-1": 2.1,
-    "draw p3-15": 3.9,
+    "draw ex3-2": 3.2,
+    "draw p3-15": 4.5,
 }
-"""Of the time that the imports take. A quiet machine gives 2.0 and 3.6 for the drawings: where labels have leaders, a second
-arrangement of the sheet is composed with details, each of which is tried in several places and sizes."""
+"""Of the time that the imports take. Where labels have leaders, a second arrangement of the sheet is composed with
+details, each of which is tried in several places."""
 
 
 def seconds(command: list[str]) -> float:

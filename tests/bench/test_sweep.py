@@ -69,7 +69,7 @@ def graphkin_pva(method: Method, angles: np.ndarray) -> Plot:
 
 def everything(method: Method, angles: np.ndarray, compiled: bool = False) -> State:
     """The same by the public names, with units."""
-    state = graphkin.replay(method, [angles], compiled=compiled)
+    state = graphkin.replay(method, [np.degrees(angles)], compiled=compiled)
     for table, names in ((state.position, method.mechanism.points), (state.v, method.mechanism.points),
                          (state.a, method.mechanism.points), (state.theta, method.mechanism.moving),
                          (state.omega, method.mechanism.moving), (state.alpha, method.mechanism.moving)):  # fmt: skip
@@ -338,7 +338,7 @@ def test_held_beside_unproved(name: str, capsys: pytest.CaptureFixture[str]) -> 
     mechanism = method.mechanism
 
     def read(held: bool) -> None:
-        state = graphkin.replay(method, [angles], held=held)
+        state = graphkin.replay(method, [np.degrees(angles)], held=held)
         for table, names in ((state.position, mechanism.points), (state.v, mechanism.points), (state.a, mechanism.points),
                              (state.theta, mechanism.moving), (state.omega, mechanism.moving), (state.alpha, mechanism.moving)):  # fmt: skip
             for each in names:

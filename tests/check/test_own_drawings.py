@@ -100,26 +100,25 @@ def test_what_is_not_judged_says_so_in_both_languages(command, tmp_path: Path):
     assert "不作任何判断" in caught.value.message("zh")
 
 
-REPEATED = {
-    name: [renamed(loads(family(random.Random(seed), 0.0)), seed) for seed in range(4)]
-    for name, (family, _) in repeating.FAMILIES.items()
-}
+def repeated(name: str) -> list[Mechanism]:
+    family, _ = repeating.FAMILIES[name]
+    return [renamed(loads(family(random.Random(seed), 0.0)), seed) for seed in range(4 if MANY else 2)]
 
 
-@pytest.mark.parametrize("name", REPEATED)
+@pytest.mark.parametrize("name", repeating.FAMILIES)
 def test_nothing_lies_off_a_sheet_that_is_cut(name: str):
     """Where less width breaks what stands over a figure into more lines, too."""
-    for drawing in map(Drawing.of, REPEATED[name]):
+    for drawing in map(Drawing.of, repeated(name)):
         for plane in ("position", "velocity", "acceleration"):
             sheet = drawing.sheet(only=plane, tight=True)
             places = [mark.at for mark in sheet.marks if isinstance(mark, PointMark)]
             assert all(0 <= at.real <= sheet.paper.width and 0 <= at.imag <= sheet.paper.height for at in places)
 
 
-@pytest.mark.parametrize("name", REPEATED)
+@pytest.mark.parametrize("name", repeating.FAMILIES)
 def test_centres_by_lines_are_those_of_the_analysis(name: str):
     """Where links turn alike, so that several centres lie at infinity in one direction, too."""
-    for mechanism in REPEATED[name]:
+    for mechanism in repeated(name):
         method = plan(mechanism)
         found, exact = centres(method, replay_all(method)), ways_to_move(mechanism, motion(mechanism))
         size = max(abs(complex(place)) for place in exact[0].position.values())

@@ -521,7 +521,8 @@ MISLEADING: dict[str, Change] = {
     "letters in white": at_end(GLYPHS),
     "another title": lambda text: TITLE.sub("Geneva drive", text),
 }
-EACH = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "0")) // 400)
+EVERYTHING = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
+EACH = max(1, EVERYTHING // 400)
 SHEETS = [*library.names()[::12], *((family, seed) for family in FAMILIES for seed in range(EACH))]
 
 
@@ -531,7 +532,7 @@ def test_what_misleads_is_seen_on_any_sheet(of: str | tuple[str, int], tmp_path:
     text = drawing(of) if isinstance(of, str) else drawn(*of)
     assert text is not None
     assert not wrong(read_back(tmp_path, text, mechanism))
-    for name, change in MISLEADING.items():
+    for name, change in [*MISLEADING.items()][0 if EVERYTHING else SHEETS.index(of) % 2 :: 1 if EVERYTHING else 2]:
         if "sense" in name and not re.search(TURNS, text):
             continue
         try:

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from click.shell_completion import ShellComplete
 from click.testing import CliRunner, Result
+from si_values import si
 
 from graphkin import api
 from graphkin.cli import main, spelled_out, watching
@@ -115,7 +116,7 @@ def test_a_mechanism_stands_elsewhere(name: str, aside: float) -> None:
     method = api.plan(library.load(name))
     values = [float(value) + aside for value in method.facts(None).values]
     there = mechanism_at(method, values)
-    drawn, again = api.replay(method, values), api.replay(api.plan(there))
+    drawn, again = api.replay(method, si(method, values)), api.replay(api.plan(there))
     for link in there.moving:
         assert again.omega[link] == pytest.approx(drawn.omega[link], rel=1e-7, abs=1e-9)
         assert again.alpha[link] == pytest.approx(drawn.alpha[link], rel=1e-6, abs=1e-7)
@@ -331,7 +332,7 @@ def test_handout_at_another_angle() -> None:
 
 def test_tolerance_at_another_angle() -> None:
     found = json.loads(run("tolerance", "ex3-1", "--angle", "100", "--json").stdout)
-    there = api.motion(library.load("ex3-1"), [math.radians(100)]).omega["3"].si
+    there = api.motion(library.load("ex3-1"), [100]).omega["3"].si
     assert found["quantities"]["omega 3"]["right"] == pytest.approx(there, rel=1e-9)
 
 

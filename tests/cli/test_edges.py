@@ -5,9 +5,12 @@ from __future__ import annotations
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
+import time
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -15,7 +18,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from graphkin import Drawing
-from graphkin.cli import main
+from graphkin.cli import main, streams
 from graphkin.cli.shared import json_line
 from graphkin.errors import AlongOwnAxis, JoinedToNothing
 from graphkin.files import library, loads
@@ -352,3 +355,50 @@ def test_a_link_that_hangs_on_one_joint_is_named() -> None:
     error = wrong_drivers(loads(COLLAR.replace("O2B = 100", "O2C = 100").replace("B = [300", "C = [300")))
     assert isinstance(error, JoinedToNothing)
     assert error.points == ("B", "C")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such terminal")
+def test_a_bar_where_one_waits(monkeypatch: pytest.MonkeyPatch):
+    """At a terminal, and not before a while; with the time, and gone on when it is done."""
+    import pty
+
+    main_end, terminal = pty.openpty()
+    with os.fdopen(terminal, "w") as stderr:
+        monkeypatch.setattr(sys, "stderr", stderr)
+        with streams.waiting():
+            pass
+        stderr.write("nothing yet\n")
+        monkeypatch.setattr(streams, "_PATIENCE", 0.0)
+        monkeypatch.setattr(streams, "_TICK", 0.01)
+        with streams.waiting():
+            time.sleep(0.1)
+        stderr.write("done")
+        stderr.flush()
+        shown = b""
+        while not shown.endswith(b"done"):
+            shown += os.read(main_end, 4096)
+        before, _, after = shown.decode().partition("nothing yet")
+        assert not before
+        assert "0 s" in after
+        assert after.endswith("\ndone")
+    os.close(main_end)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
+def test_an_interruption_while_workers_start(tmp_path: Path):
+    """Ctrl-C goes to all processes of a terminal, those, too, that load Python just then."""
+    (tmp_path / "a.csv").write_text("student,omega 3\n" + "".join(f"s{k},-3.9\n" for k in range(5000)))
+    command = [str(Path(sys.executable).with_name("graphkin")), "grade", "ex3-1", "a.csv", "-o", "a.json", "--jobs", "2"]
+    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
+    process = subprocess.Popen(
+        command, cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True, preexec_fn=heard
+    )
+    while not (tmp_path / "a.json.journal").exists() and process.poll() is None:
+        time.sleep(0.01)
+    time.sleep(0.1)
+    os.killpg(process.pid, signal.SIGINT)
+    said = process.communicate(timeout=60)[1].decode()
+    assert process.returncode == 130
+    assert len(said.split("\n")) == 3, said
+    assert "goes on from there" in said
+    assert not (tmp_path / "a.json").exists()

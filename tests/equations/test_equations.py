@@ -28,6 +28,7 @@ from random_mechanisms import (
     triad,
 )  # fmt: skip
 from redriving import redriven
+from si_values import si
 
 import graphkin
 from graphkin.equations import document, write_html, write_tex, write_text
@@ -51,7 +52,7 @@ def positions(mechanism):
     moves = [[(0.07 if d.kind != "slide" else 0.02 * abs(v) or 1e-4) * k for k in (1, -1)]
              for d, v in zip(mechanism.drivers, start)]  # fmt: skip
     for k in range(2 if len(start) else 0):
-        moved = graphkin.motion(mechanism, [[value + move[k]] for value, move in zip(start, moves)])
+        moved = graphkin.motion(mechanism, si(mechanism, [[value + move[k]] for value, move in zip(start, moves)]))
         if np.isfinite(moved.condition[0]) and np.all(np.isfinite([*moved.omega.values()])):
             yield moved, 0
 

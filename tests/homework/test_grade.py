@@ -212,7 +212,7 @@ def test_tolerance_as_json():
     assert one["asked"]
     assert one["tolerance"] == pytest.approx(2 * one["scatter"])
     assert data["steps"][0]["name"] == "v_B2"
-    assert data["scales"] == {"length": 0.0006, "velocity": 0.006, "acceleration": 0.06}
+    assert data["scales"] == {"length": 0.0006, "velocity": 0.006, "acceleration": 0.05}
 
 
 def test_power_is_told():

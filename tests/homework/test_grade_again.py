@@ -11,10 +11,9 @@ from click.testing import CliRunner
 
 from graphkin import files as loading
 from graphkin.cli import main
-from graphkin.cli.marking import pencils_of
 from graphkin.errors import NOWHERE
 from graphkin.files import library
-from graphkin.homework.grading import Pencils, judge_from, key_for, key_from, set_text
+from graphkin.homework.grading import Pencils, judge_from, key_for, key_from, pencils_of, set_text
 from graphkin.outputs.key_json import key_of, key_text
 
 ANSWERS = "student,omega 3,alpha 3,a_k B3B2\ns1,-3.92,62,2.5\ns2,-5.65,68.7,3.62\ns3,-3.7 m/s,,2.6\ns4,-3.75,60,what\n"

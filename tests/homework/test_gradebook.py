@@ -120,8 +120,8 @@ def test_a_page_has_a_name_a_title_and_letters_of_the_sheets(lang):
 @pytest.mark.parametrize(
     ("changes", "step", "good"),
     [
-        ({}, "Look again at how angular velocities are read off. Then find ω3, α3 again.", "2 of 3"),
-        ({"mistakes": []}, "Check the sense (sign) of α3.", "2 of 3"),
+        ({}, "Look again at how angular velocities are read off. Then find ω3, α3 again.", "0 of 3 values are right; 2 follow"),
+        ({"mistakes": []}, "Check the sense (sign) of α3.", "1 of 3 values are right; 1 follow"),
         ({"quantities": UNREAD}, "Write ω3 again as a number with its unit", ""),
         ({"quantities": {"omega 3": quantity(1.0, 1.0, "rad/s", given=0.5, verdict="right")}, "mistakes": []}, "", "Well done"),
     ],

@@ -413,7 +413,7 @@ def test_prairielearn_stays_under_a_megabyte(size, tmp_path: Path):
     ("reveal", "hidden", "told"),
     [
         ("hint", ("−3.919", "wrong length", "3.625"), ("wrong", "−5.65", "Look again at how angular velocities")),
-        ("mistake", ("−3.919", "2.515", "0.7071", "0.5 m/s"), ("judged with your own ω3 = −5.65 rad/s: it should be 3.625 m/s²: yes", "ω3 from the wrong length", "consistent with", "cannot be told apart")),
+        ("mistake", ("−3.919", "2.515", "0.7071", "0.5 m/s"), ("judged with your own ω3 = −5.65 rad/s: it should be 3.625 m/s²: yours is within what paper allows", "ω3 from the wrong length", "consistent with", "cannot be told apart")),
         ("answer", (), ("−3.919", "3.625", "0.7071", "ω3 from the wrong length")),
     ],
 )

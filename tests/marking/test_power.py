@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import replace
 from statistics import NormalDist
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from paper_scales import at_paper_scales
 from random_mechanisms import DYADS, dyad
 
 from graphkin import api
@@ -35,16 +35,11 @@ TRIALS = int(os.environ.get("GRAPHKIN_POWER", "0"))
 PROBLEMS = [*library.names(), *(f"{kind} {n}" for n in range(1, 101) for kind in DYADS)] if TRIALS else ["ex3-5", "RPP 1"]
 
 
-SCALES = {"p3-19": {"length": 0.0005, "velocity": 0.002, "acceleration": 0.0006}}
-"""Of drawings whose tolerances are to be those of a paper, whatever paper their sheets take."""
-
-
 def problem(name: str) -> Marker:
     """Of the library, or with a random dyad of a kind: the nth that a teacher would take, as most values can be measured."""
     kind, _, number = name.partition(" ")
     if not number:
-        machine = library.load(name)
-        machine = replace(machine, scales=SCALES.get(name, machine.scales))
+        machine = at_paper_scales(library.load(name), name)
         return Marker(key_for(machine), api.plan(machine))
     seed = 100 * (int(number) - 1)
     while True:

@@ -14,8 +14,9 @@ from graphkin import files as loading
 from graphkin.construction import Plot
 from graphkin.errors import Where
 from graphkin.files import library
-from graphkin.homework.grading import grade, key_drawn
+from graphkin.homework.grading import grade
 from graphkin.homework.grading.batch import earlier_reading
+from graphkin.homework.grading.keys import key_drawn
 from graphkin.marking.consequences import rewrites, rewritten
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Drawn, HandedNumber, StudentWork

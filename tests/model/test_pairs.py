@@ -27,6 +27,7 @@ from graphkin.say.structure import KINDS, structure_lines
 from graphkin.say.sweeps import remarks
 from graphkin.sheet.mechanism_figure import BEFORE_LINKS, OVER_LINKS
 from graphkin.sheet.wheels import UNDER_LINKS
+from graphkin.studies.assur import structure
 from graphkin.studies.sweeps import course
 
 EVERY = set(PAIRS)
@@ -144,7 +145,7 @@ def test_a_contact_between_points_of_one_link_repeats_what_the_link_holds() -> N
     assert mobility(mechanism).repeated == 1
     method = plan(mechanism)
     assert [(each.pair, each.part) for each in method.aside] == [(("cam", 0), "link")]
-    assert any("cam pair 1–3" in line for line in structure_lines(method, "en"))
+    assert any("cam pair 1–3" in line for line in structure_lines(structure(method), "en"))
 
 
 @pytest.mark.parametrize("slot", [

@@ -95,6 +95,15 @@ def test_drawn_position_has_all_its_polygons():
     assert {mark.plane for mark in first.marks if isinstance(mark, VectorMark)} == {"velocity", "acceleration"}
 
 
+def test_values_are_those_of_the_nearest_position():
+    """A value changes midway between two positions: it is never behind the drawing by more than half a step."""
+    text, shown = animation(_frames("ex3-7")), list[str]()
+    for moment in (0.0, 0.4, 0.6, 1.4, 11.4, 11.6):
+        texts = ("".join(each.itertext()) for each in ET.fromstring(still(text, moment / COUNT)).iter(f"{SVG}text"))
+        shown += [re.sub(r"\s", "", each) for each in texts if each.startswith("φ")]
+    assert shown == [f"φ1={angle}°" for angle in (0, 0, 30, 30, 330, 0)]
+
+
 def test_first_moment_is_a_right_sheet(tmp_path: Path):
     """Without what moves it, a file's drawing passes the ruler, by what its first sheet says of itself."""
     frames = _frames("ex3-7")

@@ -24,7 +24,7 @@ from graphkin.outputs import diagram
 from graphkin.outputs.diagram import fonts
 from graphkin.outputs.diagram.curves import Curves, curves, span
 from graphkin.outputs.diagram.panels import division, panels
-from graphkin.outputs.files import FileInTheWay
+from graphkin.outputs.files import FileInTheWay, UnknownEnding
 from graphkin.sheet.results import label_of
 from graphkin.studies import sweeps
 from graphkin.studies.sweeps import Course
@@ -424,7 +424,7 @@ def test_only_own_files_are_replaced(tmp_path: Path, suffix: str):
 
 def test_what_cannot_be_written(tmp_path: Path):
     course, names = moved("p3-19")
-    with pytest.raises(diagram.NotADiagram):
+    with pytest.raises(UnknownEnding):
         diagram.write(tmp_path / "a.gif", course, names)
     with pytest.raises(NoFolder):
         diagram.write(tmp_path / "none" / "a.svg", course, names)
@@ -437,16 +437,36 @@ def test_settings_stay_as_they_were():
         assert dict(matplotlib.rcParams) == before
 
 
+SOME = {"ex3-1": "omega 3", "ex3-5": "v E", "ex3-7": "theta 4, a E", "p3-23a": "alpha 3"}
+
+
 def test_diagrams_made_in_threads_are_those_made_alone():
-    """Eight at a time, with settings of the user's own, which are there again when all are done."""
-    swept = [graphkin.sweep(graphkin.load(name)) for name in ("ex3-1", "ex3-5", "ex3-7", "p3-23a")]
+    """Eight at a time, while the user goes on reading and writing settings of their own."""
+    swept = [graphkin.sweep(graphkin.load(name), (), asked) for name, asked in SOME.items()]
     alone = [one._repr_svg_() for one in swept]
     with matplotlib.rc_context({"axes.grid": True, "font.size": 20.0, "svg.hashsalt": None}):
-        before = dict(matplotlib.rcParams)
-        with ThreadPoolExecutor(8) as threads:
-            together = list(threads.map(lambda one: one._repr_svg_(), swept * 2))
-        assert dict(matplotlib.rcParams) == before
-    assert together == alone * 2
+        before, read, usual = dict(matplotlib.rcParams), [], type(matplotlib.rcParams)
+        with ThreadPoolExecutor(9) as threads:
+            drawn = [threads.submit(one._repr_svg_) for one in swept * 2]
+            while not all(one.done() for one in drawn):
+                matplotlib.rcParams["lines.linewidth"] = float(len(read) % 7)
+                read.append((matplotlib.rcParams["font.size"], matplotlib.rcParams["lines.linewidth"] == len(read) % 7))
+        matplotlib.rcParams["lines.linewidth"] = before["lines.linewidth"]
+        assert (dict(matplotlib.rcParams), type(matplotlib.rcParams)) == (before, usual)
+    assert {*read} == {(20.0, True)}
+    assert [one.result() for one in drawn] == alone * 2
+
+
+def test_a_figure_has_its_own_settings_wherever_it_is_saved():
+    """A notebook saves it later, under whatever the user has set by then."""
+    import io
+
+    page, there = diagram.figure(*moved("p3-19")), {key: io.BytesIO() for key in "ab"}
+    page.savefig(there["a"], format="png")
+    with matplotlib.rc_context({"text.hinting": "default", "savefig.facecolor": "red", "path.sketch": (5, 9, 3)}):
+        page.savefig(there["b"], format="png")
+        assert page._repr_svg_() == diagram.figure(*moved("p3-19"))._repr_svg_()
+    assert there["a"].getvalue() == there["b"].getvalue()
 
 
 def test_the_users_settings_do_not_show(tmp_path: Path):

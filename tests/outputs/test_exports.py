@@ -16,6 +16,7 @@ from pdf_lines import lines
 import graphkin
 from graphkin.cli import main
 from graphkin.outputs import drawings, paged
+from graphkin.outputs.saving import NotebookSheet
 from graphkin.sheet.marks import VectorMark
 
 MUCH = "GRAPHKIN_TEX" in os.environ
@@ -23,15 +24,14 @@ MUCH = "GRAPHKIN_TEX" in os.environ
 NAMES = ("ex3-1", "ex3-4", "p3-22", "curved-slot")
 
 
-def _picture(name: str) -> drawings.DrawingSource:
-    drawing = graphkin.Drawing.of(graphkin.load(name))
-    return drawings.DrawingSource(drawing.sheet(), drawing.method, drawing.plot, "en")
+def _picture(name: str) -> NotebookSheet:
+    return graphkin.Drawing.of(name).sheet()
 
 
-def _ends(picture: drawings.DrawingSource) -> list[tuple[complex, complex]]:
+def _ends(picture: NotebookSheet) -> list[tuple[complex, complex]]:
     """Of every vector, from the foot of the paper up [mm]."""
-    up = complex(0, picture.sheet.paper.height)
-    vectors = [mark for mark in picture.sheet.marks if isinstance(mark, VectorMark)]
+    up = complex(0, picture.paper.height)
+    vectors = [mark for mark in picture.marks if isinstance(mark, VectorMark)]
     return [(up + v.start.conjugate(), up + v.end.conjugate()) for v in vectors]
 
 
@@ -46,7 +46,7 @@ def test_dxf_holds_every_vector(name: str, tmp_path: Path):
     ezdxf = pytest.importorskip("ezdxf")
     picture = _picture(name)
     path = tmp_path / "a.dxf"
-    path.write_bytes(drawings.WRITERS[".dxf"](picture))
+    picture.save(path)
     document = ezdxf.readfile(path)
     assert document.header["$INSUNITS"] == 4
     lines = document.modelspace().query("LINE")
@@ -58,10 +58,10 @@ def test_dxf_holds_every_vector(name: str, tmp_path: Path):
 @pytest.mark.parametrize("name", NAMES)
 def test_tikz_holds_every_vector(name: str):
     picture = _picture(name)
-    text = drawings.WRITERS[".tex"](picture).decode()
+    text = picture.content(Path("a" + ".tex")).decode()
     number = r"(-?[\d.]+)"
     lines = re.findall(rf"arrow\] \({number}, {number}\) -- \({number}, {number}\);", text)
-    up = picture.sheet.paper.height
+    up = picture.paper.height
     found = [(complex(float(a), up - float(b)), complex(float(c), up - float(d))) for a, b, c, d in lines]
     _hold(found, [(a, b) for a, b in _ends(picture) if abs(a - b) > 0.05])
 
@@ -83,9 +83,9 @@ def test_tikz_compiles_to_scale(name: str, tmp_path: Path):
     """Every arrow starts at its place and points along its vector; its head takes as much off it as off the others."""
     pypdf = pytest.importorskip("pypdf")
     picture = _picture(name)
-    reader = pypdf.PdfReader(_compiled(drawings.WRITERS[".tex"](picture), tmp_path))
+    reader = pypdf.PdfReader(_compiled(picture.content(Path("a" + ".tex")), tmp_path))
     (page,) = reader.pages
-    paper = picture.sheet.paper
+    paper = picture.paper
     assert [float(length) * 25.4 / 72 for length in page.mediabox[2:]] == pytest.approx([paper.width, paper.height], abs=0.01)
     drawn, heads = list(lines(reader, page)), []
     for start, end in _ends(picture):
@@ -116,9 +116,10 @@ def test_pdf_is_as_large_as_the_paper(lang: str, tmp_path: Path):
     done = CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(path), "--lang", lang])
     assert done.exit_code == 0, done.output
     first = path.read_bytes()
-    page = pypdf.PdfReader(path).pages[0]
-    assert abs(float(page.mediabox.width) - 210 * 72 / 25.4) < 0.01
-    assert abs(float(page.mediabox.height) - 297 * 72 / 25.4) < 0.01
+    page, paper = pypdf.PdfReader(path).pages[0], graphkin.Drawing.of(graphkin.load("ex3-1")).sheet().paper
+    assert {paper.width, paper.height} == {210, 297}
+    assert abs(float(page.mediabox.width) - paper.width * 72 / 25.4) < 0.01
+    assert abs(float(page.mediabox.height) - paper.height * 72 / 25.4) < 0.01
     assert CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(path), "--lang", lang]).exit_code == 0
     assert path.read_bytes() == first
 
@@ -148,7 +149,7 @@ def test_png_has_letters_on_a_machine_without_fonts():
         assert ink(letters, serif_family=paged.SERIF, font_files=paged.serif_files()) > ink(letters) == 0, letters
 
 
-@pytest.mark.parametrize("kind", drawings.WRITERS)
+@pytest.mark.parametrize("kind", drawings.DRAWN)
 def test_a_file_of_another_is_kept(kind: str, tmp_path: Path):
     path = tmp_path / f"a{kind}"
     path.write_bytes(b"mine")

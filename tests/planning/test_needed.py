@@ -14,7 +14,7 @@ from graphkin.files import library, loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.planning.at_rest import at_rest, moving_parts
-from graphkin.planning.needed import Fact, PartsReader, needed, turning
+from graphkin.planning.needed import Fact, PartsReader, aids, needed, turning, without_aids
 from graphkin.running import replay_all
 from graphkin.say import explain
 
@@ -72,6 +72,22 @@ def test_only_what_is_asked() -> None:
     assert "Accelerations" not in text
     assert "v_C" not in text
     assert text.endswith("Answer\n    ω3 = 3.919 rad/s (clockwise)")
+
+
+@pytest.mark.parametrize(("name", "points"), [("p3-4a", "K"), ("p3-22", "NM"), ("ex3-1", ""), ("s2-1a", "Q"), ("p3-12", "")])
+def test_a_point_that_shows_a_direction_alone_is_in_no_polygon(name: str, points: str) -> None:
+    method = plan(library.load(name))
+    drawn = without_aids(method)
+    gone = {own.plane: {node.site.point for key, node in own.nodes.items() if node.site and key not in left.nodes}
+            for own, left in zip(method.constructions[1:], drawn.constructions[1:], strict=True)}  # fmt: skip
+    assert gone == {"velocity": set(points), "acceleration": set(points)}
+    assert set(drawn.acceleration.steps) <= set(method.acceleration.steps)
+
+
+def test_one_that_is_asked_for_is() -> None:
+    mechanism = library.load("p3-4a")
+    assert aids(mechanism) == {"K"}
+    assert not aids(replace(mechanism, ask=("v K",)))
 
 
 def test_as_far_as_one_wants() -> None:

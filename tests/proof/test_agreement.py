@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 from folding import LINKAGES, folding
 from random_mechanisms import DYADS, chain, cylinder, dyad, geared_five_bar, rolling, six_bar, triad
+from si_values import si
 
 import graphkin
+from graphkin.api import variants as api_variants
 from graphkin.errors import GraphkinError, NotReached, RoadsDiffer
 from graphkin.files import library
 from graphkin.model.mechanism import Mechanism
@@ -29,7 +31,7 @@ def planned(kind: str) -> Method:
     for seed in range(40):
         try:
             method = graphkin.plan(KINDS[kind](seed))
-            graphkin.replay(method, near(method, 5))
+            graphkin.replay(method, si(method, near(method, 5)))
             return method
         except GraphkinError:
             continue
@@ -56,10 +58,10 @@ def test_wrong_numbers_are_not_given(kind: str, count: int | None):
     right = planned(kind)
     wrong = wronged(right)
     values: Any = None if count is None else [float(v[0]) for v in near(right, 1)] if count == 0 else near(right, count)
-    graphkin.replay(right, values)
+    graphkin.replay(right, si(right, values))
     with pytest.raises(RoadsDiffer):
-        graphkin.replay(wrong, values)
-    assert np.all(np.isfinite(graphkin.replay(wrong, values, held=False).omega[right.mechanism.drivers[0].link]))
+        graphkin.replay(wrong, si(wrong, values))
+    assert np.all(np.isfinite(graphkin.replay(wrong, si(wrong, values), held=False).omega[right.mechanism.drivers[0].link]))
 
 
 def test_what_the_links_do_beyond_a_change_point_is_not_given():
@@ -68,8 +70,8 @@ def test_what_the_links_do_beyond_a_change_point_is_not_given():
     lift, tilt = method.facts(None).values
     beyond = [lift - method.size * np.linspace(0, 0.2, 25), np.full(25, tilt)]
     with pytest.raises(RoadsDiffer):
-        graphkin.replay(method, beyond)
-    assert np.isfinite(graphkin.replay(method, beyond, held=False).omega["7"]).all()
+        graphkin.replay(method, si(method, beyond))
+    assert np.isfinite(graphkin.replay(method, si(method, beyond), held=False).omega["7"]).all()
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -78,10 +80,10 @@ def test_over_change_points_a_replay_is_the_sweep_or_is_not_given(linkage: str, 
     method = graphkin.plan(folding(linkage, "none", seed))
     turn = method.facts(None).values[0] + np.linspace(0.01, 2 * np.pi, 100)
     try:
-        drawn = graphkin.replay(method, [turn])
+        drawn = graphkin.replay(method, si(method, [turn]))
     except (RoadsDiffer, NotReached):
         return
-    swept = graphkin.motion(method.mechanism, [turn])
+    swept = graphkin.motion(method.mechanism, si(method, [turn]))
     for link in method.mechanism.moving:
         there = np.isfinite(swept.omega[link])
         assert drawn.omega[link][there] == pytest.approx(swept.omega[link][there], rel=1e-6)
@@ -90,7 +92,7 @@ def test_over_change_points_a_replay_is_the_sweep_or_is_not_given(linkage: str, 
 def test_an_assembly_beyond_a_dead_point_is_not_given():
     method = graphkin.plan(library.load("fig3-6"))
     with pytest.raises(NotReached):
-        graphkin.replay(method, [method.facts(None).values[0] + np.linspace(-np.pi, np.pi, 361)])
+        graphkin.replay(method, si(method, [method.facts(None).values[0] + np.linspace(-np.pi, np.pi, 361)]))
 
 
 def test_what_is_known_is_not_asked_again(monkeypatch: pytest.MonkeyPatch):
@@ -106,7 +108,7 @@ def test_what_is_known_is_not_asked_again(monkeypatch: pytest.MonkeyPatch):
         ([np.linspace(0, 2, 50)], 1), ([np.linspace(2, 0, 7)], 1), ([np.linspace(0.5, 1, 90)], 1),
         ([np.linspace(0, 2.5, 50)], 2), (None, 3), (None, 3), ([1.0], 4), ([1.0], 4), ([1.1], 5),
     ]:  # fmt: skip
-        graphkin.replay(method, values)
+        graphkin.replay(method, si(method, values))
         assert len(asked) == count, values
 
 
@@ -117,31 +119,33 @@ def test_values_of_any_kind(shape: int):
         method = graphkin.plan(library.load(name))
         values = near(method, shape, 1e-3)
         for given in (values, tuple(values), np.array(values)):
-            assert np.shape(graphkin.replay(method, given).omega[method.mechanism.moving[1]]) in ((shape,), ())
+            assert np.shape(graphkin.replay(method, si(method, given)).omega[method.mechanism.moving[1]]) in ((shape,), ())
         single = np.array([float(value) for value in method.facts(None).values])
-        assert np.ndim(graphkin.replay(method, single).omega[method.mechanism.moving[1]]) == 0
+        assert np.ndim(graphkin.replay(method, si(method, single)).omega[method.mechanism.moving[1]]) == 0
 
 
-@pytest.mark.parametrize("kind", ["RRR", "RPR", "cylinder", "six bars", "triad"])
+@pytest.mark.parametrize("name", ["ex3-1", "ex3-7"])
 @pytest.mark.parametrize("at", [None, 3], ids=["as drawn", "elsewhere"])
-def test_many_mechanisms_are_held_too(kind: str, at: int | None, monkeypatch: pytest.MonkeyPatch):
+def test_many_mechanisms_are_held_too(name: str, at: int | None, monkeypatch: pytest.MonkeyPatch):
     """Each by its own analysis: the first and the last are, whichever of them is wrong."""
-    method = planned(kind)
-    many = [replace(method.mechanism, drivers=tuple(replace(d, rate=d.rate * (1 + k / 9)) for d in method.mechanism.drivers)) for k in range(20)]
-    values = None if at is None else [value[:, None] for value in near(method, at)]
-    found = graphkin.replay_many(method, many, values)
-    assert not found.refused
-    draw = variants.replay_many
+    mechanism = library.load(name)
+    key = "velocity" if mechanism.drivers[0].kind == "slide" else "omega"
+    many = mechanism.variants({key: mechanism.drivers[0].rate * (1 + np.arange(20) / 9)})
+    values = None if at is None else near(graphkin.plan(mechanism), at, 1e-3)
+    assert not graphkin.replay(many, si(many.mechanism, values)).refused
+    draw = api_variants.replay_many
 
     def draw_wrong(row: int, *given: Any) -> variants.DrawnVariants:
         made = draw(*given)
-        for table in (made.plot.omega, made.plot.velocity):
-            for value in table.values():
+        for table in ("omega", "velocity"):
+            wrong = {name: np.array(value) for name, value in getattr(made.plot, table).items()}
+            for value in wrong.values():
                 value[..., row] *= 1.001
+            setattr(made.plot, table, wrong)
         return made
 
     for row in (0, 19):
-        monkeypatch.setattr(variants, "replay_many", partial(draw_wrong, row))
+        monkeypatch.setattr(api_variants, "replay_many", partial(draw_wrong, row))
         with pytest.raises(RoadsDiffer):
-            graphkin.replay_many(method, many, values)
-        graphkin.replay_many(method, many, values, held=False)
+            graphkin.replay(many, si(many.mechanism, values))
+        graphkin.replay(many, si(many.mechanism, values), held=False)

@@ -18,7 +18,7 @@ from graphkin.proof.roads import proved
 from graphkin.running import replay_all
 
 KINDS = (*DYADS, "cylinder", "relative", "coupler", "chain")
-ROUGH = 200
+ROUGH = 100
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}
 
 

@@ -121,7 +121,7 @@ def test_when_a_compiler_is_asked(called: list[str], monkeypatch: pytest.MonkeyP
     """Of very many positions, or where one says so; not with GRAPHKIN_CC=none."""
     monkeypatch.setattr(program, "VERY_MANY", 500)
     method = plan(library.load("ex3-1"))
-    few, many = ([method.facts().values[0] + np.linspace(0, 1, count)] for count in (499, 500))
+    few, many = ([60 + np.linspace(0, 57, count)] for count in (499, 500))
     for values, asked, uses in ((few, None, 0), (many, None, 1), (many, False, 1), (few, True, 2)):
         graphkin.replay(method, values, compiled=asked)
         assert len(called) == uses

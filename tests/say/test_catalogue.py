@@ -159,8 +159,18 @@ def test_what_is_asked_for_exists():
     assert not missing
 
 
+@cache
+def of_scripts() -> tuple[re.Pattern[str], ...]:
+    """What the scripts of pages ask for; of a family, `${..}` stands for its other words."""
+    texts = "".join(path.read_text("utf-8") for path in sorted((PACKAGE / "page" / "script").glob("*.[jh]*")))
+    quoted = {match[1] for match in re.finditer(r"""["`]([a-z$][^"`\n]*)["`]""", texts)}
+    return tuple(re.compile(re.sub(r"\\\$\\\{.+?\\\}", "(.+)", re.escape(text))) for text in quoted)
+
+
 def is_asked_for(name: str) -> bool:
     """By itself, or as one of a family whose other words the code knows."""
+    if any(pattern.fullmatch(own) for own in (name, name.partition(".")[2]) for pattern in of_scripts()):
+        return True
     found = [match for pattern in compiled() if (match := pattern.fullmatch(name))]
     return any(all(map(is_known, match.groups())) for match in found)
 

@@ -23,6 +23,7 @@ from graphkin.say import explain
 from graphkin.say.centre_velocities import explain_centres
 from graphkin.say.figures import Operand, figures, signed_sum, squared, written
 from graphkin.say.linkages import lines as linkage_lines
+from graphkin.sheet import scales_of
 from graphkin.studies.centres import centres
 from graphkin.studies.linkages import FourBar, GuideBar, Linkage, SliderCrank, report
 
@@ -81,8 +82,8 @@ def by_hand(mechanism: Mechanism, scales: dict[str, float]) -> list[str]:
 
 def scales(name: str) -> dict[str, float]:
     """Those of its sheet."""
-    line = next(line for line in explained(name, "en") if line.strip().startswith("Scales: "))
-    return dict(zip(("position", "velocity", "acceleration"), map(float, re.findall(r"= (\S+)", line)), strict=True))
+    drawing = Drawing.of(library.load(name))
+    return dict(scales_of(drawing.method, drawing.plot))
 
 
 def test_a_train_read_by_hand_is_worth_what_it_prints() -> None:

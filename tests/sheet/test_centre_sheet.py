@@ -172,7 +172,7 @@ def test_no_name_of_a_centre_lies_on_anything(name: str):
 
 def _names_a_centre(mark: Text) -> bool:
     text = "".join(run.text for run in mark.label)
-    return mark.size == 3.5 and re.match(r"(, )?P[\w,′]+", text) is not None and mark.step is not None
+    return 3.4 < mark.size < 4 and re.match(r"(, )?P[\w,′]+", text) is not None and mark.step is not None
 
 
 def _box(mark: Text) -> tuple[float, float, float, float]:

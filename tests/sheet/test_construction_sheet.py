@@ -25,7 +25,7 @@ from graphkin.say import derivation, vector_equations
 from graphkin.say.entry import Sentence
 from graphkin.sheet import Sheet, Style
 from graphkin.sheet.construction_lines import PolygonConstruction
-from graphkin.sheet.lettering import Label, formula
+from graphkin.sheet.lettering import Label, formula, vector_label
 from graphkin.sheet.marks import ArcMark, Disc, PointMark, Stroke, Text, VectorMark
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
@@ -221,6 +221,30 @@ def test_a_line_stops_before_letters() -> None:
     assert PolygonConstruction.__doc__
 
 
+@pytest.mark.parametrize("name", ["p3-14", "ex3-2"])
+def test_a_direction_label_stands_at_a_line_of_its_own(name: str) -> None:
+    """No line that only bears its label lies on an arrow."""
+    marks = sheet(name).marks
+    arrows = [mark for mark in marks if isinstance(mark, VectorMark) and mark.length > 1]
+    strokes = [mark for mark in marks if isinstance(mark, Stroke) and mark.pen == "construction"]
+    lines = [mark for mark in strokes if len(mark.places) == 2]  # no right angles
+    points = [mark.at for mark in marks if isinstance(mark, PointMark)]
+    tips = [line.places[-1] for line in lines if min(abs(line.places[-1] - point) for point in points) > 1]
+    assert tips
+    for tip in tips:
+        near = [abs(((tip - arrow.start) / (arrow.end - arrow.start)).imag) * arrow.length for arrow in arrows
+                if 0 < ((tip - arrow.start) / (arrow.end - arrow.start)).real < 1]  # fmt: skip
+        assert not near or min(near) > 0.3
+
+
+def test_a_figure_shows_the_order_of_its_steps() -> None:
+    numbers = [mark for mark in sheet("s3-shaper").marks if isinstance(mark, Text) and read(mark.label).isdigit()]
+    arrows = [mark for mark in sheet("s3-shaper").marks if isinstance(mark, VectorMark)]
+    ends = [end for arrow in arrows for end in (arrow.start, (arrow.start + arrow.end) / 2, arrow.end)]
+    beside = {int(read(text.label)) for text in numbers if min(abs(text.at - end) for end in ends) < 20}
+    assert beside >= {act.number for act in drawing("s3-shaper").method.acts if act.numbered}
+
+
 # --- other sheets -----------------------------------------------------------------------------
 
 
@@ -272,3 +296,31 @@ def test_instant_centres_that_are_asked_for_stand_in_the_results_in_bold() -> No
     marks = [mark for mark in sheet("p3-11a").marks if isinstance(mark, Text) and "34.37" in read(mark.label)]
     assert [read(mark.label) for mark in marks] == ["at (0, 34.37)"]
     assert all(run.bold for run in marks[0].label)
+
+
+@pytest.mark.parametrize("name", ["p3-16", "p3-12", "p3-19", "ex3-3"])
+def test_each_arrow_of_an_equation_has_its_name_on_the_drawing(name: str) -> None:
+    sheet = drawing(name).sheet()
+    named = {"".join(run.text for run in mark.label).removeprefix(" = ") for mark in sheet.marks
+             if isinstance(mark, Text)}  # fmt: skip
+    arrows = {arrow.name for arrow in sheet.marks if isinstance(arrow, VectorMark) and arrow.length > 0.1}
+    for construction in (drawing(name).method.velocity, drawing(name).method.acceleration):
+        for term in construction.vectors():
+            assert term not in arrows or "".join(run.text for run in vector_label(term)) in named, term
+
+
+@pytest.mark.parametrize(("name", "row"), [("s4-ex4", "vO2 = ωH lO1O2"), ("p3-12", "∆ck1l2 ∽ ∆CKL")])
+def test_what_no_equation_gives_has_a_row(name: str, row: str) -> None:
+    assert row in {"".join(run.text for run in mark.label) for mark in drawing(name).sheet().marks
+                   if isinstance(mark, Text)}  # fmt: skip
+
+
+def test_a_name_joins_others_at_its_own_step() -> None:
+    """In the velocity polygon e falls on d and is found after it."""
+    steps = {read(mark.label): mark.step or 0 for mark in sheet("p3-22").marks if isinstance(mark, Text)}
+    assert steps["d"] < steps[", e"]
+
+
+def test_the_point_of_a_tangent_stands_in_the_figure() -> None:
+    for style in ("construction", "given"):
+        assert ("T" in texts(sheet("ex3-1", style))) == (style == "construction")

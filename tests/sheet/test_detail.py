@@ -5,13 +5,17 @@ from __future__ import annotations
 import cmath
 from collections import Counter
 from collections.abc import Callable
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from graphkin.sheet.arrows import side_by_side
 from graphkin.sheet.detail import detailed
-from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.label_candidates import Arrows
+from graphkin.sheet.label_requests import LabelRequest, tangled
 from graphkin.sheet.lettering import plain
-from graphkin.sheet.marks import Disc, VectorMark
+from graphkin.sheet.marks import Disc, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window
@@ -73,3 +77,55 @@ def test_a_detail_saves_leaders() -> None:
     draw = fan(14, 2.0)
     before, after = (one.near for one in (panel(draw), detailed(panel(draw), draw, "velocity")))
     assert after.clashes + len(after.marks) < before.clashes + len(before.marks) or after.clashes < before.clashes
+
+
+def test_the_pole_has_its_name_outside_a_detail_too() -> None:
+    arrows, pole = fan(12, 2.0), LabelRequest(plain("p"), WINDOW(0), gap=0.5)
+
+    def draw(window: Window) -> Figure:
+        figure, at = arrows(window), window(0)
+        return Figure([*figure.marks, PointMark("velocity", "p", "pole", at)], [*figure.wanted, replace(pole, start=at)])
+
+    after = detailed(panel(draw), draw, "velocity")
+    assert [want.label for want in after.figure.wanted].count(pole.label) == 2
+    assert pole in after.figure.wanted
+
+
+def test_several_points_close_together_are_a_knot() -> None:
+    names = [LabelRequest(plain("v_B"), 0j, 50 + 0j, of="v_B"), *(LabelRequest(plain("b"), k + 0j) for k in (0, 3, 5, 7))]
+    assert all(tangled(names)[1:] > 0)
+    assert not tangled(names[:-1]).any()
+
+
+# --- arrows on one line -----------------------------------------------------------------------
+
+
+def on_one_line(*ends: tuple[complex, complex]) -> Figure:
+    arrows = [VectorMark("velocity", f"v_{k}", "p", f"{k}", *each) for k, each in enumerate(ends)]
+    return side_by_side(Figure([*arrows], [LabelRequest(plain(v.name), v.start, v.end, of=v.name) for v in arrows]))
+
+
+@pytest.mark.parametrize("turn", [1, -1j, cmath.rect(1, 2.5)])
+def test_an_arrow_with_a_piece_of_its_own_stays_on_its_line(turn: complex) -> None:
+    figure = on_one_line((0j, 60 * turn), (0j, 20 * turn), (0j, 40 * turn))
+    assert not any(mark.aside for mark in figure.marks if isinstance(mark, VectorMark))
+    named = {want.of: (want.start, want.end) for want in figure.wanted}
+    for name, low in (("v_0", 40), ("v_1", 0), ("v_2", 20)):  # each where no shorter one lies
+        assert named[name] == pytest.approx((low * turn, (low + 20) * turn))
+
+
+@pytest.mark.parametrize("turn", [1, 1j, -1j, complex(1e-17, 1), complex(-1e-17, 1)])
+def test_arrows_to_and_fro_lie_on_two_lanes(turn: complex) -> None:
+    marks = on_one_line((0j, 60 * turn), (60 * turn, 0j), (0j, 60.5 * turn)).marks
+    lanes = [round(((mark.start / turn).imag + (mark.end / turn).imag) / 2, 3) for mark in marks
+             if isinstance(mark, VectorMark)]  # fmt: skip
+    assert len(set(lanes)) == 3
+
+
+def test_no_label_stands_beyond_the_side_of_an_image_or_a_point_beyond_an_arrow() -> None:
+    arrow = VectorMark("velocity", "v_B", "p", "b", 0j, 40 + 0j)
+    side = Stroke((0 + 2j, 40 + 2j), "thin", shows=Shows("2", "bar", ("b", "c"), plane="velocity"))
+    wanted = [LabelRequest(plain("v_B"), 0j, 40 + 0j, of="v_B"), LabelRequest(plain("c"), 20 + 1j)]
+    low = np.array([[18.0, 2.5], [18.0, -2.5], [19.0, -3.0], [19.0, 1.2]])
+    strange = Arrows([arrow, side]).strange(wanted, np.array([0, 0, 1, 1]), low, low + np.array([4.0, 0.6]))
+    assert strange.tolist() == [True, False, True, False]

@@ -16,14 +16,18 @@ def _set(text: str) -> str:
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [
-        ("位移 s_ram）上的 E 点", "位移 *s*[*ram*]）上的 E 点"),
+        ("位移 s_ram）上的 E 点", "位移 *s*[*ram*]）上的 *E* 点"),
         ("v_K4 = v_K1. So k1 serves", "*v*[*K*][4] = *v*[*K*][1]. So *k*[1] serves"),
         ("v_C = μ_v·pc", "*v*[*C*] = *μ*[*v*]·*pc*"),
         ("μ_v·bc/(μ_l·BC)", "*μ*[*v*]·*bc*/(*μ*[*l*]·*BC*)"),
         ("Measured: pe = 70.49 mm", "Measured: *pe* = 70.49 mm"),
         ("dc = db3 × CD/BD = 71.87 mm", "*dc* = *db*[3] × *CD*/*BD* = 71.87 mm"),
-        ("△ek1d is similar to △EKD, both", "△*ek*[1]*d* is similar to △*EKD*, both"),
+        ("△ek1d is similar to △EKD, both", "∆*ek*[1]*d* is similar to ∆*EKD*, both"),
         ("25.4 mm = 1 in", "25.4 mm = 1 in"),
+        ("由 p 作矢量 ⊥DE，得 w。", "由 *p* 作矢量 ⊥*DE*，得 *w*。"),
+        ("so a and d4 lie on p", "so *a* and *d*[4] lie on *p*"),
+        ("From A draw a line: e = 15 mm, n = 100 r/min", "From *A* draw a line: *e* = 15 mm, *n* = 100 r/min"),
+        ("A line; A is not on (b), 3 h", "A line; *A* is not on (b), 3 h"),
     ],
 )
 def test_signs_end_where_their_words_go_on(text, wanted):

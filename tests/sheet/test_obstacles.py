@@ -11,10 +11,12 @@ import numpy as np
 import pytest
 import shapely
 
-from graphkin.sheet.boxes import OccupiedSquares
+from graphkin.sheet.free_room import FreeRoom
+from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Stroke, Text
-from graphkin.sheet.obstacles import arc_places, obstacles, places
+from graphkin.sheet.obstacles import arc_places, obstacles
+from graphkin.sheet.paper import Room
 
 _COUNT = 60
 
@@ -68,17 +70,18 @@ def _met(shapes: Any, things: list[shapely.Geometry]) -> list[int]:
     return sorted({*shapely.STRtree(things).query(shapes, predicate="intersects")[0].tolist()})
 
 
-@pytest.mark.parametrize("cell", [0.5, 1.0, 3.0])
-def test_boxes_that_surely_hold_something_touch_something(cell: float) -> None:
-    marks = [mark for mark, _ in _marks(random.Random(1))][:40]
-    dice = np.random.default_rng(0)
-    low = dice.uniform(-30, 110, (4000, 2))
-    high = low + dice.uniform(0, 12 * cell, low.shape)
-    held = OccupiedSquares(places(marks), cell).within(low.T, high.T)
-    touched = np.isin(np.arange(len(low)), obstacles(marks).touched(low, high))
-    assert not (held & ~touched).any()
-    assert held.sum() > touched.sum() / 3
+@pytest.mark.parametrize("from_below", [False, True])
+@pytest.mark.parametrize("size", [4 + 3j, 9 + 6j, 16 + 4j])
+def test_a_free_rectangle_touches_nothing(size: complex, from_below: bool) -> None:
+    marks = [mark for mark, _ in _marks(random.Random(1))][:12]
+    room = FreeRoom(LabelScene([], marks, Room(0.0, 0.0, 100.0, 80.0)))
+    corner = room.corner(size, from_below)
+    assert corner is not None
+    low = np.array([[corner.real, corner.imag]])
+    assert room.free(low, low + np.array([size.real, size.imag])).all()
 
 
-def test_nothing_is_held_where_nothing_is_drawn() -> None:
-    assert not OccupiedSquares(places([]), 1.0).within([np.zeros(2), np.zeros(2)], [np.ones(2), np.ones(2)]).any()
+def test_nothing_larger_than_its_room_is_free() -> None:
+    room = FreeRoom(LabelScene([], [], Room(0.0, 0.0, 20.0, 20.0)))
+    assert room.corner(15 + 15j) == 2 + 2j
+    assert [room.corner(size) for size in (17 + 5j, 5 + 17j, 50 + 50j)] == [None] * 3

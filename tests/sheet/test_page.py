@@ -6,6 +6,8 @@ import ast
 import math
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import book
@@ -25,14 +27,18 @@ from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import Page, Panel, step_sheets
-from graphkin.sheet.paper import SERIES, Room, finer
-from graphkin.sheet.window import Extent, Figure, Window, cut_out
+from graphkin.sheet.paper import SERIES, Room
+from graphkin.sheet.window import Extent, Figure, Window
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.about import about
 
 PACKAGE = Path(graphkin.__file__).parent
 TEXTS = {path.relative_to(PACKAGE).as_posix(): path.read_text("utf-8") for path in PACKAGE.rglob("*.py")}
-TREES = {path: ast.parse(text) for path, text in TEXTS.items()}
+
+
+@cache
+def trees() -> dict[str, ast.Module]:
+    return {path: ast.parse(text) for path, text in TEXTS.items()}
 
 
 def names_of(tree: ast.AST, module: str, name: str) -> set[str]:
@@ -53,7 +59,7 @@ def names_of(tree: ast.AST, module: str, name: str) -> set[str]:
 
 def calls(module: str, name: str) -> Iterator[str]:
     """The file of each call of something that a module defines."""
-    for path, tree in TREES.items():
+    for path, tree in trees().items():
         known = names_of(tree, module, name) if name in TEXTS[path] else set()
         for node in ast.walk(tree) if known else ():
             if isinstance(node, ast.Call) and ast.unparse(node.func) in known:
@@ -61,15 +67,15 @@ def calls(module: str, name: str) -> Iterator[str]:
 
 
 ONCE = (
-    ("graphkin.sheet.page", "Sheet", "a finished drawing is made"),
-    ("graphkin.sheet.labels", "settle", "labels find their places"),
-    ("graphkin.sheet.titleblock", "strip", "the strip at the foot is drawn"),
+    ("graphkin.sheet.page", "Sheet", "page", "a finished drawing is made"),
+    ("graphkin.sheet.labels", "settle", "page", "labels find their places"),
+    ("graphkin.sheet.titleblock", "frame", "titleblock", "the drawing frame is drawn"),
 )
 
 
-@pytest.mark.parametrize(("module", "name", "what"), ONCE, ids=lambda word: word.rpartition(".")[2])
-def test_done_in_one_line_of_the_page(module: str, name: str, what: str):
-    assert list(calls(module, name)) == ["sheet/page.py"], what
+@pytest.mark.parametrize(("module", "name", "where", "what"), ONCE, ids=lambda word: word.rpartition(".")[2])
+def test_done_in_one_line(module: str, name: str, where: str, what: str):
+    assert list(calls(module, name)) == [f"sheet/{where}.py"], what
 
 
 def test_a_figure_is_fitted_in_one_place():
@@ -79,7 +85,7 @@ def test_a_figure_is_fitted_in_one_place():
 
 def test_step_sheets_are_made_in_one_line_of_the_page():
     """What a step adds is emphasised there, and nowhere else."""
-    words = ((path, node) for path, tree in TREES.items() for node in ast.walk(tree) if isinstance(node, ast.keyword))
+    words = ((path, node) for path, tree in trees().items() for node in ast.walk(tree) if isinstance(node, ast.keyword))
     assert [path for path, word in words if word.arg == "new"] == ["sheet/page.py"]
 
 
@@ -140,7 +146,9 @@ def test_a_figure_stands_in_the_middle_of_its_room_at_the_finest_scale(wide: flo
     assert (left - room.left, top - room.top) == pytest.approx((room.right - right, room.bottom - bottom), abs=1e-6)
     assert left - room.left >= 4 - 1e-6
     assert top - room.top >= 4 - 1e-6
-    assert not abs(extent.size) or not extent.fits(finer(scale), room)
+    series = [float(f"{first}e{power}") for power in range(-12, 3) for first in SERIES]
+    finer = max(each for each in series if each < 0.99 * scale)
+    assert not abs(extent.size) or replace(extent, given=finer).scale(room) == scale
     assert math.isclose(float(f"{scale:.1e}"), scale)
     assert float(f"{scale:.1e}".partition("e")[0]) in SERIES
 
@@ -152,8 +160,11 @@ def test_a_given_scale_is_kept_where_it_fits():
 
 
 def test_a_paper_is_cut_to_its_figure():
-    draw = box_of(1 + 1j, 1.2 + 1.1j)
-    window, whole = cut_out(draw, 0.002, 9.0)
+    ends = 1 + 1j, 1.2 + 1.1j
+    draw = box_of(*ends)
+    extent = Extent.of(ends, draw, 0.002, letters=9.0)
+    whole = extent.cut_out(0.002)
+    window = extent.window(whole, 0.002)
     left, top, right, bottom = bounds(draw(window).marks)
     assert (left, top, whole.right - right, whole.bottom - bottom) == pytest.approx((9.0,) * 4)
     assert whole.size == pytest.approx(complex(18 + 107, 18 + 53))

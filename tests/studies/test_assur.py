@@ -33,7 +33,7 @@ C = [74, 38]
 
 
 def report(name: str, lang: str = "en") -> str:
-    return "\n".join(structure_lines(api.plan(library.load(name)), lang))
+    return "\n".join(structure_lines(structure(api.plan(library.load(name))), lang))
 
 
 @pytest.mark.parametrize(
@@ -63,7 +63,7 @@ def test_formula_and_rank_agree(name: str):
 
 def test_a_redundant_crank_is_named():
     method = api.plan(loads(THREE_CRANKS, name="cranks"))
-    text = "\n".join(structure_lines(method, "en"))
+    text = "\n".join(structure_lines(structure(method), "en"))
     assert "p_h = 3 × 4 − 2 × 6 − 0 = 0" in text
     assert "by rank: 1" in text
     assert "redundant constraints: 1" in text
@@ -123,7 +123,7 @@ def test_rolling_takes_one_freedom_where_other_pairs_keep_the_distance():
     ("ex3-4", "RRR: links 1+2, 3 (+: one link"),
 ])  # fmt: skip
 def test_a_group_has_as_many_links_as_its_class_wants(name: str, said: str):
-    assert any(said in line for line in structure_lines(plan(library.load(name)), "en"))
+    assert any(said in line for line in structure_lines(structure(plan(library.load(name))), "en"))
 
 
 @pytest.mark.parametrize("name", library.names())

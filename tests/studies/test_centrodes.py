@@ -34,7 +34,7 @@ from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
-from graphkin.sheet.marks import Stroke
+from graphkin.sheet.marks import Stroke, Text
 from graphkin.studies.centres import Centres, centres
 from graphkin.studies.centres.centrodes import Centrodes, arc_length, centrodes, path, whole
 from graphkin.studies.centres.instant_centres import carried_to, over
@@ -395,3 +395,9 @@ def test_centres_of_a_parallelogram_stay_at_infinity_at_its_change_point():
         table = sweep(mechanism, ["120:240:30"], ["P13", "P20"], by)
         for name in ("P13", "P20"):
             assert not np.isfinite(table[name].vectors).any(), (name, by)
+
+
+def test_a_sheet_shows_the_centre_of_a_piece_over_the_seam():
+    """The drawn position lies on a piece that is joined over the ends of the turn."""
+    shown = [mark for mark in centrode_sheet(rolled("fig3-4", "3", "1")).marks if isinstance(mark, Text)]
+    assert any("".join(run.text for run in mark.label) == "P13" for mark in shown)

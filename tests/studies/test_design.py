@@ -491,7 +491,7 @@ def test_every_solution_is_a_mechanism_that_is_analysed_back(name):
             continue
         if found.kind in ("coupler", "angles"):
             continue
-        motion = graphkin.motion(machine, [start + np.linspace(0, math.tau, 2881)])
+        motion = graphkin.motion(machine, [np.degrees(start + np.linspace(0, math.tau, 2881))])
         if one.stroke is not None:
             s = next(iter(motion.s.values()))
             assert s.max() - s.min() == pytest.approx(one.stroke, rel=1e-5)
@@ -522,7 +522,7 @@ def _polished(machine, start, values):
 
 def _outputs(machine, values):
     """The output's rate and value: of a slider on the frame, else of link 3."""
-    found = graphkin.motion(machine, [values])
+    found = graphkin.motion(machine, [np.degrees(values)])
     if found.s and machine.slides[0].guide == "frame":
         return next(iter(found.s_rate.values())), next(iter(found.s.values()))
     return found.omega["3"], found.theta["3"]

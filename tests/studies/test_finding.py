@@ -103,7 +103,7 @@ def test_no_point_of_the_line_is_slower() -> None:
     method = api.plan(api.load("p3-13"))
     for angle in (0.0, 77.0, 165.0):
         (slow,) = finding.find(method, "slowest BC", (f"AB={angle}",)).slow
-        plot = api.replay(method, [math.radians(angle)])
+        plot = api.replay(method, [angle])
         start, end = plot.position["B"], plot.position["C"]
         along = np.linspace(-1, 1, 2001) + slow.along
         places = along * (end - start) / abs(end - start)
@@ -116,8 +116,8 @@ def test_no_point_of_the_line_is_slower() -> None:
 def test_the_sheet_marks_the_slowest_point(angle: int, dashes: int) -> None:
     method = api.plan(api.load("ex3-7"))
     found = finding.find(method, "slowest ED", (f"AB={angle}",))
-    drawn = finding_sheet.drawn(method, found)
-    assert drawn is not None
+    drawn = finding_sheet.drawn(found)
+    assert drawn[0] is not None
     marks, scale = drawn[0].marks, drawn[0].scales["position"]
     (dot,) = (m.centre for m in marks if isinstance(m, Disc) and m.radius == finding_sheet._DOT)
     onward = [m.places for m in marks if isinstance(m, Stroke) and m.pen == "dashed" and m.places[-1] == dot]
@@ -243,7 +243,7 @@ def test_what_is_level_between_dead_points_is_drawn() -> None:
     method = api.plan(rocker.drive("AB", angle=30, omega=-2).sketch(C=(65, 35)).done())
     found = finding.find(method, "max v B")
     assert (found.everywhere, found.stopped) == (True, (True, True))
-    assert finding_sheet.drawn(method, found) is not None
+    assert finding_sheet.drawn(found)[0] is not None
 
 
 def test_scaling_by_speed_keeps_the_sense_and_knows_squares() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from dataclasses import replace
 
 import numpy as np
@@ -165,9 +164,8 @@ SHEETS = [
 def test_positions_stand_side_by_side(name: str, condition: str, count: int, lang) -> None:
     method = api.plan(api.load(name))
     found = finding.find(method, condition)
-    drawn = drawn_positions(method, found, lang)
-    assert drawn is not None
-    sheet, left_out = drawn
+    sheet, left_out = drawn_positions(found, lang)
+    assert sheet is not None
     assert (len(found.shown) or 1, left_out) == (count, 0)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
     said = ["".join(run.text for run in mark.label) for mark in texts]
@@ -178,7 +176,7 @@ def test_positions_stand_side_by_side(name: str, condition: str, count: int, lan
     assert right <= sheet.paper.width - sheet.paper.margin + 1e-9
     assert bottom <= sheet.paper.height - sheet.paper.margin + 1e-9
     assert overlaps(texts) == []
-    assert svg.svg(sheet) == svg.svg(drawn_positions(method, found, lang)[0])
+    assert svg.svg(sheet) == svg.svg(drawn_positions(found, lang)[0])
 
 
 def overlaps(texts: list[Text]) -> list[tuple[str, str]]:
@@ -200,7 +198,7 @@ def test_true_scale_and_fixed_points_alike() -> None:
     from graphkin.sheet.marks import Disc
 
     method = api.plan(api.load("p3-13"))
-    plots = [api.replay(method, [math.radians(angle)]) for angle in (20, 100, 200)]
+    plots = [api.replay(method, [angle]) for angle in (20, 100, 200)]
     sheet = positions_sheet(method, plots, ["one", "two", "three"])
     scale = sheet.scales["position"]
     centres = [mark.centre for mark in sheet.marks if isinstance(mark, Disc)]
@@ -213,12 +211,12 @@ def test_true_scale_and_fixed_points_alike() -> None:
 def test_more_than_a_sheet_holds_are_said_to_be_left_out() -> None:
     method = api.plan(api.load("p3-13"))
     found = finding.find(method, "slowest BC", ("AB=0:340:20",))
-    drawn = drawn_positions(method, found)
-    assert drawn is not None
+    drawn = drawn_positions(found)
+    assert drawn[0] is not None
     assert drawn[1] == len(found.slow) - 12 == 6
 
 
 def test_nothing_to_draw_is_no_sheet() -> None:
     method = api.plan(api.load("ex3-1"))
     found = finding.find(method, "omega 2 = omega 3")
-    assert drawn_positions(method, replace(found, positions=())) is None
+    assert drawn_positions(replace(found, positions=()))[0] is None

@@ -18,7 +18,7 @@ from graphkin.errors import CannotClose, CannotDriveBy, GraphkinError, NoFixing,
 from graphkin.files import library, loads
 from graphkin.outputs.svg import svg
 from graphkin.say.catalogue import phrase
-from graphkin.say.linkages import family_lines, found_lines, held, kind_name, lines, titled
+from graphkin.say.linkages import family_lines, held, kind_name, lines, titled
 from graphkin.sheet.lettering import box
 from graphkin.sheet.linkage_sheet import family_sheet, limit_sheet
 from graphkin.sheet.marks import PointMark, Stroke, Text
@@ -249,7 +249,7 @@ def test_every_library_mechanism_can_be_asked():
     for name in library.names():
         for found in found_in(library.load(name)):
             for lang in ("en", "zh"):
-                assert "{" not in " ".join(found_lines(found, reported(found), lang))
+                assert "{" not in " ".join(lines(reported(found), lang))
 
 
 WHITWORTH = """

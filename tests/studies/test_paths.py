@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from si_values import si
 
 import graphkin
 from graphkin.check.ruler import measure
@@ -38,7 +39,7 @@ C = [80, 60]
 
 def exact(path: PointPath, t: np.ndarray) -> graphkin.State:
     """The analysis at t on the way."""
-    return graphkin.motion(path.course.method.mechanism, [np.broadcast_to(v, t.shape) for v in path.course.path.values(t)])
+    return graphkin.motion(path.course.method.mechanism, si(path.course.method, [np.broadcast_to(v, t.shape) for v in path.course.path.values(t)]))
 
 
 @pytest.mark.parametrize(

@@ -27,20 +27,29 @@ def improper(direction: Value) -> Homogeneous:
 
 def balanced(coordinates: Homogeneous) -> Homogeneous:
     """The same point or line, its coordinates of length 1."""
+    if not np.ndim(length := reach(coordinates)) and length > 0:
+        return coordinates / length
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(coordinates / np.linalg.norm(coordinates, axis=0))
+        return np.asarray(coordinates / length)
+
+
+def reach(coordinates: Homogeneous) -> Array:
+    """Their length."""
+    a, b, c = coordinates
+    length: Array = np.sqrt(a * a + b * b + c * c)
+    return length
 
 
 def product(one: Homogeneous, other: Homogeneous) -> Homogeneous:
     """The line through two points, or the point on two lines."""
     (a, b, c), (d, e, f) = one, other
-    return np.array(np.broadcast_arrays(b * f - c * e, c * d - a * f, a * e - b * d))
+    return np.array((b * f - c * e, c * d - a * f, a * e - b * d))
 
 
 def joined(one: Homogeneous, other: Homogeneous) -> Homogeneous:
     """The line through two points; NaN where they are one but for rounding, as at infinity in one direction."""
     line = product(balanced(one), balanced(other))
-    return np.where(np.linalg.norm(line, axis=0) > INFINITE, line, np.nan)
+    return np.where(reach(line) > INFINITE, line, np.nan)
 
 
 def along(line: Homogeneous) -> Value:
@@ -89,7 +98,8 @@ class Board:
         """The place of a point [m]; infinite at infinity, NaN where what should give it does not meet."""
         x, y, w = self.points[point]
         with np.errstate(divide="ignore", invalid="ignore"):
-            far, infinite = np.abs(w) <= INFINITE * np.hypot(x, y), np.where(np.hypot(x, y) > 0, np.inf, np.nan)
+            off = np.hypot(x, y)
+            far, infinite = np.abs(w) <= INFINITE * off, np.where(off > 0, np.inf, np.nan)
             return scalar(np.where(far, infinite, self.origin + self.size * (x + 1j * y) / w))
 
     @property

@@ -11,7 +11,10 @@ from pathlib import Path
 
 from graphkin.errors import Lang
 
-__all__ = ["kinds", "text"]
+__all__ = ["SCHEMA", "kinds", "text"]
+
+SCHEMA = "https://raw.githubusercontent.com/graphkin/graphkin/main/graphkin/files/graphkin.schema.json"
+"""The address of the JSON Schema, for editors."""
 
 _COMMENT = re.compile(r"#en (.*?) #zh (.*)$", re.MULTILINE)
 
@@ -23,6 +26,6 @@ def kinds() -> tuple[str, ...]:
 
 
 def text(kind: str, lang: Lang) -> str:
-    """The file of one of `kinds`, its comments in this language."""
+    """The file of one of `kinds`, its comments in this language; by its first line editors know it."""
     whole = (Path(__file__).parent / f"{kind}.toml").read_text("utf-8")
-    return _COMMENT.sub(r"# \2" if lang == "zh" else r"# \1", whole)
+    return f"#:schema {SCHEMA}\n" + _COMMENT.sub(r"# \2" if lang == "zh" else r"# \1", whole)

@@ -9,11 +9,12 @@
 `outputs` writes what comes out: JSON lines, text.
 """
 
-from graphkin.homework.grading.keys import Pencils, key_drawn, key_for, key_from, marking_of
-from graphkin.homework.grading.running import Journal, MarkingOptions, grade, resumed
+from graphkin.homework.grading.keys import Pencils, key_for, key_from, marking_of, pencils_of, power, tolerance
+from graphkin.homework.grading.running import Journal, MarkingOptions, grade, limits_of, resumed
 from graphkin.homework.grading.sets import OneKey, Problem, SetMarker, class_list, judge_from, problems_of, set_text
 
 __all__ = [
     "Journal", "MarkingOptions", "OneKey", "Pencils", "Problem", "SetMarker", "class_list", "grade", "judge_from",
-    "key_drawn", "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
+    "key_for", "key_from", "limits_of", "marking_of", "pencils_of", "power", "problems_of", "resumed", "set_text",
+    "tolerance",
 ]  # fmt: skip

@@ -19,9 +19,11 @@ from graphkin.homework import opening
 from graphkin.homework.grading.sets import SetMarker
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded, HandedNumber, Marked, StudentWork
+from graphkin.model.mechanism import EQUATIONS
 from graphkin.model.quantities import at_position, position_of
 from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
+from graphkin.submissions.board import work_of
 from graphkin.submissions.submission import fingerprint, tidy_id
 
 _EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each further one [s]
@@ -63,19 +65,22 @@ def earlier_reading(record: Record, where: Where) -> Read:
         student, file, place = (str(record[key]) for key in ("student", "file", "place"))
         reason = None if record["status"] == "marked" else SaidBefore(str(record["reason"]))
         notes = tuple(SaidBefore(str(note)) for note in record["notes"])
-        handed_in = {text: each for text, each in record["quantities"].items() if each["given"] is not None}
+        handed_in = {text: each for text, each in record["quantities"].items()
+                     if each["given"] is not None and text not in EQUATIONS.values()}  # fmt: skip
         numbers = {}
         for text, each in handed_in.items():
             points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
             numbers[text] = HandedNumber(float(each["given"]), bool(each["unit_right"]), points, measured)
         prints = tuple(map(str, record.get("fingerprints", ())))
         unread = {text: str(each["written"]) for text, each in record["quantities"].items() if each.get("written")}
-        work = StudentWork(student, numbers, unread)
+        board = None if record.get("board") is None else work_of(record["board"])
+        work = StudentWork(student, numbers, unread, board)
         remarks = tuple(
             SaidBefore(str(one["text"]), str(one["id"])) for one in record.get("remarks", ())
             if one["id"] != errors.AnotherStudent.id  # that is found anew
         )  # fmt: skip
-        return Read(work, Graded(student, file, place, None, reason, notes, drawn_of(record), prints, remarks))
+        graded = Graded(student, file, place, None, reason, notes, drawn_of(record), prints, remarks, board)
+        return Read(work, graded)
     except (KeyError, TypeError, ValueError, AttributeError):
         raise NoMarks(where) from None
 
@@ -106,13 +111,15 @@ def merged(paths: Sequence[Path]) -> Iterator[Read]:
 
 @frozen
 class StoredRecord:
-    """A submission whose record there is and holds: whose it is, whether it was marked, and its fingerprint."""
+    """A submission whose record there is and holds: whose it is, whether it was marked, its fingerprints; and its line
+    where that is new."""
 
     student: str
     file: str
     place: str
     marked: bool
-    handed: str
+    prints: tuple[str, ...]
+    line: str = ""
 
 
 Item = Handed | Read | StoredRecord
@@ -133,7 +140,12 @@ def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> 
             prints = () if isinstance(outcome, _ONCE_MORE) else record.prints
             records.append(replace(record, reason=outcome, drawn={}, prints=prints))
         else:
-            records.append(replace(record, marked=outcome, remarks=(*record.remarks, *judge.remarks(outcome))))
+            lines = {line.text for line in outcome.judged}
+            # of all quantities the names of centres alone have no space
+            centres = [text for text in (*one.work.numbers, *one.work.unread) if " " not in text and text not in lines]
+            notes = [errors.CentresNotMarked(Where(record.file), tuple(centres))] if centres else []
+            remarks = (*record.remarks, *judge.remarks(outcome))
+            records.append(replace(record, marked=outcome, remarks=remarks, notes=(*record.notes, *notes)))
     return records
 
 
@@ -150,7 +162,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     }  # fmt: skip
     unread = {text: tidy_id(value.text)[:_SHOWN] or "?" for text, value in one.values.items()
               if value.text and text not in handed_in}  # fmt: skip
-    work, more, reason = StudentWork(one.student, handed_in, unread), list[GraphkinError](), one.reason
+    work, more, reason = StudentWork(one.student, handed_in, unread, one.board), list[GraphkinError](), one.reason
     try:
         with limited(limits.seconds, Where(one.file)):
             marker = judge.marker(one.student) if one.drawings else None
@@ -168,7 +180,8 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     drawn = one.drawings[1].in_si() if 1 in one.drawings else {}
     remarks = [remark for drawing in one.drawings.values() for remark in drawing.remarks]
     remarks += [note for note in notes if isinstance(note, _LOOK)]
-    record = Graded(one.student, one.file, one.place, None, reason, (*notes, *more), drawn, kept, (*remarks,))
+    every = (*notes, *more)
+    record = Graded(one.student, one.file, one.place, None, reason, every, drawn, kept, (*remarks,), one.board)
     return Read(work, record)
 
 

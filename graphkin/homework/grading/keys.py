@@ -12,12 +12,15 @@ from graphkin import api
 from graphkin.base.geometry import number
 from graphkin.base.value import frozen
 from graphkin.construction import SCALES, Plot
-from graphkin.errors import BadKey, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Where
+from graphkin.errors import BadKey, BadPencil, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Where
 from graphkin.files import loads
 from graphkin.homework import opening
+from graphkin.marking import power as powers
 from graphkin.marking.answers import asked_of, readable
 from graphkin.marking.key import Key, Marking
 from graphkin.marking.key_making import allowed_anew, make_key
+from graphkin.marking.marker import Marker
+from graphkin.marking.tolerances import Tolerances, tolerances
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
@@ -49,6 +52,57 @@ class Pencils:
 
 
 USUAL = Pencils()
+
+
+def pencils_of(
+    pencil: str | Sequence[float] | None = None, sigmas: float | None = None, relative: float | None = None
+) -> Pencils:
+    """The errors of a pencil, "MM,DEG" or two numbers, and what is allowed, as far as it is said. Raises BadPencil."""
+    said = {name: value for name, value in (("sigmas", sigmas), ("relative", relative)) if value is not None}
+    if pencil is not None:
+        try:
+            length, angle = map(float, pencil.split(",") if isinstance(pencil, str) else pencil)
+        except ValueError:
+            raise BadPencil(Where("--pencil"), f"{pencil}") from None
+        if not (0 <= length <= 10 and 0 <= angle <= 30):
+            raise BadPencil(Where("--pencil"), f"{pencil}")
+        said |= {"length_mm": length, "angle_deg": angle}
+    return Pencils(**said, said=tuple(said))
+
+
+def tolerance(
+    mechanism: api.drawing.Source | Method, pencil: str | Sequence[float] | None = None, sigmas: float | None = None,
+    relative: float | None = None, marks: bool = False, *, values: api.drawing.Values = None,
+) -> Tolerances:  # fmt: skip
+    """What accuracy paper allows: the construction, drawn many times with a pencil that errs by (mm, deg).
+
+    pencil   0.25 mm and 0.25 deg; sigmas: 3 standard deviations are right; relative: this part of the value instead
+    marks    with a key that can mark by it, too; values: of the drivers there [deg, mm]
+
+    >>> [(entry.text, round(entry.tolerance, 2)) for entry in tolerance("ex3-1").entries[:1]]
+    [('omega 2', 0.19)]
+    """
+    method = api.drawing.placed(mechanism, values)
+    return tolerances(key_drawn(method, pencils_of(pencil, sigmas, relative), marks=marks), method)
+
+
+def power(
+    mechanism: api.drawing.Source | Method, pencil: str | Sequence[float] | None = None, sigmas: float | None = None,
+    relative: float | None = None, *, asked: bool = False, trials: int = 200, values: api.drawing.Values = None,
+    key: Key | None = None,
+) -> powers.Power:  # fmt: skip
+    """How often each mistake is told by the numbers that are handed in: so many students of each are drawn up.
+
+    asked   they hand in what is asked, and nothing on the way; the rest is as `tolerance` has it
+    key     where there is one, for marks
+
+    >>> power("ex3-1", trials=20).trials
+    20
+    """
+    method = api.drawing.placed(mechanism, values)
+    key = key or key_drawn(method, pencils_of(pencil, sigmas, relative))
+    texts = [entry.text for entry in key.entries if entry.points] if asked else None
+    return powers.power(Marker(key, method), trials, texts)
 
 
 def key_from(source: str, pencils: Pencils = USUAL) -> Key:
@@ -90,9 +144,11 @@ def key_for(mechanism: Mechanism, pencils: Pencils = USUAL, quantities: Sequence
     return replace(key, further=tuple(further))
 
 
-def key_drawn(method: Method, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = ()) -> Key:
-    """The key of the drawn position alone. Raises NothingToMark."""
-    key = make_key(method, marking_of(method, pencils), quantities)
+def key_drawn(
+    method: Method, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = (), marks: bool = True
+) -> Key:
+    """The key of the drawn position alone; `marks` as `make_key` has it. Raises NothingToMark."""
+    key = make_key(method, marking_of(method, pencils), quantities, marks)
     if not any(entry.points for entry in key.entries):
         raise NothingToMark(method.mechanism.where("ask"))
     return key
@@ -114,7 +170,7 @@ def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
         return {key: written[key] for key in SCALES.values()}
     from graphkin.sheet import scales_of
 
-    of_sheet, least = scales_of(method, plot), page_scales(method, plot, (_ALONE,))
+    of_sheet, least = scales_of(method, plot, breaks=False), page_scales(method, plot, (_ALONE,))
     return {key: written.get(key) or max(float(of_sheet[plane]), least[key]) for plane, key in SCALES.items()}
 
 

@@ -10,18 +10,20 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from concurrent.futures import Executor
-from functools import partial
+from functools import cached_property, partial
 from itertools import chain
 from pathlib import Path
 from types import TracebackType
 
 import graphkin
+from graphkin.api.drawing import Source, load
 from graphkin.base.value import frozen
 from graphkin.base.worklist import ahead
 from graphkin.errors import CannotWrite, NoMarks, OwnFault, Where
 from graphkin.homework.grading import batch as batches
 from graphkin.homework.grading.batch import Item, Read, StoredRecord, marked
-from graphkin.homework.grading.sets import OneKey, SetMarker
+from graphkin.homework.grading.keys import key_for, pencils_of
+from graphkin.homework.grading.sets import OneKey, SetMarker, judge_from
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded
@@ -33,6 +35,7 @@ from graphkin.submissions.submission import fingerprint
 _BATCH, _BYTES = 64, 4 << 20
 """Submissions, and bytes of them, that are marked at once; a single one may be larger."""
 _AHEAD = 8
+Written = Callable[[Graded], Record]
 
 
 @frozen
@@ -51,30 +54,41 @@ class MarkingOptions:
     executor: Executor | None = None
     words: str = ""
 
-    @property
+    @cached_property
     def reading(self) -> str:
         """A fingerprint of how submissions are read."""
         return fingerprint(repr(self.limits), self.words, graphkin.__version__)
 
 
 def grade(
-    judge: Key | SetMarker, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0,
+    judge: Key | SetMarker | Source, paths: str | Path | Iterable[str | Path], limits: Limits | None = None, *,
+    pencil: str | None = None, sigmas: float | None = None, relative: float | None = None,
+    roster: str | Path | None = None, turned: bool = False, letters: str = "", workers: int = 0,
     executor: Executor | None = None,
 ) -> Iterator[Graded]:  # fmt: skip
     """A record for every submission in these files, in order.
 
-    judge   one key for all, or each student's own
+    judge   one key for all, or each student's own; or what `graphkin grade` takes as KEY, with what it says of pencils
+            and its roster
     paths   answers, drawings, class tables, archives, folders; or files of marks, whose numbers are marked anew
+    turned  in a drawing a polygon may stand turned; letters: "p,b2,b3", the points of drawings without letters
 
     A submission that cannot be read or marked is a record with its reason; so is a second one of a student. Raises
     NoMarks, Unreadable of a file of marks.
     """
+    if not isinstance(judge, Key | SetMarker):
+        said, listed = pencils_of(pencil, sigmas, relative), None if roster is None else Path(roster)
+        judge = judge_from(str(judge), said, listed) if isinstance(judge, str | Path) else key_for(load(judge), said)
     judge = OneKey(Marker(judge)) if isinstance(judge, Key) else judge
-    options = MarkingOptions(limits or Limits(), workers, executor)
-    paths = [*paths]
+    options = MarkingOptions(limits or limits_of(turned, letters), workers, executor)
+    paths = [paths] if isinstance(paths, str | Path) else [*paths]
     for graded in run(judge, items(paths, options, judge.roster), options, paths):
         assert isinstance(graded, Graded)
         yield graded
+
+
+def limits_of(turned: bool, letters: str) -> Limits:
+    return Limits(turned=turned, names=tuple(name.strip() for name in letters.split(",") if name.strip()))
 
 
 def items(
@@ -91,10 +105,14 @@ def items(
 
 
 def run(
-    judge: SetMarker, some: Iterable[Item], options: MarkingOptions, paths: Iterable[str | Path]
-) -> Iterator[Graded | StoredRecord]:
-    """The result of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
+    judge: SetMarker, some: Iterable[Item], options: MarkingOptions, paths: Iterable[str | Path],
+    written: Written | None = None,
+) -> Iterator[Graded | StoredRecord]:  # fmt: skip
+    """The result of each, in order; what is kept goes through as it is. `paths`: of all that was handed in; `written`:
+    results are lines, made where they are marked."""
     work = partial(marked, judge=judge, limits=options.limits, reading=options.reading)
+    if written is not None:
+        work = partial(_lines, work=work, written=written)
     done: Iterable[Graded | StoredRecord]
     if options.executor is not None:
         done = ahead(options.executor, work, _batches(some, _BATCH), _AHEAD)
@@ -103,6 +121,17 @@ def run(
     else:
         done = chain.from_iterable(map(work, _batches(some, _BATCH)))
     return firsts(done, paths, judge.roster)
+
+
+def _lines(
+    some: list[Item], work: Callable[[list[Item]], list[Graded | StoredRecord]], written: Written
+) -> list[Graded | StoredRecord]:
+    """Results that need no more than to be written."""
+    return [one if isinstance(one, StoredRecord) else _line(one, written) for one in work(some)]
+
+
+def _line(one: Graded, written: Written) -> StoredRecord:
+    return StoredRecord(one.student, one.file, one.place, one.marked is not None, one.prints, text(written(one)))
 
 
 def firsts(
@@ -186,10 +215,10 @@ class Journal:
             with contextlib.suppress(OSError):
                 self.beside.unlink()
 
-    def add(self, record: Record) -> None:
+    def add(self, line: str) -> None:
         """Raises CannotWrite."""
         try:
-            self._write(text(record) + "\n")
+            self._write(line + "\n")
         except OSError as error:
             raise CannotWrite.by(self.beside, error) from None
 
@@ -199,33 +228,31 @@ class Journal:
 
 
 def resumed(
-    judge: SetMarker, paths: Iterable[str | Path], journal: Journal, options: MarkingOptions,
-    written: Callable[[Graded], Record],
-) -> Iterator[Record]:  # fmt: skip
-    """The record of every submission, in order; what is new is in the journal before it is given out. Then those of
+    judge: SetMarker, paths: Iterable[str | Path], journal: Journal, options: MarkingOptions, written: Written
+) -> Iterator[str]:
+    """The line of every submission, in order; what is new is in the journal before it is given out. Then those of
     students who are in the file of marks and have handed in nothing now, by the key of now where it asks the same.
 
     written   makes the record of one, as `outputs.marks_json` does in a language, which `options.words` names
     """
     paths = [*paths]
     rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options, judge.roster))
-    newest: dict[str, Record] = {}
+    newest: dict[str, StoredRecord] = {}
     places: set[tuple[str, str]] = set()
-    for one in run(judge, rest, options, paths):
-        new = journal.records[one.handed] if isinstance(one, StoredRecord) else written(one)
-        if isinstance(one, Graded) and one.prints:
-            journal.add(new)
+    for one in run(judge, rest, options, paths, written):
+        stored = _line(one, written) if isinstance(one, Graded) else one
+        if stored.line and stored.prints:
+            journal.add(stored.line)
         if one.student not in newest or one.marked:
-            prints = new.get("fingerprints", [])
-            newest[one.student] = {"status": new["status"], "file": one.file, "place": one.place, "prints": prints}
+            newest[one.student] = stored
         places.add((one.file, one.place))
-        yield new
-    yield from _kept(judge, journal, options, written, newest, places)
+        yield stored.line or text(journal.records[stored.prints[0]])
+    yield from map(text, _kept(judge, journal, options, written, newest, places))
 
 
 def _kept(
-    judge: SetMarker, journal: Journal, options: MarkingOptions, written: Callable[[Graded], Record],
-    newest: Mapping[str, Record], places: Container[tuple[str, str]],
+    judge: SetMarker, journal: Journal, options: MarkingOptions, written: Written,
+    newest: Mapping[str, StoredRecord], places: Container[tuple[str, str]],
 ) -> Iterator[Record]:  # fmt: skip
     """The earlier records that nothing takes the place of: a student's marks are given up for other marks alone, or
     where the same file is read otherwise. Marked anew where the key is another that asks the same."""
@@ -233,14 +260,15 @@ def _kept(
     for old in journal.before:
         now, place, had = newest.get(old["student"]), (old["file"], old["place"]), old["status"] == "marked"
         again = place in places and not (place[1].isdecimal() and had)
-        if not again and (now is None or (had and now["status"] != "marked")):
+        if not again and (now is None or (had and not now.marked)):
             before = batches.earlier_reading(old, Where(str(journal.path)))
             *_, asks, key = ("", "", *before.record.prints)
             other = had and asks and key != judge.key_print(before.work.student)
             same = other and asks == batches.asked_print(judge, before.work.student)
             kept.append((old, before if same else None))
-        elif now is not None and (had or not again) and now["prints"][:1] != old.get("fingerprints", [])[:1]:
-            lines = (Where(one["file"], int(one["place"]) if one["place"].isdecimal() else None) for one in (old, now))
+        elif now is not None and (had or not again) and [*now.prints[:1]] != old.get("fingerprints", [])[:1]:
+            ways = (place, (now.file, now.place))
+            lines = (Where(file, int(line) if line.isdecimal() else None) for file, line in ways)
             journal.replaced.append((old["student"], *map(str, lines)))
     journal.kept = len(kept)
     marks = run(judge, (read for _, read in kept if read is not None), options, ())
@@ -251,6 +279,8 @@ def _kept(
 
 def _still_to_do(item: Handed | Read, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:
     """The submission, its record of before, or its numbers of before, whichever still holds."""
+    if not journal.records:
+        return item
     handed, reading = (item.digest, options.reading) if isinstance(item, Handed) else item.record.prints[:2] or ("", "")
     there = journal.records.get(handed) if handed else None
     if there is None:
@@ -263,6 +293,6 @@ def _still_to_do(item: Handed | Read, judge: SetMarker, journal: Journal, option
     if before.prints[:2] != (handed, reading) or len(before.prints) != len(("handed", "reading", "asked", "key")):
         return item
     if before.prints[3] == judge.key_print(student):
-        return StoredRecord(student, before.file, before.place, before.reason is None, handed)
+        return StoredRecord(student, before.file, before.place, before.reason is None, before.prints)
     same = before.reason is None and before.prints[2] == batches.asked_print(judge, student)
     return read if same and isinstance(item, Handed) else item

@@ -27,7 +27,8 @@ from graphkin.marking.records import Judged, Verdict
 from graphkin.outputs import diagram
 from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, writable
 from graphkin.outputs.diagram.fonts import typeset as in_diagrams
-from graphkin.outputs.files import beside
+from graphkin.outputs.files import UnknownEnding, write
+from graphkin.say.boards import line_name
 from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import formula, is_wide
 from graphkin.submissions.office import Seen
@@ -35,7 +36,8 @@ from graphkin.submissions.office import Seen
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
-    from matplotlib.figure import Figure
+
+    from graphkin.outputs.diagram.page import DiagramPage
 
 UNREAD = 200  # so many answers that were not read are written out; of more the number is said
 RANGES = 10  # scores are counted in so many ranges of the same width
@@ -148,7 +150,7 @@ def report_text(report: ClassReport, lang: Lang, names: Mapping[str, str] | None
     for step in report.steps:
         shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
         counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
-        verdicts, name = say("common.list", lang).join(counts), in_letters(step.name, [step.name])
+        verdicts, name = say("common.list", lang).join(counts), in_letters(line_name(step.name, lang), [step.name])
         steps.append(say("class_report.step", lang, name=name, verdicts=verdicts, first=step.first))
     who = partial(called, names=names or {}, lang=lang)
     unread = [say("class_report.unread", lang, student=who(student), name=in_letters(name, [name]), written=text)
@@ -235,36 +237,33 @@ _VERDICTS = (
 
 def write_class_figure(path: Path, report: ClassReport, lang: Lang = "en", force: bool = False) -> NoChineseFont | None:
     """The figure as SVG, PNG or PDF, after the file's ending. Returns a remark where there are no Chinese letters.
-    Raises NotADiagram, FileInTheWay, NoFolder, CannotWrite."""
+    Raises UnknownEnding, FileInTheWay, NoFolder, CannotWrite."""
     kind = path.suffix.lower()
     if kind not in diagram.FORMATS:
-        raise diagram.NotADiagram(str(path))
+        raise UnknownEnding(str(path), diagram.FORMATS)
     spoken: Lang = lang if chinese_font() is not None else "en"
-    with beside(path, force, (diagram.MARK.encode(),)) as draft, diagram.settings(outlines=True):
-        about = diagram.metadata(kind, say("class_report.part steps", spoken))
-        class_figure(report, spoken).savefig(draft, format=kind[1:], dpi=200, metadata=about)
+    write(path, class_figure(report, spoken).content(kind), force, (diagram.MARK.encode(),))
     return NoChineseFont() if lang != spoken else None
 
 
-def class_figure(report: ClassReport, lang: Lang) -> Figure:
-    """The figure; to be drawn within `outputs.diagram.settings`."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+def class_figure(report: ClassReport, lang: Lang) -> DiagramPage:
+    """The figure, with the outlines of its letters."""
+    from graphkin.outputs.diagram.page import DiagramPage, settings
 
     rows = [max(1, min(_MOST, len(report.steps))), max(1, min(_MOST, len(report.mistakes)))]
     heights = [_ROW * (count + 1) for count in rows] + [_SCORES]
     total = _TOP + sum(heights) + _BETWEEN * len(heights)
-    page = Figure(figsize=(_WIDTH * _MM, total * _MM), dpi=200)
-    FigureCanvasAgg(page)
-    level = total - _TOP
     parts = {"steps": _steps, "mistakes": _mistakes, "distribution": _scores}
-    for (part, draw), height in zip(parts.items(), heights, strict=True):
-        place = (_LEFT / _WIDTH, (level - height) / total, 1 - (_LEFT + _RIGHT) / _WIDTH, height / total)
-        axes, title = page.add_axes(place), say(f"class_report.part {part}", lang)
-        # on the left of the page, where there is room beside the legend
-        axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
-        draw(axes, report, lang)
-        level -= height + _BETWEEN
+    with settings(outlines=True):
+        page = DiagramPage(say("class_report.part steps", lang), _WIDTH * _MM, total * _MM, outlines=True)
+        level = total - _TOP
+        for (part, draw), height in zip(parts.items(), heights, strict=True):
+            place = (_LEFT / _WIDTH, (level - height) / total, 1 - (_LEFT + _RIGHT) / _WIDTH, height / total)
+            axes, title = page.add_axes(place), say(f"class_report.part {part}", lang)
+            # on the left of the page, where there is room beside the legend
+            axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
+            draw(axes, report, lang)
+            level -= height + _BETWEEN
     return page
 
 
@@ -281,7 +280,7 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
                   label=say(f"verdicts.verdict {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
-    _name_rows(axes, [in_letters(step.name, [step.name]) for step in steps], lang)
+    _name_rows(axes, [in_letters(line_name(step.name, lang), [step.name]) for step in steps], lang)
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
                 borderaxespad=0.2, handlelength=1.4, columnspacing=1.0)  # fmt: skip
 

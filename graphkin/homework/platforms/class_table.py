@@ -19,6 +19,7 @@ from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.question import in_letters
 from graphkin.homework.platforms.result import Result, most_of, points_of
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
+from graphkin.say.boards import line_name
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import how_sure, verdict
 
@@ -40,7 +41,7 @@ def rows(
     results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False, called: Called | None = None
 ) -> Iterator[list[Cell]]:
     """The table with its head; with a last column, where this is one of several problems, for what shows in them."""
-    lettered = [in_letters(name, names) for name in names]
+    lettered = [in_letters(line_name(name, lang), names) for name in names]
     pairs = [text for name in lettered for text in (name, say("platforms.column part earned", lang, name=name))]
     front, back = ([say(f"platforms.column {key}", lang) for key in keys] for keys in (_FRONT, _BACK))
     yield [*front, *pairs, *back, *([say("platforms.column habits", lang)] if several else [])]

@@ -18,7 +18,7 @@ _EXACT = 0.005  # nearer than this part to a right value is that value in three 
 def with_copies(results: Sequence[Result], lang: Lang) -> tuple[Result, ...]:
     """The results with remarks on the same numbers; of one student with several submissions none of these."""
     marked = [k for k, result in enumerate(results) if result.status == "marked"]
-    handed = {k: {line.text: line for line in results[k].lines if line.given} for k in marked}
+    handed = {k: {line.text: line for line in results[k].lines if line.given and not line.of_equations} for k in marked}
     having: dict[tuple[str, str], list[int]] = {}
     for k, lines in handed.items():
         for line in lines.values():

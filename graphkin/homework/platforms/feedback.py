@@ -17,6 +17,7 @@ from graphkin.marking.diagnosis import SLIP, Explanation, Habit
 from graphkin.marking.records import Judged
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
+from graphkin.say.boards import fault_lines, line_name, step_line
 from graphkin.say.catalogue import say
 from graphkin.say.marks import departs, how_sure, joined, mistake_hint, mistake_kind, mistakes_together, verdict
 from graphkin.say.numbers import number
@@ -60,17 +61,21 @@ def table(page: Feedback) -> Iterator[tuple[str, ...]]:
     yield (*first, *right, *(say(name, page.lang) for name in ("marks.column verdict", "platforms.column points")))
     for line in page.result.lines:
         values = [one_line(line.written) if line.given is None else shown(line.given, line.unit)]
+        if line.of_equations and line.given is not None:
+            values = [say("feedback.count", page.lang, right=number(line.given), count=number(line.right))]
         values += [right_value(line)] if right else []
         points, most = exponentless(points_of(line)), exponentless(most_of(line))
         points = "–" if line.written else points  # until the teacher has looked
         worth = say("feedback.of", page.lang, points=points, most=most) if line.points else ""
-        yield (as_on_sheets(page.result, line.text), *values, verdict(line, page.lang), worth)
+        yield (as_on_sheets(page.result, line_name(line.text, page.lang)), *values, verdict(line, page.lang), worth)
 
 
 def right_value(line: Judged) -> str:
     """`62.22 ± 3.1 rad/s²`."""
     edge = EDGE.get(line.unit)
     factor, unit = (1.0, f" {line.unit}".rstrip()) if edge is None else (edge.factor, edge.after)
+    if line.of_equations:
+        return number(line.right)
     return f"{number(line.right * factor)} ± {number(line.tolerance * factor, digits=2)}{unit}"
 
 
@@ -96,7 +101,10 @@ def under_table(page: Feedback) -> Iterator[str]:
 def praise(result: Result, lang: Lang) -> str:
     """A word to good work; nothing where there is none."""
     every = [line for line in result.lines if line.points or line.written] or result.lines
-    right = sum(line.verdict not in ("wrong", "missing", "not read") for line in every)
+    carried = sum(line.verdict == "carried" for line in every)
+    right = sum(line.verdict not in ("wrong", "missing", "not read", "carried") for line in every)
+    if carried:
+        return say("feedback.praise carried", lang, right=right, count=len(every), carried=carried)
     if not right:
         return ""
     whole = not any(line.verdict == "wrong" or line.written for line in result.lines)
@@ -122,16 +130,18 @@ def next_step(page: Feedback) -> str:
 
 def _to_do(result: Result) -> Iterator[tuple[str, list[str]]]:
     """What there may be to do, the most useful first, with the quantities."""
-    wrong = [line for line in result.lines if line.verdict == "wrong"]
+    wrong = [line for line in result.lines if line.verdict == "wrong" and not line.of_equations]
     sense = [line.text for line in wrong if line.credit and line.sense == "wrong"]
     yield "unread", [line.text for line in result.lines if line.written]
     yield "sense", sense if len(wrong) == 1 else []
+    yield "step", [str(result.step.step)] if result.step is not None else []
     if result.suspicions:
         yield "mistake", [*result.suspicions[0].explains]
     yield "unit", [line.text for line in wrong if not line.unit_right]
     yield "sense", sense
     yield "departure", [result.departure.text] if result.departure is not None else []
     yield "wrong", [line.text for line in wrong][:1]
+    yield "equation", [str(one.term) for one in result.faults]
     yield "missing", [line.text for line in result.lines if line.verdict == "missing" and line.points]
 
 
@@ -176,7 +186,8 @@ def reason(result: Result, lang: Lang) -> str:
 
 def quantity(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> str:
     """One quantity: verdict, the number that was handed in, the right one where that is told, points."""
-    texts = [say("feedback.line", lang, name=as_on_sheets(result, line.text), verdict=verdict(line, lang))]
+    name = as_on_sheets(result, line_name(line.text, lang))
+    texts = [say("feedback.line", lang, name=name, verdict=verdict(line, lang))]
     if line.given is not None:
         texts.append(say("feedback.given", lang, value=shown(line.given, line.unit)))
     elif line.written:
@@ -195,7 +206,8 @@ def arithmetic(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> Iter
     shows = reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")
     useful = line.verdict == "carried" or not any(line.text in one.explains for one in result.suspicions)
     if line.of_mistake:
-        yield from [] if reveal == "hint" else [say("feedback.follows", lang)]
+        gives = "" if line.carried is None else say("common.note", lang, note=shown(line.carried, line.unit))
+        yield from [] if reveal == "hint" else [say("feedback.follows", lang, value=gives)]
     elif line.carried is not None and line.own and shows and useful:
         units = {other.text: other.unit for other in result.lines}
         values = (f"{as_on_sheets(result, name)} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
@@ -217,6 +229,9 @@ def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     if result.departure is not None and not result.suspicions:
         text = say("feedback.stop", lang, text=departs(result.departure, lang, in_full=reveal != "hint"))
         yield as_on_sheets(result, text)
+    steps = [] if result.step is None else [step_line(result.step, lang, in_full=reveal != "hint")]
+    for line in (*fault_lines(result.faults, lang, in_full=reveal == "answer"), *steps):
+        yield as_on_sheets(result, say("feedback.stop", lang, text=line))
     for one in result.suspicions:
         if reveal == "hint":
             yield from _hints(one, lang)

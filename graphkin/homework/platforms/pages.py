@@ -67,6 +67,7 @@ def html(page: Feedback) -> bytes:
         heading, who = problem.label, f'<p class="who">{in_html(title)}</p>'
         label = say("feedback.problem", lang, title=problem.label)
         figure = figure_element(replace(problem, label=label)) if problem.data else ""
+        figure = figure.replace("</figure>", f"<figcaption>{escape(problem.note)}</figcaption></figure>")
     body = [f'<div class="start"><div>{begin}</div>{figure}</div>']
     body += [_html_table(page)] if page.result.lines else []
     body += [_paragraph(text, "note") for text in feedback.under_table(page)]
@@ -144,6 +145,7 @@ def drawing(page: Feedback) -> bytes:
     if page.problem is not None:
         sheet.write(page.problem.label, plain)
         sheet.show(page.problem)
+        sheet.write(page.problem.note)
     step = feedback.next_step(page)
     step = step and say("feedback.line", lang, name=say("feedback.next", lang), verdict=step)
     for text in (*feedback.points_that_count(page.result, lang), feedback.praise(page.result, lang), step):

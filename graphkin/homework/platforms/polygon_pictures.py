@@ -9,6 +9,7 @@ it lies over the right drawing.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from graphkin.errors import Lang, OwnFault, Where
 from graphkin.homework.grading import SetMarker
@@ -22,12 +23,16 @@ from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of
 from graphkin.outputs.svg import inline
+from graphkin.planning.asked import plane_of
 from graphkin.running import replay_all
 from graphkin.say.catalogue import say
 from graphkin.say.marks import mistakes_together
+from graphkin.sheet.lettering import plain
+from graphkin.sheet.marks import Text
 from graphkin.sheet.mistake_sheet import mistake_sheets
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.single_figure import problem_picture
+from graphkin.sheet.window import PLANES
 
 _FIGURE = complex(80.0, 60.0)  # of the problem, at most [mm]
 _KEPT = 64  # pictures that are held ready: many students of one key make one mistake
@@ -54,23 +59,28 @@ class PolygonPictures:
             self._marker, self._ready, self._rewrites = marker, {}, {}
         if result.drawn:
             return self._pictures(marker, result, lang, reveal)
-        key = (lang, reveal, *((one.names[:_SAME], _position(one)) for one in result.suspicions))
+        answers = tuple(line.text for line in result.lines)
+        key = (lang, reveal, answers, *((one.names[:_SAME], _position(one)) for one in result.suspicions))
         if key not in self._ready:
             if len(self._ready) >= _KEPT:
                 self._ready.pop(next(iter(self._ready)))
             self._ready[key] = self._pictures(marker, result, lang, reveal)
         return self._ready[key]
 
-    def problem(self, result: Result, lang: Lang) -> ResultPicture | None:
-        """The figure that the problem shows, under the problem's title; the title alone where there is none."""
+    def problem(self, result: Result, lang: Lang, reveal: Reveal = "mistake") -> ResultPicture | None:
+        """The figure that the problem shows, under the problem's title; beside answers, the position they are of. The
+        title alone where there is none."""
         marker = self._judge.marker(result.student) if result.lines else None
         if marker is None:
             return None
-        name = (marker.method.mechanism.headline(lang), marker.method.mechanism.text, lang)
+        name = (marker.method.mechanism.headline(lang), marker.method.mechanism.text, lang, reveal)
         if name not in self._figures:
-            shown = shown_at(marker.method, replay_all(marker.method))
+            plot = replay_all(marker.method)
+            shown = (plot, True) if reveal == "answer" else shown_at(marker.method, plot)
             drawn = None if shown is None else problem_picture(marker.method, shown[0], _FIGURE, lang)
-            self._figures = {name: ResultPicture(name[0], _SVG, b"" if drawn is None else inline(drawn).encode())}
+            note = "" if shown is None or shown[1] else say("problems.figure elsewhere", lang)
+            data = b"" if drawn is None else inline(drawn).encode()
+            self._figures = {name: ResultPicture(name[0], _SVG, data, note)}
         return self._figures[name]
 
     def _pictures(self, marker: Marker, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
@@ -93,6 +103,11 @@ class PolygonPictures:
         here = marker.positions[at - 1]
         mistake, changed = self._otherwise(here, at, names)
         answer, own = reveal == "answer", result.drawn if at == 1 else {}
+        answers = {position_of(line.text)[0] for line in result.lines}
+        each = zip(here.key.entries, here.quantities, strict=True)
+        last = max((PLANES.index(plane_of(quantity)) for one, quantity in each if one.text in answers), default=0)
+        if changed is not None:  # nothing of a polygon that no answer is of
+            changed = replace(changed, planes=tuple(p for p in changed.planes if PLANES.index(p) <= last))
         sheets = mistake_sheets(here.method, here.plot, found=changed, own=own, answer=answer, lang=lang)
         if not sheets:
             return [ResultPicture(say("pictures.nothing", lang), "", b"")] if mistake else []
@@ -102,7 +117,8 @@ class PolygonPictures:
             label.append(say("pictures.shows", lang, mistake=shows))
             red = any(mark.new for sheet in sheets for mark in sheet.marks)
             label += [say("pictures.red", lang)] if red else []
-        label += [say("pictures.brackets", lang)] if own or answer else []
+        bracketed = any(isinstance(mark, Text) and mark.label[:1] == plain("(") for one in sheets for mark in one.marks)
+        label += [say("pictures.brackets", lang)] if bracketed else []
         label += [] if answer else [say("pictures.no scale", lang)]
         sentence = say("pictures.between", lang).join(label)
         return [ResultPicture(sentence, "", b""), *(_drawn(sheet, sentence, lang) for sheet in sheets)]
@@ -127,7 +143,7 @@ _SVG = "image/svg+xml"
 
 
 def _drawn(sheet: Sheet, sentence: str, lang: Lang) -> ResultPicture:
-    label = sheet.title + say("common.colon", lang) + sentence
+    label = sheet.title + (say("common.colon", lang) + sentence if sentence else "")
     return ResultPicture(label, _SVG, inline(sheet).encode())
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import field
+from dataclasses import field, fields
 from decimal import Decimal
 from pathlib import Path
 from typing import Literal, get_args
@@ -15,7 +15,8 @@ from graphkin.errors import NotAResult, Where
 from graphkin.homework import opening
 from graphkin.homework.platforms.tables import points
 from graphkin.marking.diagnosis import Explanation, Habit, Trace
-from graphkin.marking.records import Departure, Judged, Verdict
+from graphkin.marking.records import Departure, EquationFault, Judged, StepDeparture, Verdict
+from graphkin.model.mechanism import EQUATIONS
 from graphkin.outputs.marks_json import END, HEAD, Record, drawn_of, record_of
 
 FORMAT = 1
@@ -35,11 +36,12 @@ def points_of(line: Judged) -> Decimal:
 @frozen
 class ResultPicture:
     """A picture on a page or a platform: its label, its kind ("image/svg+xml"), its bytes. Without bytes there is
-    nothing to be seen, and `label` says why."""
+    nothing to be seen, and `label` says why; `note` stands under it."""
 
     label: str
     kind: str
     data: bytes
+    note: str = ""
 
 
 @frozen
@@ -54,6 +56,7 @@ class Result:
     departure  where the numbers leave the right way, if no mistake explains them
     remarks    for the teacher alone: no student's page or platform shows them
     evidence   of each mistake in these numbers
+    faults, step   of a drawing board: choices that are not right, and the step that leaves the right way
     """
 
     student: str
@@ -71,6 +74,8 @@ class Result:
     remarks: tuple[str, ...] = ()
     comment: str = ""
     evidence: Mapping[str, float] = field(default_factory=dict)
+    faults: tuple[EquationFault, ...] = ()
+    step: StepDeparture | None = None
 
     @property
     def trace(self) -> Trace:
@@ -112,6 +117,8 @@ def from_record(record: Record, where: Where) -> Result:
             departure=None if left_at is None else Departure(_string(left_at["quantity"]), *sides),
             remarks=tuple(_string(each["text"]) for each in record.get("remarks", ())),
             evidence={str(id): _finite(weight) for id, weight in record.get("evidence", {}).items()},
+            faults=tuple(EquationFault(**_typed(EquationFault, each)) for each in record.get("equations", ())),
+            step=None if record.get("step") is None else StepDeparture(**_typed(StepDeparture, record["step"])),
         )  # fmt: skip
     except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
@@ -138,6 +145,17 @@ def _suspicion(each: Record) -> Explanation:
     )
     probability, margin = (_finite(each.get(key, 0.0)) for key in ("probability", "margin"))
     return Explanation(names, probability, margin, tuple(map(_string, each["explains"])))
+
+
+_TYPES = {"int": int, "bool": bool}  # of fields that are no texts
+
+
+def _typed(kind: type[EquationFault | StepDeparture], data: Record) -> Record:
+    """The fields of a record; raises ValueError where one is of another type."""
+    wrong = [each.name for each in fields(kind) if type(data[each.name]) is not _TYPES.get(str(each.type), str)]
+    if wrong or data["plane"] not in EQUATIONS:
+        raise ValueError(f"{kind.__name__}: {wrong}")
+    return {each.name: data[each.name] for each in fields(kind)}
 
 
 def _number(value: object) -> float | None:

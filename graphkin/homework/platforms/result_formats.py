@@ -86,7 +86,7 @@ class Order:
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""
         lang, shows = self.lang, self.pictures
-        problem = shows.problem(result, lang) if isinstance(shows, PolygonPictures) else None
+        problem = shows.problem(result, lang, self.reveal) if isinstance(shows, PolygonPictures) else None
         return Feedback(result, lang, self.reveal, shows(result, lang, self.reveal), self.names, problem)
 
 

@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from graphkin.base.geometry import Array
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.base.worklist import ahead
 from graphkin.errors import GraphkinError, NoVariant, OutOfRange, Where
 from graphkin.homework.grading.keys import USUAL, Pencils, further_methods, marking_of, page_scales
@@ -53,7 +53,7 @@ _AHEAD = 64  # students who are drawn for before it is their turn
 _FAR, _STIFF = 2.0, 0.1  # that logarithm of problems that are none; and how little guesses follow single problems
 
 
-@frozen
+@bulky
 class Variant:
     """One student's problem.
 

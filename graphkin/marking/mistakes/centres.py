@@ -42,7 +42,7 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
                 continue
             for crank in (link for link in scene.cranks if link != quantity.link):
                 driven = float(scene.motions.omega[crank])
-                text = f"ω{scene.method.mechanism.called(crank)}"
+                text = scene.omega_sign(crank)
                 yield _ratio(quantity.text, text, RewrittenValue(quantity.text, instead=driven**2 / value))
             yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
     yield from _ratios_of_radii(scene)

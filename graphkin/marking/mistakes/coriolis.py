@@ -52,7 +52,7 @@ def crank_omega(scene: Scene) -> Iterator[Rewrite]:
                     own, slip = plot.omega[link], plot.velocity[size.head] - plot.velocity[size.tail]
                     return 2j * (in_sense_of(plot, own, plot.omega[size.link], "rad/s") if way else own) * slip
 
-                form = f"ω{scene.method.mechanism.called(link)}"
+                form = scene.omega_sign(link)
                 yield scene.term("coriolis-crank-omega", size, name, change, form, way)
 
 
@@ -77,7 +77,7 @@ def block_omega(scene: Scene) -> Iterator[Rewrite]:
         if size.link in blocks:
             rates: dict[str, Change] = {"0": Times(0.0)}  # by how it is written; ± where only its size is taken
             for link in scene.cranks:
-                text = f"ω{scene.method.mechanism.called(link)}"
+                text = scene.omega_sign(link)
                 rates |= {text: _crank(link, False), f"±{text}": _crank(link, True)}
             for step in scene.measures("velocity"):
                 if step.head in (size.tail, size.head) and scene.turns_with(step.of, size.link):

@@ -111,7 +111,7 @@ def normal_size(scene: Scene) -> Iterator[Rewrite]:
 
 def _sizes(scene: Scene, normal: Normal, length: float) -> Iterator[tuple[str, Change]]:
     link, ends = normal.link, (normal.tail, normal.head)
-    omega = f"ω{scene.method.mechanism.called(scene.method.structure.home(link))}"
+    omega = scene.omega_sign(scene.method.structure.home(link))
     yield f"{omega} {scene.length_name(*ends)}", lambda p, right: in_sense_of(p, p.omega[link] * length, right, "m/s^2")
     yield f"{omega}²", Times(1.0 / length)
     pole = scene.method.velocity.pole

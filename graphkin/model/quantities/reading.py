@@ -28,7 +28,7 @@ _AXES: dict[str, Axis] = {"x": "x", "y": "y"}
 _GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
 _OF_TWO = ("a_n", "a_t", "a_k", "a_r")  # parts of an acceleration seen from another point
 _AT = r"\s*[#＃]\s*([1-9][0-9]{0,3})(?![0-9])"
-_TYPED = r"(?<![A-Za-z0-9_])(?:(?:omega|alpha|theta) [\w'′]+|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
+_TYPED = r"(?<![A-Za-z0-9_])(?:(?:omega|alpha|theta) (?:e [crg]\d+|[\w'′]+)|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
 
 
 def named(mechanism: Mechanism, text: str, where: Where) -> Quantity:

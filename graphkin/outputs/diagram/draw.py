@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
+    from graphkin.outputs.diagram.page import DiagramPage
+
 MM, POINT = 1 / 25.4, 25.4 / 72  # inches in a millimetre, millimetres in a point
 WIDTH, A4 = 180.0, 267.0
 LEFT, PLAIN_RIGHT, SIDE = 16.0, 5.0, 14.0  # room left of the panels, right of them, and for each axis on the right [mm]
@@ -40,11 +42,11 @@ DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
 """By these curves of a panel are told apart; their colour is that of the plane, as on sheets."""
 
 
-def draw(curves: Curves, lang: Lang) -> Figure:
+def draw(curves: Curves, lang: Lang) -> DiagramPage:
     """All panels of a diagram, with title, legends, extremes and notes."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
     from matplotlib.text import Text
+
+    from graphkin.outputs.diagram.page import DiagramPage
 
     layout = panels.panels({group[0]: curves.series[group[0]].unit for group in curves.alike})
     rows = []  # of each legend: as wide as its labels, with their samples of a line, are
@@ -55,8 +57,7 @@ def draw(curves: Curves, lang: Lang) -> Figure:
     room = A4 - TOP - FOOT - len(notes) * LINE - sum(row * ROW + BETWEEN for row in rows)
     high = min(HIGH, max(LOW, room / len(rows)))
     total = TOP + FOOT + len(notes) * LINE + sum(high + row * ROW + BETWEEN for row in rows)
-    page = Figure(figsize=(WIDTH * MM, total * MM), dpi=200)
-    FigureCanvasAgg(page)
+    page = DiagramPage(curves.course.method.mechanism.headline(lang), WIDTH * MM, total * MM)
     drawn, level = [], total - TOP
     for panel, row in zip(layout, rows, strict=True):
         level -= row * ROW + high

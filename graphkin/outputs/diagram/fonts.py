@@ -9,6 +9,7 @@ from itertools import groupby
 from graphkin.errors import GraphkinError
 from graphkin.sheet.lettering import Label
 
+MARK = "https://graphkin.invalid/diagram/1"  # by this graphkin knows a diagram of its own, whatever the format
 LATIN = "STIXGeneral"
 _CHINESE = (
     "Noto Serif CJK SC", "Source Han Serif SC", "Source Han Serif CN", "Noto Serif SC", "Songti SC", "STSong", "SimSun",

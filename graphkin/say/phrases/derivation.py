@@ -15,14 +15,16 @@ PHRASES: Phrases = {
     "derivation.by hand": ("Every length that is not given is read off the drawing to 0.5 mm, every angle to 0.5°, "
                            "and used as it is read.",
                            "凡非已知的长度均由图上量取，读至 0.5 mm（角度读至 0.5°），并以量得的值继续计算。"),
-    "derivation.numbers left out": ("Circled numbers are those of the drawing; steps that the questions do not need "
-                                    "are left out here.",
-                                    "圈号为图上的作图步骤号；求解本题不需要的步骤从略。"),
+    "derivation.numbers left out": ("Circled numbers count the steps of the drawing; steps that the questions do not "
+                                    "need are left out here.",
+                                    "圈号为作图步骤的编号；求解本题不需要的步骤从略。"),
     "derivation.plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
     "derivation.plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
     "derivation.plane acceleration": ("({number}) Accelerations", "({number}) 作加速度分析"),
-    "derivation.driven link": ("{line} of link {link} makes {angle} with +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
-    "derivation.driven along x": ("{line} of link {link} lies along +x ({angle})", "构件 {link} 的 {line} 沿 x 轴正向（{angle}）"),
+    "derivation.driven link": ("[{line} of link {link}|{line}] makes {angle} with +x",
+                               "[构件 {link} 的 {line} |{line} ]与 x 轴正向成 {angle}"),
+    "derivation.driven along x": ("[{line} of link {link}|{line}] lies along +x ({angle})",
+                                  "[构件 {link} 的 {line} |{line} ]沿 x 轴正向（{angle}）"),
     "derivation.driven joint": ("{line} of link {link} is turned by {angle} from {other} of link {seen_from}",
                                 "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}"),
     "derivation.driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
@@ -201,7 +203,7 @@ PHRASES: Phrases = {
                         "turning: {links}.",
                         "局部自由度：滚子的自转不影响其他构件的运动，作图时视为不转：{links}。"),
     "derivation.redundant": ("Redundant constraint, set aside: {line}.", "虚约束，求解时除去不计：{line}。"),
-    "derivation.pose line": ("{line} of link {link} {heading}", "构件 {link} 的 {line} {heading}"),
+    "derivation.pose line": ("[{line} of link {link}|{line}] {heading}", "[构件 {link} 的 {line} |{line} ]{heading}"),
     "derivation.pose joint": ("{line} of link {link} turned by {angle} from {other} of link {seen_from}",
                               "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}"),
     # === the head and the end of a solution

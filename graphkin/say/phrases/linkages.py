@@ -152,11 +152,14 @@ PHRASES: Phrases = {
                                    "在 C1C2 的另一侧（背离 D）作 ∠C2C1P = 90° − θ = {rest:deg}，作 C2P ⊥ C1C2，两线交于 P "
                                    "点（此时慢行程方向相反）。"),
     "design.stage circle": ("Draw the circle through C1, C2 and P (centre O, the middle of C1P): from its points C1C2 "
-                            "is seen under θ.",
-                            "作 △C1C2P 的外接圆（圆心 O 为 C1P 的中点）；圆上各点对 C1C2 的圆周角均为 θ。"),
+                            "is seen under θ. A is not on the dashed arcs: beyond F or G the assembly would change.",
+                            "作 △C1C2P 的外接圆（圆心 O 为 C1P 的中点）；圆上各点对 C1C2 的圆周角均为 θ。A "
+                            "点不在虚线弧上：越过 F、G 则装配方式改变。"),
     "design.stage circle beyond": ("Draw the circle through C1, C2 and P (centre O, the middle of C1P): from its "
-                                   "points beyond C1C2 the chord is seen under θ.",
-                                   "作 △C1C2P 的外接圆（圆心 O 为 C1P 的中点）；C1C2 外侧圆弧上各点对 C1C2 的圆周角均为 θ。"),
+                                   "points beyond C1C2 the chord is seen under θ. A is not on the dashed arcs: "
+                                   "beyond F or G the assembly would change.",
+                                   "作 △C1C2P 的外接圆（圆心 O 为 C1P 的中点）；C1C2 外侧圆弧上各点对 C1C2 的圆周角均为 θ。A "
+                                   "点不在虚线弧上：越过 F、G 则装配方式改变。"),
     "design.stage A by frame": ("With D as centre and the frame's length {frame:mm} as radius draw an arc; it meets "
                                 "the circle at A, so that AD = {frame:mm}.",
                                 "以 D 为圆心、机架长 {frame:mm} 为半径作弧，与该圆交于 A 点，使 AD = {frame:mm}。"),
@@ -203,8 +206,8 @@ PHRASES: Phrases = {
     "design.stage guide lengths": ("From A draw AB1 at right angles to Cm and AB2 to Cn. Measure the crank l_AB = AB1 "
                                    "= {a:mm} and the frame l_AC = {d:mm}.",
                                    "过 A 作 AB1 ⊥ Cm、AB2 ⊥ Cn。量得曲柄 l_AB = AB1 = {a:mm}，机架 l_AC = {d:mm}。"),
-    "design.stage coupler laid": ("Draw the given positions of the coupler: B1C1, B2C2, .. of length {b1:mm}.",
-                                  "作连杆的各给定位置 B1C1、B2C2……，长 {b1:mm}。"),
+    "design.stage coupler laid": ("Draw the given positions of the coupler, B1C1, B2C2 and so on, of length {b1:mm}.",
+                                  "作连杆的各给定位置 B1C1、B2C2 等，长 {b1:mm}。"),
     "design.stage centre": ("The perpendicular bisectors of [B1B2 and B2B3|C1C2 and C2C3] meet at [A|D].",
                             "作[ B1B2、B2B3 | C1C2、C2C3 ]的中垂线，交点为固定铰链中心[ A| D]。"),
     "design.stage given": ("On the perpendicular bisector of [B1B2|C1C2] take the given [A ({A_x:n}, {A_y:n})|D "
@@ -324,4 +327,15 @@ PHRASES: Phrases = {
     "design.title guide-bar": ("Oscillating guide bar from K", "摆动导杆机构设计"),
     "design.title coupler": ("Four-bar from coupler positions", "按连杆位置设计四杆机构"),
     "design.title angles": ("Four-bar from pairs of angles", "按对应角位置设计四杆机构"),
+    "linkages.sheet limits": ("Limit positions of {output}", "{output} 的极限位置"),
+    "linkages.sheet k": ("K = (180° + θ)/(180° − θ) = {k}", "K = (180° + θ)/(180° − θ) = {k}"),
+    "linkages.sheet timed": ("K = {k} (crank {crank})", "K = {k}（曲柄 {crank}）"),
+    "linkages.sheet one": ("θ = 0, K = 1: no quick return", "θ = 0，K = 1，无急回特性"),
+    "linkages.sheet dead": ("dead points where {driver} drives: {values}", "{driver} 主动时的死点：{values}"),
+    "linkages.sheet none": ("no dead point where {driver} drives", "{driver} 主动时无死点"),
+    "linkages.sheet gamma": ("Transmission angle, {driver} driving", "传动角（{driver} 主动）"),
+    "linkages.sheet least": ("γ_min = {gamma}, α_max = {alpha}, at {letter}_{driver} = {values}",
+                             "γ_min = {gamma}，α_max = {alpha}，此时 {letter}_{driver} = {values}"),
+    "linkages.sheet family": ("Linkages of four links", "平面四杆机构的类型"),
+    "design.sheet heading": ("Design by construction", "图解设计"),
 }

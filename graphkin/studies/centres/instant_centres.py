@@ -12,7 +12,7 @@ from typing import TypedDict
 import numpy as np
 
 from graphkin.base.geometry import Array, Value, number, weights_of
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky
 from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import Board, Drafting, DraftMeet, Stage, draw, drawn_through, ruled
 from graphkin.construction.drafting.board import product
@@ -39,7 +39,7 @@ _MET, _FROM_VELOCITIES = 10, 1000
 """The price of a centre that is found by two lines, and of one that waits for the velocities; of others it is 1."""
 
 
-@frozen
+@bulky
 class Centres:
     """Instant centres: how they are found, the plot they are found over, and the board that holds them."""
 

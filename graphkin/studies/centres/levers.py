@@ -99,6 +99,9 @@ class Levers(LeverBoard):
         if target in self.turning:
             return [target]
         resting = {link for link in self.turning if self.stands(link)}
+        costs = {base: self._cost(base, target) for base in sorted(self.turning.keys() - resting)}
+        if costs and (nearest := min(costs, key=costs.__getitem__)) and costs[nearest] <= 2.0:  # two levers: 2 or more
+            return [nearest, target]
         # Dijkstra's search from links whose motion is known; from resting ones none is carried on
         best = {link: 0.0 for link in self.turning if link not in resting}
         queue = [(0.0, link, [link]) for link in best]
@@ -110,13 +113,16 @@ class Levers(LeverBoard):
             for link in self.mechanism.moving:
                 if link in path or link in resting:
                     continue
-                if (base, link) not in self.costs:
-                    self.costs[base, link] = _cost(self.found, self.size, base, link)
-                total = cost + self.costs[base, link]
+                total = cost + self._cost(base, link)
                 if total < best.get(link, inf):
                     best[link] = total
                     heapq.heappush(queue, (total, link, [*path, link]))
         return None
+
+    def _cost(self, base: str, link: str) -> float:
+        if (base, link) not in self.costs:
+            self.costs[base, link] = _cost(self.found, self.size, base, link)
+        return self.costs[base, link]
 
     def along(self, path: list[str]) -> list[Lever]:
         """Work out the motion of each link on a path."""

@@ -21,12 +21,13 @@ from itertools import combinations
 
 import numpy as np
 
+from graphkin.base.cache import kept
 from graphkin.base.geometry import Value
 from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
 from graphkin.construction import AcrossGuide, Along, Plot, Ray, Touch, replay
 from graphkin.construction.drafting import Board, Drafting, DraftMeet, Underlay, draw, ruled
-from graphkin.construction.drafting.board import Homogeneous, balanced, product
+from graphkin.construction.drafting.board import Homogeneous, balanced, product, reach
 from graphkin.construction.drafting.steps import Far, LineStep, Pricked, Stage, Through, Traced, drawn_through
 from graphkin.construction.pencil import touch
 from graphkin.model.kinematic_state import Motions
@@ -45,6 +46,9 @@ def contact_name(contact: Contact) -> str:
 def pole_name(first: str, second: str) -> str:
     """The board's name of the pole of two links that is taken from velocities."""
     return f"pole {first} {second}"
+
+
+Links = frozenset[str]
 
 
 @frozen
@@ -79,21 +83,22 @@ def board_over(method: Method, plot: Plot) -> Board:
     return board
 
 
-def normals(mechanism: Mechanism) -> Iterator[CommonNormal]:
+@kept(4)
+def normals(mechanism: Mechanism) -> tuple[CommonNormal, ...]:
     """The common normals of profiles that touch and slide: of cams, and of pins in slots."""
-    lines: list[tuple[Pair, tuple[str, str], Ray]] = []
+    lines: list[tuple[Pair, Links, Ray]] = []
     for pair in mechanism.pairs:
         match pair.slipping:
             case None:
                 pass
             case Rod(_, (first, second)):
                 owners = itertools.product(mechanism.owners[first], mechanism.owners[second])
-                lines += [(pair, two, Ray(first, Along(first, second))) for two in owners if two[0] != two[1]]
+                ray = Ray(first, Along(first, second))
+                lines += [(pair, frozenset(two), ray) for two in owners if two[0] != two[1]]
             case Slot(guide, point):
                 across = Ray(point, AcrossGuide(pair.name))
-                lines += [(pair, (guide.link, link), across) for link in mechanism.owners[point]]
-    for k, (pair, links, line) in enumerate(lines):
-        yield CommonNormal(f"normal {k}", pair, frozenset(links), line)
+                lines += [(pair, frozenset((guide.link, link)), across) for link in mechanism.owners[point]]
+    return tuple(CommonNormal(f"normal {k}", *line) for k, line in enumerate(lines))
 
 
 def from_velocities(board: Board, motions: Motions, first: str, second: str) -> Homogeneous:
@@ -122,9 +127,8 @@ def _motion(board: Board, motions: Motions, link: str) -> tuple[Value, Value]:
 
 
 CLEAR = 1e-3  # two lines that are less than this far from being one give no centre
+PLAINLY_APART = 0.3  # of lines that are so far from being one the first are taken
 WELL_APART = 0.05  # lines that are less than this far from being one are left for a later round
-
-Links = frozenset[str]
 
 
 @frozen
@@ -172,11 +176,14 @@ def in_order(mechanism: Mechanism, links: Iterable[str]) -> list[str]:
     return sorted(links, key=lambda link: _by_number(mechanism.called(link)))
 
 
-def lines_to(mechanism: Mechanism, centres: Mapping[Links, str], pair: Iterable[str]) -> Iterator[LineStep]:
-    """Every line on which the centre of two links lies, through the centres that are known by their links."""
+def lines_to(
+    mechanism: Mechanism, centres: Mapping[Links, str], pair: Iterable[str], thirds: Iterable[str] = ()
+) -> Iterator[LineStep]:
+    """Every line on which the centre of two links lies, through the centres that are known by their links; `thirds`:
+    the links by whose centres one may go, in order, if not by all."""
     first, second = in_order(mechanism, pair)
     yield from (Traced(one.name, one.name) for one in normals(mechanism) if one.links == {first, second})
-    for third in in_order(mechanism, mechanism.links):
+    for third in thirds or in_order(mechanism, mechanism.links):
         one, other = centres.get(frozenset((first, third))), centres.get(frozenset((third, second)))
         if one is not None and other is not None:
             yield Through(f"{one} {other}", one, other)
@@ -202,8 +209,8 @@ def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
 class _CentreSearch:
     """The centres of a search so far, by their pair of links.
 
-    count   of centres that are known, by link
-    tried   how many of its two links were known when a pair was last tried, and how clear its lines had to be
+    near    with which links the centres are known, by link: a bit for each of `names`
+    tried   how many lines joined known centres when a pair was last tried, and how clear they had to be
     lines   on which a missing one lies, by name
     """
 
@@ -213,7 +220,7 @@ class _CentreSearch:
     stages: list[Stage] = field(default_factory=list)
     links: dict[str, tuple[str, str]] = field(default_factory=dict)
     centres: dict[Links, str] = field(default_factory=dict)
-    count: Counter[str] = field(default_factory=Counter)
+    near: Counter[str] = field(default_factory=Counter)
     tried: dict[tuple[Links, float], int] = field(default_factory=dict)
     lines: dict[Links, dict[str, Homogeneous]] = field(default_factory=dict)
 
@@ -224,6 +231,10 @@ class _CentreSearch:
     @cached_property
     def names(self) -> list[str]:
         return in_order(self.mechanism, self.mechanism.links)
+
+    @cached_property
+    def _bits(self) -> dict[str, int]:
+        return {name: 1 << k for k, name in enumerate(self.names)}
 
     @property
     def missing(self) -> list[tuple[str, str]]:
@@ -244,9 +255,10 @@ class _CentreSearch:
         draw(stage, self.board)
         self.stages.append(stage)
         self.centres[pair] = stage.last.name
-        self.count.update(pair)
         self.lines.pop(pair, None)
         first, second = in_order(self.mechanism, pair)
+        self.near[first] |= self._bits[second]
+        self.near[second] |= self._bits[first]
         self.links[stage.last.name] = first, second
 
     def _by_definition(self) -> Iterator[tuple[Links, Stage]]:
@@ -267,17 +279,17 @@ class _CentreSearch:
 
     def _joined(self, pair: Iterable[str]) -> int:
         """The number of known centres of either of two links."""
-        return sum(self.count[link] for link in pair)
+        return sum(self.near[link].bit_count() for link in pair)
 
     def _round(self, clear: float) -> bool:
         """One round of Kennedy's lines over the missing centres; true if it gave any.
 
-        A pair is tried again only where more centres of its links are known than before.
+        A pair is tried again only where there are more lines to its centre than before.
         """
         any_new = False
         for two in self.missing:
             pair = frozenset(two)
-            before, now = self.tried.get((pair, clear)), self._joined(pair)
+            before, now = self.tried.get((pair, clear)), (self.near[two[0]] & self.near[two[1]]).bit_count()
             self.tried[pair, clear] = now
             if before != now and (stage := self._on_two_lines(pair, clear)) is not None:
                 self.take(pair, stage)
@@ -285,23 +297,34 @@ class _CentreSearch:
         return any_new
 
     def _on_two_lines(self, pair: Links, clear: float) -> Stage | None:
-        """The two lines that are farthest from being one; the first two, where several are clear."""
+        """The two lines that are farthest from being one; the first two, where several are clear. A line is ruled when
+        those before it are not enough: in a long chain there is one for nearly every link."""
         ruled_lines = self.lines.setdefault(pair, {})
-        lines = []
-        for line in lines_to(self.mechanism, self.centres, pair):
+        lines: list[LineStep] = []
+        for line in lines_to(self.mechanism, self.centres, pair, self._between(*pair)):
             if line.name not in ruled_lines:
                 ruled_lines[line.name] = ruled(line, self.board)
             if np.isfinite(ruled_lines[line.name]).all():
                 lines.append(line)
+                crossing = product(ruled_lines[lines[0].name], ruled_lines[line.name])
+                if reach(crossing) >= PLAINLY_APART:
+                    return self._crossing(pair, lines[0], line)
         if len(lines) < 2:
             return None
         first, second = np.triu_indices(len(lines), 1)
         places = np.array([ruled_lines[line.name] for line in lines]).T
-        apart = np.linalg.norm(product(places[:, first], places[:, second]), axis=0)
-        best = int(np.argmax(np.where(apart > clear, np.minimum(apart, 0.3), 0.0)))
-        if not apart[best] > clear:
-            return None
-        one, other = lines[first[best]], lines[second[best]]
+        apart = reach(product(places[:, first], places[:, second]))
+        best = int(np.argmax(np.where(apart > clear, np.minimum(apart, PLAINLY_APART), 0.0)))
+        return self._crossing(pair, lines[first[best]], lines[second[best]]) if apart[best] > clear else None
+
+    def _between(self, first: str, second: str) -> Iterator[str]:
+        """The links with which the centres of both are known, in order."""
+        bits = self.near[first] & self.near[second]
+        while bits:
+            yield self.names[(bits & -bits).bit_length() - 1]
+            bits &= bits - 1
+
+    def _crossing(self, pair: Links, one: LineStep, other: LineStep) -> Stage:
         return Stage("two lines", (one, other, DraftMeet(centre_name(self.mechanism, *pair), one.name, other.name)))
 
     def _pole(self, left: set[tuple[str, str]]) -> bool:

@@ -14,7 +14,7 @@ from typing import Literal
 import numpy as np
 
 from graphkin.base.geometry import Array, Real, cross, meet_circles, number, place
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.construction.drafting import Board, Drafting, replay
 from graphkin.errors import GraphkinError, OneCondition, WantedRange
 from graphkin.studies.linkages import FourBar, GuideBar, Linkage, Report, SliderCrank, report
@@ -31,7 +31,7 @@ class Reason:
     data: tuple[tuple[str, float | str], ...] = ()
 
 
-@frozen
+@bulky
 class Solution:
     """A linkage that a construction gives.
 
@@ -109,7 +109,7 @@ class Family:
     best: tuple[float, float]
 
 
-@frozen
+@bulky
 class Design:
     """The conditions of a design and the linkages that meet them.
 

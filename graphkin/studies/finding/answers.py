@@ -6,8 +6,9 @@ import math
 from typing import Literal
 
 from graphkin.base.plain import Plain
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.model.mechanism import Driver, Mechanism
+from graphkin.planning import Method
 from graphkin.studies.finding.conditions import Condition
 
 Kind = Literal["zero", "touch", "max", "min", "largest", "end", "stop", "pole", "nearest", "here"]
@@ -97,7 +98,7 @@ class Speeds:
     value: float
 
 
-@frozen
+@bulky
 class Findings:
     """The answer to one condition.
 
@@ -112,7 +113,7 @@ class Findings:
     """
 
     condition: Condition
-    mechanism: Mechanism
+    method: Method
     drivers: tuple[Driver, ...]
     swept: int
     looked: tuple[float, float] | None
@@ -130,6 +131,10 @@ class Findings:
     slow: tuple[SlowPoint, ...] = ()
     speeds: tuple[Speeds, ...] = ()
     notes: tuple[str, ...] = ()
+
+    @property
+    def mechanism(self) -> Mechanism:
+        return self.method.mechanism
 
     @property
     def shown(self) -> tuple[Position, ...]:

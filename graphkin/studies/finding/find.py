@@ -96,7 +96,7 @@ def _blank(
 ) -> Findings:
     """Findings without an answer."""
     units = tuple(entry.unit for entry in drawn)
-    return Findings(condition, method.mechanism, method.drivers, swept, None, False, (False, False), names, units)
+    return Findings(condition, method, method.drivers, swept, None, False, (False, False), names, units)
 
 
 def _blank_on(condition: Condition, drawn: tuple[Series, ...], over: CourseStretch) -> Findings:

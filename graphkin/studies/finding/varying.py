@@ -15,7 +15,7 @@ import numpy as np
 from graphkin import files as loading
 from graphkin.base.geometry import place as place_of
 from graphkin.base.plain import Plain
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver, Where
 from graphkin.files.toml import replaced_values
 from graphkin.files.values import UNITS, read_quantity, split_points, tidy
@@ -91,9 +91,9 @@ class VaryingRow:
     error: GraphkinError | None
 
 
-@frozen
+@bulky
 class VaryingTable:
-    """A condition over values of a dimension [SI]."""
+    """A condition over values of a dimension: `rows` with the `value` [SI], and what is `found` or the `error`."""
 
     mechanism: Mechanism
     name: str

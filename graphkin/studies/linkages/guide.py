@@ -17,7 +17,7 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Slide
 from graphkin.studies.linkages import triangles
 from graphkin.studies.linkages.assembled import assembled, drawn_line, free_names, pushing, turning
-from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, Sums, Turn
+from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, Sums, TransmissionAngle, Turn
 
 
 @frozen
@@ -194,8 +194,11 @@ class GuideBar:
         normal = 1j * line / abs(line)
         return (normal.conjugate() * 1j * (b - a)).real / ((normal.conjugate() * 1j * arm).real)
 
-    def seen(self, position: LinkagePosition) -> None:
-        return None
+    def seen(self, position: LinkagePosition) -> TransmissionAngle:
+        """At B, between what pushes there and the arm it pushes at: the bar's normal, or the cylinder, and CB or AB."""
+        a, b, c = position.places
+        pushing = c - b if self.driver == "slide" else 1j * cmath.rect(1, position.turn)
+        return TransmissionAngle(b, pushing, c - b if self.driver == "crank" else a - b)
 
     @property
     def _base(self) -> float:

@@ -202,8 +202,8 @@ class Linkage(Protocol):
         Infinite at a dead point.
         """
 
-    def seen(self, position: LinkagePosition) -> TransmissionAngle | None:
-        """The transmission angle as it is seen; None for a bar, on which the force lies square to no link."""
+    def seen(self, position: LinkagePosition) -> TransmissionAngle:
+        """The transmission angle as it is seen."""
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         """It as a mechanism at its drawn position: links 1, 2, 3, frame 4, driven at `omega` [rad/s] or 0.1 m/s."""

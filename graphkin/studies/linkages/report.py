@@ -13,7 +13,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from graphkin.base.plain import Plain
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.studies.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePosition, Turn
 from graphkin.studies.linkages.recognised import FoundLinkage
 from graphkin.studies.linkages.triangles import MotionRange, even, greatest_between, whole
@@ -36,7 +36,7 @@ class Advantage:
     endless: tuple[float, ...]
 
 
-@frozen
+@bulky
 class Report:
     """Kind, ranges, limits and angles of a linkage. Angles [rad], lengths [m]; None where a quantity does not exist.
 
@@ -50,6 +50,7 @@ class Report:
     critical        positions at which the transmission angle can be least; `least`: those of them at which it is
     dead            by driver: its values at which it moves nothing; empty where there are none
     timed_by        the crank to which theta, K and `slow` belong, where it is not this linkage's driver
+    found           where it is one of a mechanism: its links there
     """
 
     linkage: Linkage
@@ -73,6 +74,7 @@ class Report:
     critical: tuple[LinkagePosition, ...]
     dead: Mapping[str, tuple[float, ...]]
     timed_by: str = ""
+    found: FoundLinkage | None = None
 
     @property
     def slide(self) -> str:
@@ -191,7 +193,7 @@ def reported(one: FoundLinkage) -> Report:
     is that of the swing. Behind a link that turns fully but unevenly (a rotating guide bar, a drag link) the second
     linkage has its own limits, and K comes from the first one's crank at those limits.
     """
-    alone = report(one.linkage)
+    alone = replace(report(one.linkage), found=one)
     if one.before is None:
         return alone
     first = reported(one.before)

@@ -13,7 +13,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from graphkin.base.geometry import Real, number
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.errors import BadRange, BadValues, GivenTwice, GraphkinError, NoPosition, NoSuchDriver, Where
 from graphkin.files.values import LARGEST, UNITS, read_quantity
 from graphkin.model.mechanism import Dimension, Driver
@@ -101,7 +101,8 @@ def _each_range(ranges: Ranges) -> Iterator[tuple[str, object, Written]]:
     if isinstance(ranges, Mapping):
         yield from ((name, span, partial(shortened, span, f"{name}=")) for name, span in ranges.items())
     elif not isinstance(ranges, str) and any(not isinstance(each, str) for each in ranges):
-        yield "", ranges, partial(shortened, ranges)
+        several = ranges if np.ndim(ranges[0]) else [ranges]
+        yield from (("", span, partial(shortened, span)) for span in several)
     else:
         for text in [ranges] if isinstance(ranges, str) else ranges:
             name, _, span = str(text).rpartition("=")
@@ -154,7 +155,7 @@ def plain(text: str) -> float | str:
         return text
 
 
-@frozen
+@bulky
 class Course:
     """A mechanism moved along a path, and the chosen positions on it.
 

@@ -17,7 +17,7 @@ from graphkin.model.mechanism import Mechanism, Usual
 from graphkin.model.quantities import EDGE, Centre, Quantity, Quotient, named, read
 from graphkin.model.quantities.kinds import Track
 from graphkin.model.readout import Readable
-from graphkin.model.units import Measured, Numbers, measured
+from graphkin.model.units import Measured, Numbers, Vectors, measured
 from graphkin.planning import Method
 from graphkin.running.in_numpy import lent
 from graphkin.running.other_positions import MANY
@@ -141,7 +141,7 @@ def drawable(mechanism: Mechanism, names: Sequence[str]) -> tuple[str, ...]:
 
 
 @frozen
-class Sweep(Readable, Mapping[str, Series]):
+class Sweep(Readable[Numbers, Vectors], Mapping[str, Series]):
     """Quantities over positions: a mapping from the name of each, as it was written, to its `Series`.
 
     By name it has any other, too, as `Readable` says: `sweep.omega["3"]`, `sweep.v["C"]`, arrays (n,) with their unit.

@@ -1,0 +1,296 @@
+"""The subject of a call, a mechanism by whatever names it with its drivers' values; and the drawing of one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from graphkin import errors, planning
+from graphkin import files as loading
+from graphkin.base.geometry import Real, number
+from graphkin.base.plain import Plain
+from graphkin.base.value import frozen
+from graphkin.construction import SCALES, Plane, Plot
+from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.files import library
+from graphkin.files.draft import rate_keys
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.readout import Readable, read_off
+from graphkin.model.units import Measured, Number, Vector, driven
+from graphkin.planning import Method
+
+if TYPE_CHECKING:
+    from graphkin.equations import By, SavedDocument
+    from graphkin.model.quantities import Answer
+    from graphkin.outputs.paint import Ink
+    from graphkin.outputs.saving import NotebookSheet
+    from graphkin.sheet import Style
+    from graphkin.studies.sweeps import PointPath
+
+Source: TypeAlias = Mechanism | str | Path  # a mechanism, its name in the library, or its file
+
+
+def load(source: Source) -> loading.MechanismFile:
+    """A mechanism from a file, or from the library by its name (`ex3-1`).
+
+    Raises a `GraphkinError` that names file, line and key of what is wrong.
+
+    >>> load("ex3-1").frame
+    '4'
+    """
+    if isinstance(source, loading.MechanismFile):
+        return source
+    if not isinstance(source, str | Path):
+        raise errors.NotAMechanism(Where("mechanism"), type(source).__name__)
+    if isinstance(source, str) and library.has(source):
+        return library.load(source)
+    path = Path(source)
+    if isinstance(source, str) and not path.suffix and not path.exists() and path.name == source:
+        return library.load(source)
+    return loading.load(path)
+
+
+def plan(mechanism: Source, coincident: str = "", centres: bool = False) -> Method:
+    """The three constructions of a mechanism: position, velocity, acceleration.
+
+    Raises a `GraphkinError` where drivers are too few or too many, where the links do not reach each other,
+    where the sketch fits two assemblies, and where a group is of a class that is not solved.
+
+    >>> plan("ex3-1").velocity.equations[0].of
+    'B3'
+    """
+    from graphkin.planning.planner import wrong_side
+    from graphkin.proof.roads import wrong_drivers
+
+    mechanism = mechanism if isinstance(mechanism, Mechanism) else load(mechanism)
+    try:
+        method = planning.plan(mechanism, coincident, centres)
+        if method.doubtful and (error := wrong_drivers(mechanism)) is not None:
+            raise error
+        return method
+    except (errors.HigherClass, errors.CannotAssemble):
+        if (found := wrong_drivers(mechanism) or wrong_side(mechanism)) is not None:
+            raise found from None
+        raise
+
+
+def method_of(subject: Source | Method) -> Method:
+    """A method as it is, or that of a mechanism."""
+    return subject if isinstance(subject, Method) else plan(subject)
+
+
+def placed(subject: Source | Method, values: Values) -> Method:
+    """Its method; that of the mechanism drawn there where other driver values are given [deg, mm]."""
+    method = method_of(subject)
+    given = in_si(method.mechanism, values)
+    if given is None or [*given] == [*method.facts().values]:
+        return method
+    from graphkin.proof.readings import mechanism_at
+
+    return plan(mechanism_at(method, [*map(number, given)]))
+
+
+Values: TypeAlias = Sequence[ArrayLike] | Mapping[str, ArrayLike] | float | None
+"""Of each driver in their order, or by its name: deg and mm, or with a unit of their own, as what was read has."""
+
+
+def in_si(mechanism: Mechanism, values: Values) -> list[Real] | None:
+    """Each driver's values [rad, m]. Raises BadValues, ValueForEach."""
+    if values is None:
+        return None
+    kinds = {driver.name: driver.kind for driver in mechanism.drivers}
+    if isinstance(values, Mapping):
+        each = [values[name] for name in kinds if name in values]
+    else:
+        each = [*values] if isinstance(values, Sequence | np.ndarray) else [values]
+    if len(each) != len(kinds):
+        raise errors.ValueForEach(mechanism.where("driver"), len(each), tuple(kinds))
+    return [_driven(value, kind) for value, kind in zip(each, kinds.values(), strict=True)]
+
+
+def _driven(value: ArrayLike, kind: str) -> Real:
+    if isinstance(value, Measured):
+        return np.real(value.si)
+    try:
+        plain = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise errors.BadValues(Where("values"), f"{value}"[:60]) from None
+    si: Real = plain / 1000 if kind == "slide" else np.radians(plain)
+    return si if plain.ndim else float(si)
+
+
+@contextmanager
+def in_python() -> Iterator[None]:
+    """Errors name arguments, not the options of a command."""
+    try:
+        yield
+    except GraphkinError as error:
+        where = getattr(error, "where", None)
+        if isinstance(where, Where) and where.file.startswith("--"):
+            name = where.file[2:].replace("-", "_")
+            raise error.at(Where("ranges" if name == "driver" else name)) from None
+        raise
+
+
+@frozen
+class Drawing(Readable[Number, Vector]):
+    """A mechanism, planned and drawn at one position, and held against the analysis; a notebook plays it.
+
+    What is read off by name (`drawing.omega["3"]`, `drawing["a_k B3B2"]`) is said in `Readable`.
+
+    >>> drawing = Drawing.of("ex3-1", 60)
+    >>> drawing.answers()["omega 3"].unit
+    'rad/s'
+    """
+
+    mechanism: Mechanism
+    method: Method
+    plot: Plot
+
+    @classmethod
+    def of(cls, mechanism: Source | Method, values: Values = None) -> Drawing:
+        """Plan a mechanism, if it is not, and draw it at the drawn position or at other driver values [deg, mm].
+
+        Raises RoadsDiffer where the analysis does not confirm the drawing.
+        """
+        from graphkin.proof.roads import proved
+
+        method = method_of(mechanism)
+        given = in_si(method.mechanism, values)
+        return cls(method.mechanism, method, proved(method, None if given is None else [*map(number, given)]).plot)
+
+    @cached_property
+    def _motions(self) -> Motions:
+        from graphkin.proof.readings import readings
+
+        return readings(self.method, self.plot)
+
+    def quantity(self, text: str) -> Number | Vector:
+        """Whatever `ask` can name, as a number with its unit."""
+        return read_off(self._motions, text)  # type: ignore[return-value]
+
+    __getitem__ = quantity
+
+    def sheet(
+        self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, style: Style = "construction",
+        tight: bool = False, paths: Sequence[str] = (), arrows: bool = False,
+    ) -> NotebookSheet:  # fmt: skip
+        """The sheet: mechanism and polygons to scale, in millimetres on paper; `style`: with their construction, as
+        results alone, or only the mechanism with what is given; `tight`: the figures alone.
+
+        paths   points whose paths are drawn over the driver's turn, or as far as it gets; arrows: with velocities
+        """
+        from graphkin.outputs.saving import NotebookSheet
+        from graphkin.sheet import Paths, sheet
+
+        drawn = Paths(tuple(self._paths(paths, arrows)), arrows and bool(paths), lang)
+        found = sheet(
+            self.method, self.plot, paper=paper, lang=lang, only=only, style=style, tight=tight, paths=drawn
+        )
+        return NotebookSheet.of(found, (self.method, self.plot))
+
+    def _paths(self, points: Sequence[str], arrows: bool) -> Iterator[PointPath]:
+        if not points:
+            return
+        from graphkin.studies.sweeps import point_path
+
+        values = tuple(float(value) for value in self.plot.facts.values)
+        for point in dict.fromkeys(points):
+            path = point_path(self.method, point, values)
+            if arrows and not path.course.driver.rate:
+                raise errors.NoSpeed(Where(f"path {point}"), path.course.driver.name, rate_keys(path.course.driver))
+            yield path
+
+    def step_sheets(
+        self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, tight: bool = False
+    ) -> Iterator[NotebookSheet]:
+        """One sheet a step of the construction, the newest marks emphasised."""
+        from graphkin.outputs.saving import NotebookSheet
+        from graphkin.sheet import step_sheets
+
+        sheets = step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight)
+        return map(NotebookSheet.of, sheets)
+
+    def explain(
+        self, lang: Lang = "en", *, everything: bool = False, only: Plane = "acceleration", as_drawn: bool = False
+    ) -> list[str]:
+        """The solution, line by line, at the scales of the sheet.
+
+        everything, only  all points and links, whatever is asked; the last plane that is drawn
+        as_drawn          lengths are read to 0.5 mm, as a hand reads them, and what follows follows from that
+        """
+        from graphkin.say import explain
+        from graphkin.sheet import scales_of
+
+        scales = scales_of(self.method, self.plot, lang)
+        on_paper: dict[str, float] = {key: scales[plane] for plane, key in SCALES.items()}
+        plot, ruler = self.plot, None
+        if as_drawn:
+            from graphkin.marking.ruler import as_drawn as read_off
+
+            plot, ruler = read_off(self.method, plot, scales)
+        return explain(self.method, plot, on_paper, lang, everything, only, ruler)
+
+    def equations(self, lang: Lang = "en", *, method: By = "complex") -> SavedDocument:
+        """The analytic solution written out, with closed forms, or as one system of matrices ("matrix")."""
+        from graphkin.equations import SavedDocument, document
+
+        drawn, units = self.plot.facts.values, [driven(driver.kind == "slide") for driver in self.method.drivers]
+        there = placed(self.method, [*map(Number, map(number, drawn), units)])
+        return SavedDocument(**vars(document(there, method, lang)))
+
+    def animate(
+        self, path: str | Path, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None,
+        dpi: float = 100.0, ink: Ink = "accent", force: bool = False,
+    ) -> Path:  # fmt: skip
+        """Write a turn of the driver from the mechanism's own position on, or as far as it gets, as a .svg or .png that
+        moves."""
+        from graphkin.outputs import drawings, files
+        from graphkin.sheet.motion_frames import motion_frames
+
+        file = Path(path)
+        if (moving := drawings.MOVING.get(file.suffix.lower())) is None:
+            raise files.UnknownEnding(str(file), tuple(drawings.MOVING))
+        drawings.refuse_edited(file, force)
+        frames = motion_frames(self.method, paper=paper, lang=lang, only=only)
+        drawings.write(file, moving(frames, dpi, ink), force)
+        return file
+
+    def answers(self) -> dict[str, Answer | None]:
+        """What the file asks for, read off the drawing; None for a text that is only shown."""
+        from graphkin.model.quantities import Centre, read
+
+        questions = {text: read(self.mechanism, text) for text in self.mechanism.ask}
+        return {
+            text: None if quantity is None or isinstance(quantity, Centre) else quantity.answer(self._motions)
+            for text, quantity in questions.items()
+        }
+
+    def _repr_svg_(self) -> str:
+        return self.sheet().svg()
+
+    def _repr_html_(self) -> str | None:
+        """A notebook plays it; nothing of what cannot move."""
+        import graphkin
+
+        try:
+            return graphkin.play(self)._repr_html_()
+        except errors.GraphkinError:
+            return None
+
+    def __repr__(self) -> str:
+        return f"<Drawing of {self.mechanism.name}>"
+
+
+def solved(drawing: Drawing) -> Mapping[str, Plain]:
+    """What `graphkin solve --json` prints of one position."""
+    from graphkin.results import results
+
+    return results(drawing.mechanism, drawing.method, values=[*map(number, drawing.plot.facts.values)])

@@ -1,0 +1,46 @@
+"""Handouts as programs make them, in the words of `graphkin handout`, and save them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from graphkin.api.drawing import Source, load
+from graphkin.errors import Lang
+from graphkin.handouts.document import Handout, Stage
+from graphkin.handouts.markup import html
+from graphkin.handouts.stages import in_languages
+from graphkin.handouts.typst import pdf
+from graphkin.outputs import files
+
+MARKS = (b"graphkin handout",)
+
+
+class SavedHandout(Handout):
+    """A handout: `save("x.pdf")`, or `.html`; a notebook shows it."""
+
+    def save(
+        self, path: str | Path, *, paper: str = "A4", font: Path | None = None, scan: int | None = None,
+        force: bool = False,
+    ) -> Path:  # fmt: skip
+        """Write it on this paper; font: a file with the letters wanted; scan: the number of the first page that is to
+        be photographed. A .pdf needs graphkin[pdf]."""
+        file = Path(path)
+        if file.suffix.lower() not in (".pdf", ".html"):
+            raise files.UnknownEnding(str(file), (".pdf", ".html"))
+        content = html(self, paper) if file.suffix.lower() == ".html" else pdf(self, paper, font, scan)
+        files.write(file, content, force, MARKS)
+        return file
+
+    def _repr_html_(self) -> str:
+        return html(self)
+
+
+def handout(
+    *mechanisms: Source, stage: Stage = "solution", lang: Lang = "en", both: bool = False, upto: int = 1,
+    answers: bool = False, seed: str = "", duplex: bool = False, number: int | None = None,
+) -> SavedHandout:  # fmt: skip
+    """Problems on paper: stage "problem", "blank" (with room to draw), "half" (solved as far as `upto` equations), or
+    "solution"; several make a book. The rest is as the command has it."""
+    made = in_languages([*map(load, mechanisms)], stage, ("zh", "en") if both else (lang,), upto=upto, answers=answers,
+                        seed=seed, duplex=duplex, number=number)  # fmt: skip
+    return SavedHandout(**vars(made))

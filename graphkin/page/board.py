@@ -1,0 +1,321 @@
+"""The drawing board: a problem, gridded papers, tools and boxes on one page, handed in as a file that `grade` reads.
+
+The page holds what the problem says and nothing that is asked for: the file's text without its remarks, the given
+figure, the letters that can be chosen. Nothing is snapped to but what is given or drawn.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import re
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
+from functools import cached_property
+from itertools import pairwise
+
+from graphkin.base.geometry import place
+from graphkin.base.plain import Plain
+from graphkin.base.value import frozen
+from graphkin.construction import LETTER, Equation, LayOff, Plane, Plot
+from graphkin.construction.terms import Term
+from graphkin.errors import Lang
+from graphkin.files.toml import parsed, toml
+from graphkin.handouts.document import HandoutHeading, HandoutPicture, Paragraph
+from graphkin.handouts.markup import block_html
+from graphkin.handouts.problem import HandoutProblem, drawn_problem
+from graphkin.handouts.stages import blocks_of, figure_of
+from graphkin.homework.problems.posed import shown_at
+from graphkin.marking.choice_rows import Choice
+from graphkin.marking.equation_choices import equation_choices
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.quantities import EDGE, Centre, Moving, Quantity, Rotation, Track, at_position
+from graphkin.outputs.svg import inline
+from graphkin.page.writer import FOLDER, page
+from graphkin.planning.asked import plane_of
+from graphkin.say import names
+from graphkin.say.catalogue import LANGUAGES, for_scripts, say
+from graphkin.say.problems import positions
+from graphkin.sheet.lettering import formula, plain
+from graphkin.sheet.marks import PointMark, Stroke
+
+_SUBJECT = "board."
+_HALF = (140.0, 110.0)  # of a polygon's paper, about its pole [mm]
+_AROUND = 15.0  # the paper about the figure [mm]
+_WIDER = 3.0  # of the paper, where lines of links are drawn on until they meet
+_GUIDE = 25.0  # half of a guide's line as it is chosen [mm]
+_STRAIGHT = 1e-6  # of directions that are along an axis
+_LETTERED = re.compile(r"[A-Za-z][\w@]*'*")
+_UNITS: Mapping[str, tuple[str, ...]] = {
+    "rad/s": ("rad/s", "deg/s", "r/min"), "m/s": ("m/s", "mm/s"), "rad/s^2": ("rad/s^2", "deg/s^2"),
+    "m/s^2": ("m/s^2", "mm/s^2"), "m": ("mm", "m"), "rad": ("deg", "rad"),
+}  # fmt: skip
+"""By SI unit, those in which an answer may stand."""
+
+
+@frozen
+class GivenFigure:
+    """The problem's figure; of one in the position of the problem where its points are, in mm from the first, y up.
+
+    corner  the left upper corner of the figure's sheet seen from that point, x right and y down; None of a figure that
+            stands elsewhere
+    """
+
+    picture: HandoutPicture
+    points: Mapping[str, complex]
+    sides: frozenset[tuple[str, str]]
+    corner: complex | None
+
+    @property
+    def scale(self) -> float | None:
+        return None if self.corner is None else float(self.picture.sheet.scales["position"])
+
+
+class BoardProblem(HandoutProblem):
+    """A problem whose figure stands where it is drawn, too, if ruler and compass do not get there and no more than
+    instant centres are asked of the position."""
+
+    @classmethod
+    def of(cls, problem: HandoutProblem) -> BoardProblem:
+        """The same problem for the board."""
+        return cls(problem.drawing, problem.scales, problem.lang, problem.whose, problem.before)
+
+    @cached_property
+    def posed_at(self) -> tuple[Plot, bool] | None:
+        asked = [one for one in self.asked.wanted if one is not None]
+        centred = any(isinstance(one, Centre) for one in asked)
+        in_motion = all(isinstance(one, Centre) or plane_of(one) != "position" for one in asked)
+        if self.drawing.method.fits and centred and in_motion:
+            return self.drawing.plot, True
+        return shown_at(self.drawing.method, self.drawing.plot)
+
+
+def board_page(mechanism: Mechanism, lang: Lang, whose: str = "", set_name: str = "", number: int | None = None) -> str:
+    """The text of a board's page; whose, set_name, number: of a problem that a set wrote.
+
+    Raises what loading, planning and proving raise.
+    """
+    drawn = BoardProblem.of(drawn_problem(mechanism, lang, whose))
+    problems = {each: replace(drawn, lang=each) for each in LANGUAGES}
+    figure = _given_figure(drawn)
+    text = toml(parsed(mechanism.text))
+    origin = {"mechanism": text, "name": mechanism.name, "set": set_name, "student": whose, "number": number}
+    data: dict[str, Plain] = {
+        "key": hashlib.sha256(f"{text}\0{whose}".encode()).hexdigest()[:16], "name": whose or mechanism.name,
+        "title": {each: problem.title for each, problem in problems.items()}, "problem": {**origin},
+        "papers": [*_papers(drawn, figure)], "given": _given(drawn, figure), "answers": [*_answer_boxes(drawn)],
+        **_equations(drawn),
+    }  # fmt: skip
+    words = {key.removeprefix(_SUBJECT): both for key, both in for_scripts("board").items()}
+    return page(drawn.title, lang, scripts=["board"], styles=["board"], data={"words": words, "board": data},
+                body=_body(problems, figure, data))  # fmt: skip
+
+
+def _body(problems: Mapping[Lang, HandoutProblem], figure: GivenFigure, data: Mapping[str, Plain]) -> str:
+    """The page before anything runs: the text in both languages, then the room for papers, tools and boxes."""
+    tags = {"en": "en", "zh": "zh-CN"}
+    told = "".join(f'<section class="told" lang="{tags[lang]}">{_told(problem, figure)}</section>'
+                   for lang, problem in problems.items())  # fmt: skip
+    papers = data["papers"]
+    assert isinstance(papers, list)
+    planes = [paper["plane"] for paper in papers if isinstance(paper, dict)]
+    rooms = {plane: (FOLDER / "board_paper.html").read_text("utf-8").replace("PLANE", str(plane)) for plane in planes}
+    parts = {"TOLD": told, "FIGURE": inline(figure.picture.sheet), "POSITION": rooms.pop("position", ""),
+             "POLYGONS": "".join(rooms.values())}  # fmt: skip
+    body = (FOLDER / "board.html").read_text("utf-8")
+    for name, part in parts.items():
+        body = body.replace(f"<!--{name}-->", part)
+    return body
+
+
+def _told(problem: HandoutProblem, figure: GivenFigure) -> str:
+    """The problem in words, without its answers' boxes."""
+    blocks = [HandoutHeading(plain(problem.title), 1), *blocks_of(problem.posed, problem.lang, problem.points)]
+    if figure.corner is None:
+        note = say("common.note", problem.lang, note=say("handouts.elsewhere", problem.lang)).strip()
+        blocks.append(Paragraph(plain(note)))
+    return "".join(map(block_html, blocks))
+
+
+def _given_figure(problem: HandoutProblem) -> GivenFigure:
+    """The problem's figure as it is handed out; its points and its sides, where it is drawn where the problem is."""
+    picture = figure_of(problem)
+    sheet, mechanism = picture.sheet, problem.drawing.mechanism
+    marks = [mark for layer in sheet.layers for mark in layer.marks]
+    at = {mark.name: mark.at for mark in marks if isinstance(mark, PointMark) and mark.plane == "position"}
+    first = next((point for point in mechanism.named(FRAME) if point in at), "")
+    if not first or not (problem.posed_at is None or problem.posed_at[1]):
+        return GivenFigure(picture, {}, frozenset(), None)
+    points = {name: (there - at[first]).conjugate() for name, there in at.items()}
+    strokes = [mark for mark in marks if isinstance(mark, Stroke) and mark.shows is not None]
+    corners = (mark.shows.points + mark.shows.points[: mark.closed] for mark in strokes
+               if mark.shows is not None and mark.shows.form == "bar")  # fmt: skip
+    sides = frozenset(pair for outline in corners for pair in pairwise(outline))
+    return GivenFigure(picture, points, sides, -at[first])
+
+
+def _papers(problem: HandoutProblem, figure: GivenFigure) -> Iterator[Plain]:
+    """A paper for the mechanism, and one for each polygon that is drawn."""
+    mechanism, paper = problem.drawing.mechanism, figure.picture.sheet.paper
+    first = next(iter(mechanism.named(FRAME)), "")
+    if figure.corner is not None or problem.posed_at is not None:
+        box = _box(-_HALF[0], _HALF[0], -_HALF[1], _HALF[1])
+        far = problem.drawing.method.special or any(isinstance(one, Centre) for one in problem.asked.wanted)
+        wider = _WIDER if far and figure.corner is not None else 1.0
+        if figure.corner is not None:
+            half = complex(paper.width, paper.height) / 2
+            middle, half = figure.corner.conjugate() + half.conjugate(), wider * (half + complex(_AROUND, _AROUND))
+            low, high = middle - half, middle + half
+            box = _box(low.real, high.real, low.imag, high.imag)
+        letters: list[Plain] = [] if figure.corner is not None else [*mechanism.points]
+        letters += [*sorted(problem.drawing.method.special)]
+        yield {"plane": "position", "pole": first, "unit": "m", "scale": figure.scale, "box": box, "near": wider,
+               "points": letters, "of": {}, "vectors": []}  # fmt: skip
+    for plane in problem.polygons:
+        construction = problem.construction(plane)
+        fixed = {name for name, node in construction.nodes.items() if node.site and node.site.link == FRAME}
+        free = [name for name in construction.nodes if name not in {*fixed, construction.pole}]
+        letters = [name for name in free if _LETTERED.fullmatch(name)]
+        yield {"plane": plane, "pole": construction.pole, "unit": names.UNIT[plane], "scale": None, "near": 1.0,
+               "box": _box(-_HALF[0], _HALF[0], -_HALF[1], _HALF[1]),
+               "points": letters, "of": {name: construction.nodes[name].of for name in free},
+               "vectors": [*_vectors(problem, plane)]}  # fmt: skip
+
+
+def _box(left: float, right: float, low: float, high: float) -> Plain:
+    return {"left": round(left, 3), "right": round(right, 3), "low": round(low, 3), "high": round(high, 3)}
+
+
+def _vectors(problem: HandoutProblem, plane: Plane) -> list[str]:
+    """The names of the arrows that the equations have, and of those asked for."""
+    arrows: dict[str, None] = {}
+    for part in problem.goal.parts[plane]:
+        parts: tuple[Term, ...] = (part.term,) if isinstance(part, LayOff) else ()
+        parts = part.left + part.right if isinstance(part, Equation) else parts
+        arrows.update(dict.fromkeys(term.name(plane) for term in parts))
+    asked = (one for one in problem.asked.wanted if isinstance(one, Moving) and one.letter == LETTER[plane])
+    arrows.update(dict.fromkeys(f"{one.letter}{f'^{one.part}' if one.part else ''}_{one.of}" for one in asked))
+    return [*arrows]
+
+
+def _given(problem: HandoutProblem, figure: GivenFigure) -> Plain:
+    """The mechanism's lines, by which a set square is laid, as far as the problem gives them."""
+    choices = _choices(problem)
+    pairs = list(dict.fromkeys(choice.points for choice in choices if choice.kind == "parallel"))
+    lines = [*_lines(figure, pairs)] if figure.corner is not None else []
+    guides = {choice.token.removeprefix("parallel ") for choice in choices if choice.kind == "guide"}
+    lines += _guide_lines(problem, figure, guides)
+    places: dict[str, Plain] = {name: _xy(at) for name, at in figure.points.items()}
+    corner: Plain = None if figure.corner is None else [round(-figure.corner.real, 4), round(-figure.corner.imag, 4)]
+    return {"lines": lines, "pairs": ["".join(pair) for pair in pairs], "points": places, "corner": corner}
+
+
+def _choices(problem: HandoutProblem) -> list[Choice]:
+    """All directions that can be chosen, in their order."""
+    every = equation_choices(problem.drawing.method, problem.drawing.plot)
+    return list(dict.fromkeys(choice for equation in every for choice in equation.directions))
+
+
+def _lines(figure: GivenFigure, pairs: list[tuple[str, ...]]) -> Iterator[Plain]:
+    """The lines between points of the figure."""
+    sides = {frozenset(side) for side in figure.sides}
+    known = dict.fromkeys(frozenset(pair) for pair in [*pairs, *sorted(figure.sides)])
+    in_order = {frozenset(pair): pair for pair in [*sorted(figure.sides), *pairs]}
+    for pair in known:
+        one, other = in_order[pair]
+        if one in figure.points and other in figure.points and one != other:
+            yield _line(one + other, figure.points[one], figure.points[other], pair in sides)
+
+
+def _guide_lines(problem: HandoutProblem, figure: GivenFigure, guides: Collection[str]) -> Iterator[Plain]:
+    """The lines of slides, where their points are, each as the choices call it; of one in the frame that stands askew
+    its direction, wherever the mechanism stands."""
+    plot = problem.drawing.plot
+    for slide in problem.drawing.method.structure.slides.values():
+        along = place(plot.guide_direction(slide.name))
+        upright = {"x": along.imag, "y": along.real}
+        axis = next((axis for axis, off in upright.items() if slide.guide == FRAME and abs(off) < _STRAIGHT), "")
+        called = (f"guide {slide.name}", f"guide {slide.point}")
+        name = axis or next((one for one in called if one in guides), "")
+        if name and slide.point in figure.points:
+            middle = figure.points[slide.point]
+            yield _line(name, middle - _GUIDE * along, middle + _GUIDE * along, True)
+        elif name and not axis and slide.guide == FRAME:
+            angle = round(math.degrees(math.atan2(along.imag, along.real)), 6)
+            yield {"name": name, "angle": angle, "at": None, "drawn": False}
+
+
+def _line(name: str, start: complex, end: complex, drawn: bool) -> Plain:
+    return {"name": name, "angle": None, "at": [_xy(start), _xy(end)], "drawn": drawn}
+
+
+def _xy(at: complex) -> list[Plain]:
+    return [round(at.real, 4), round(at.imag, 4)]
+
+
+def _equations(problem: HandoutProblem) -> dict[str, Plain]:
+    """The equations' terms, and by plane what can be chosen for them."""
+    equations: list[Plain] = []
+    choices: dict[str, Plain] = {}
+    for one in equation_choices(problem.drawing.method, problem.drawing.plot):
+        sides: list[Plain] = [
+            [{"term": term.name, "words": _words(names.vector(term.name))} for term in side] for side in one.sides
+        ]
+        equations.append({"plane": one.plane, "equation": one.number, "sides": sides,
+                          "front": _words(names.vector(one.front)) if one.front else []})  # fmt: skip
+        choices[one.plane] = {
+            "directions": [*map(_shown, one.directions)],
+            "magnitudes": [*map(_shown, one.magnitudes)],
+        }
+    return {"equations": equations, "choices": choices}
+
+
+def _words(text: str) -> Plain:
+    """A formula as runs of letters."""
+    places = {"base": "", "sub": "low", "sup": "high"}
+    return [{"text": run.text, "place": places[run.place], "italic": run.italic} for run in formula(text)]
+
+
+_PRINTED = {"given": "√", "?": "?", "0": "0"}
+
+
+def _shown(choice: Choice) -> Plain:
+    """A choice as a list shows it: `⊥AB`, `B→A`, `ω3²·l_BC`."""
+    match choice.kind:
+        case "towards":
+            text = names.arrow(*choice.points)
+        case "parallel" | "guide" | "perpendicular" | "across guide":
+            sign = "∥" if choice.kind in ("parallel", "guide") else "⊥"
+            text = sign + choice.token.partition(" ")[2].removeprefix("guide ").replace("@", "_")
+        case "product":
+            text = "·".join(_factor(factor) for factor in choice.factors)
+        case _:
+            text = _PRINTED.get(choice.token, choice.token)
+    return {"token": choice.token, "text": text}
+
+
+def _factor(factor: str) -> str:
+    """`ω3²` of `omega_3^2`; velocities and lengths as they are."""
+    word, _, low = factor.partition("_")
+    power = "²" if low.endswith("^2") else ""
+    greek = {"omega": "ω", "alpha": "α"}.get(word)
+    return f"{greek}{low.removesuffix('^2')}{power}" if greek else names.vector(factor) if word in "va" else factor
+
+
+def _answer_boxes(problem: HandoutProblem) -> Iterator[Plain]:
+    """A box for each quantity that is asked for, at each position."""
+    for at in range(1, 2 + positions(problem.drawing.mechanism)):
+        for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
+            if quantity is not None:
+                units: list[Plain] = [*_UNITS.get(quantity.unit, (EDGE[quantity.unit].name,))]
+                words = _words(at_position(problem.goal.symbol(quantity), at))
+                yield {"key": at_position(text, at), "words": words, "units": units, "sense": _sense(quantity)}
+
+
+def _sense(quantity: Quantity) -> str:
+    """The second half of an answer: which way it turns, or the direction to +x."""
+    if isinstance(quantity, Rotation):
+        return "turns" if quantity.word != "theta" else ""
+    if isinstance(quantity, Centre | Track):
+        return "place"
+    return "directed" if isinstance(quantity, Moving) else ""

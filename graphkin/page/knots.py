@@ -1,0 +1,209 @@
+"""The knots of a page: so many along each driver that what is drawn between them is near enough.
+
+Of one driver more knots are taken where a position halfway is not drawn as it should be; of several, along all of one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+
+from graphkin.base.value import bulky
+from graphkin.construction import Plane, Plot
+from graphkin.page.figures import PageFigures
+from graphkin.page.reach import Axis, Reach
+from graphkin.page.rows import Row, rows
+from graphkin.page.stencils import Knots, stencil
+from graphkin.sheet.marks import Mark
+from graphkin.sheet.window import PLANES
+
+NEAR = 0.007  # what is drawn between knots lies so near to where it belongs [mm]
+_EVEN, _SPREAD = 90, 60  # knots of a turn to begin with; positions that tell how large figures are
+_OF_ONE, _OF_SEVERAL = 700, 2600  # knots at most
+_OF_GRID, _TRIED, _FINER = (10, 24), 30, (1.15, 2.5)
+"""Knots of a turn to begin with, of three drivers and of two; places at which a grid is tried; so many more then, as
+what is off goes with the fifth power of their number."""
+_MOST_OF_ALL, _DOUBT = 0.8, 0.02
+"""This part of a grid is as near as it should be; where polynomials of six and of four knots differ by more [mm], as at
+its rim where dead points are, the middle of a cell is looked at, and the cell is not shown if that is not near."""
+_HALVED = 5  # so often a cell is halved at most
+Places = tuple[float, ...]
+Drawn = dict[Plane, dict[float, list[Mark]]]
+
+
+@bulky
+class PageKnots:
+    """The knots along each driver, and what is drawn there: positions (None where the mechanism does not get) of the
+    whole grid, the last driver's first."""
+
+    reach: Reach
+    figures: PageFigures
+    axes: tuple[Knots, ...]
+    plots: Sequence[Plot | None]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return tuple(len(axis.u) for axis in self.axes)
+
+    @cached_property
+    def places(self) -> list[Places]:
+        return [tuple(map(float, us)) for us in product(*(axis.u for axis in self.axes))]
+
+    @cached_property
+    def shown(self) -> dict[Plane, np.ndarray]:
+        """By plane True at the knots at which it is drawn."""
+        fits = self.figures.motion.fits
+        return {plane: np.array([plot is not None and fits(plane, plot) for plot in self.plots]) for plane in PLANES}
+
+
+    @cached_property
+    def names(self) -> dict[Plane, list[str]]:
+        """The points of each plane."""
+        plot = next(plot for plot in self.plots if plot is not None)
+        return {plane: [*plot.points(plane)] for plane in PLANES}
+
+    @cached_property
+    def points(self) -> dict[Plane, np.ndarray]:
+        """By plane the places of its points at all knots [SI]."""
+        return {plane: np.array([[np.nan if plot is None else complex(plot.points(plane)[name]) for name in names]
+                                 for plot in self.plots]) for plane, names in self.names.items()}  # fmt: skip
+
+
+def page_knots(reach: Reach) -> PageKnots:
+    """The knots of a method's page."""
+    return _of_one(reach) if len(reach.axes) == 1 else _of_several(reach)
+
+
+def knots_along(axis: Axis, count: int) -> Knots:
+    return Knots(axis.even(count), axis.span[1] - axis.span[0] if axis.round else 0.0)
+
+
+def _figures(reach: Reach, plots: Sequence[Plot | None]) -> PageFigures:
+    every = [plot for plot in plots if plot is not None]
+    return PageFigures(reach.method, every[:: max(1, len(every) // _SPREAD)])
+
+
+# --- one driver -------------------------------------------------------------------------------------------------------
+
+
+def _of_one(reach: Reach) -> PageKnots:
+    (axis,) = reach.axes
+    count = max(24, round(_EVEN * min(2.0, axis.turns)))
+    knots = knots_along(axis, count + (not axis.round))
+    plots = {float(u): reach.plot([float(u)]) for u in knots.u}
+    figures = _figures(reach, [*plots.values()])
+    tried, cells = dict[float, Plot | None](), {*map(float, knots.u)}
+    drawn: Drawn = {plane: {} for plane in PLANES}
+    for _ in range(_HALVED):
+        middles = _middles(knots, cells)
+        tried |= {u: reach.plot([u]) for u in middles if u not in tried}
+        failed = _failures(figures, knots, plots, {u: tried[u] for u in middles}, drawn)
+        if not failed or len(plots) + len(failed) > _OF_ONE:
+            break
+        before = knots
+        plots |= {u: tried[u] for u in failed}
+        knots = Knots(np.array(sorted(plots)), knots.period)
+        cells = {*failed, *(float(before.u[before.cell(u)]) for u in failed)}
+    return PageKnots(reach, figures, (knots,), [plots[float(u)] for u in knots.u])
+
+
+def _middles(knots: Knots, cells: set[float]) -> list[float]:
+    """The middle of each cell that begins at one of these knots."""
+    ends = [*knots.u[1:], *([knots.u[0] + knots.period] if knots.period else [])]
+    return [float(u + end) / 2 for u, end in zip(knots.u, ends, strict=False) if float(u) in cells]
+
+
+def _failures(
+    figures: PageFigures, knots: Knots, plots: Mapping[float, Plot | None], tried: Mapping[float, Plot | None],
+    drawn: Drawn,
+) -> list[float]:  # fmt: skip
+    """The places at which something is not drawn where it belongs; drawn: figures, which are kept there."""
+    every = sorted([*plots, *tried])
+    is_knot = np.array([u in plots for u in every])
+    failed = set[float]()
+    for plane in PLANES:
+        known = drawn[plane]
+        known |= {u: figures.figure(plane, plots[u] if u in plots else tried[u]).marks for u in every if u not in known}
+        frames = [known[u] for u in every]
+        groups: dict[bytes, list[Row]] = {}
+        for row in (row for row in rows(frames) if row.is_known):
+            groups.setdefault(row.there.tobytes(), []).append(row)
+        for group in groups.values():
+            there, table = group[0].there, np.concatenate([row.numbers for row in group], axis=1)
+            held = np.nan_to_num(table[is_knot])
+            for k in (k for k, u in enumerate(every) if u in tried and there[k]):
+                how = stencil([knots], [every[k]], there[is_knot])
+                if how is None or np.abs(how[1] @ held[how[0]] - table[k]).max() > NEAR:
+                    failed.add(every[k])
+    return sorted(failed)
+
+
+# --- several drivers --------------------------------------------------------------------------------------------------
+
+
+def _of_several(reach: Reach) -> PageKnots:
+    """A grid, refined along the driver along which most of it is least near."""
+    usual = _OF_GRID[len(reach.axes) == 2] if len(reach.axes) <= 3 else 6
+    counts = [max(7, round(usual * min(1.5, axis.turns))) for axis in reach.axes]
+    while True:
+        axes = tuple(knots_along(axis, count) for axis, count in zip(reach.axes, counts, strict=True))
+        plots = [reach.plot(us) for us in product(*(map(float, axis.u) for axis in axes))]
+        knots = PageKnots(reach, _figures(reach, plots), axes, plots)
+        off = [_off_along(knots, k) for k in range(len(axes))]
+        worst = int(np.argmax(off))
+        times = float(np.clip((off[worst] / NEAR) ** 0.2, *_FINER))
+        finer = [round(times * count) if k == worst else count for k, count in enumerate(counts)]
+        if off[worst] <= NEAR or np.prod(finer) > _OF_SEVERAL:
+            return knots
+        counts = finer
+
+
+def _off_along(knots: PageKnots, driver: int) -> float:
+    """How far most of what is drawn halfway between knots of one driver is off [mm]."""
+    axis, off = knots.axes[driver], list[float]()
+    numbers = np.linspace(0, len(knots.plots) - 1, _TRIED).astype(int)
+    for number in (int(k) for k in numbers if knots.plots[k] is not None):
+        us = list(knots.places[number])
+        us[driver] += axis.step / 2
+        if not axis.period and us[driver] > axis.u[-1]:
+            continue
+        plot = knots.reach.plot(us)
+        if plot is None:
+            continue
+        off.append(max(_off(knots, us, plane, plot) for plane in PLANES[1:]))
+    return float(np.quantile(off, _MOST_OF_ALL)) if off else 0.0
+
+
+def _off(knots: PageKnots, us: Sequence[float], plane: Plane, plot: Plot) -> float:
+    shown = knots.shown[plane]
+    how = stencil(knots.axes, us, shown.reshape(knots.shape)) if knots.figures.motion.fits(plane, plot) else None
+    if how is None:
+        return 0.0
+    places = np.array([complex(plot.points(plane)[name]) for name in knots.names[plane]])
+    return float(np.abs(how[1] @ knots.points[plane][how[0]] - places).max() / knots.figures.window(plane).scale)
+
+
+def cells_shown(knots: PageKnots, plane: Plane) -> np.ndarray:
+    """True at the first knot of each cell of a grid in which a plane is shown."""
+    shown, last = knots.shown[plane].reshape(knots.shape), [len(axis.u) - 1 for axis in knots.axes]
+    cells = np.zeros(knots.shape, dtype=bool)
+    for at in np.ndindex(*knots.shape):
+        steps = [(k, k + 1) for k in at]
+        if all(k < end or axis.period for k, end, axis in zip(at, last, knots.axes, strict=True)):
+            corners = np.ix_(*(np.array(step) % len(axis.u) for step, axis in zip(steps, knots.axes, strict=True)))
+            cells[at] = shown[corners].all() and _is_near(knots, plane, shown, at)
+    return cells.ravel()
+
+
+def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int]) -> bool:
+    """True of a cell in the middle of which what is drawn is near to where it belongs."""
+    us = [float(axis.u[k]) + axis.step / 2 for k, axis in zip(at, knots.axes, strict=True)]
+    hows = [stencil(knots.axes, us, shown, most) for most in (6, 4)]
+    places = [how[1] @ knots.points[plane][how[0]] for how in hows if how is not None]
+    if np.abs(places[0] - places[-1]).max() <= _DOUBT * knots.figures.window(plane).scale:
+        return True
+    plot = knots.reach.plot(us)
+    return plot is not None and knots.figures.motion.fits(plane, plot) and _off(knots, us, plane, plot) <= 2 * NEAR

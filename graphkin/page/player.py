@@ -1,0 +1,273 @@
+"""The page that plays: mechanisms with their polygons, dragged along and drawn step by step.
+
+Its data of a mechanism: `axes` (drivers, their knots), `tracks` and `masks` (see `tracks`), `planes` with rows of marks
+(see `rows`), `steps` (see `spoken`), `values`. A number in a row is a number, or `[k]` for the k-th track.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import product
+from typing import assert_never
+
+import numpy as np
+
+from graphkin.base.geometry import dot
+from graphkin.base.value import bulky
+from graphkin.construction import Plane, Plot
+from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.model.mechanism import Driver
+from graphkin.model.quantities import EDGE, Quantity, centre_of, driven, named
+from graphkin.outputs.paint import Colours
+from graphkin.outputs.stated import stated
+from graphkin.outputs.typesetting import mm, runs, short, signs
+from graphkin.page import writer
+from graphkin.page.figures import OWN, layer_of
+from graphkin.page.knots import PageKnots, cells_shown, page_knots
+from graphkin.page.layers import layers
+from graphkin.page.quiz import quiz
+from graphkin.page.reach import Reach
+from graphkin.page.rows import Row, rows
+from graphkin.page.spoken import StepWords, spoken_steps, unfolded
+from graphkin.page.tracks import Tracks
+from graphkin.planning import Method
+from graphkin.planning.needed import without_aids
+from graphkin.proof.readings import readings
+from graphkin.running import replay_all
+from graphkin.running.path import Event
+from graphkin.say.catalogue import LANGUAGES, for_scripts
+from graphkin.say.sweeps import change_line, stop_line
+from graphkin.sheet.lettering import Label, vector_label
+from graphkin.sheet.marks import ArcMark, Disc, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.page import Layer
+from graphkin.sheet.paper import written
+from graphkin.sheet.results import label_of
+from graphkin.sheet.window import PLANES
+from graphkin.studies.sweeps import Course, asked, drawable
+
+_WORD_KNOTS = 18  # along each of several drivers
+_TOLD = 180  # knots of one driver at which sentences are told
+Data = dict[str, object]
+
+
+def page_of(every: Sequence[Data], lang: Lang) -> str:
+    """The page of mechanisms that are made."""
+    titles = [titles[lang] for each in every if isinstance(titles := each["title"], dict)]
+    words = for_scripts("page") | for_scripts("quiz") | for_scripts("layers")
+    data: Data = {"words": words, "mechanisms": list(every)}
+    return writer.page(" · ".join(titles), lang, scripts=["player"], styles=["player", "layers", "quiz"], data=data)
+
+
+def played(method: Method, values: Sequence[float] | None = None) -> Data:
+    """The data of one mechanism, shown first at driver values [rad, m], or as its file has it. Raises what proving
+    raises."""
+    method = without_aids(method)
+    knots = page_knots(Reach.of(method))
+    start = [float(value) for value in method.facts(None).values] if values is None else [*values]
+    return _Played(knots, Tracks([], []), start).data()
+
+
+@bulky
+class _Played:
+    knots: PageKnots
+    tracks: Tracks
+    start: Sequence[float]
+
+    @property
+    def method(self) -> Method:
+        return self.knots.reach.method
+
+    def data(self) -> Data:
+        machine = self.method.mechanism
+        paints: dict[tuple[tuple[str, str], ...], int] = {}
+        planes = [self._plane(plane, paints) for plane in PLANES]
+        axes = [self._axis(k) for k in range(len(self.knots.axes))]
+        steps, words = self._steps()
+        values = [*self._values()]
+        return {
+            "name": machine.name, "title": {lang: machine.headline(lang) for lang in LANGUAGES}, "axes": axes,
+            "planes": planes, "paints": [dict(paint) for paint in paints], "wordKnots": words, "steps": steps,
+            "values": values, "layers": OWN, **self._parts(), "tracks": self.tracks.texts, "masks": self.tracks.masks,
+        }  # fmt: skip
+
+    def _parts(self) -> Data:
+        """The quiz on the drawn position; of one driver, what lies over its motion."""
+        reach, figures = self.knots.reach, self.knots.figures
+        parts: Data = {"quiz": quiz(self.method, replay_all(self.method), figures.scales)}
+        if len(reach.axes) > 1:
+            return parts
+        (course,), (axis,) = reach.courses, self.knots.axes
+        t = np.array([course.at(reach.values([float(u)])[0]) for u in axis.u])
+        window, room = figures.window("position"), figures.room("position")
+        return parts | {"overlays": layers(course, t, window, room, self.tracks)}
+
+    # --- drivers ----------------------------------------------------------------------------------
+
+    def _axis(self, k: int) -> Data:
+        axis, course, knots = self.knots.reach.axes[k], self.knots.reach.courses[k], self.knots.axes[k]
+        unit = EDGE[driven(axis.driver.kind == "slide")]
+        events = [{"value": float(course.value(event.at).real), **line} for event, line in _events(course)]
+        data: Data = {
+            "name": axis.driver.name, "unit": unit.sign, "factor": unit.factor, "low": axis.low, "high": axis.high,
+            "ends": axis.ends, "round": axis.round, "u": [round(float(u), 9) for u in knots.u], "period": knots.period,
+            "start": self.start[k], "rate": axis.driver.rate, "events": events,
+        }  # fmt: skip
+        if handle := self._handle(axis.driver):
+            window = self.knots.figures.window("position")
+            places = [window(complex(plot.position[handle])) if plot is not None else complex("nan+nanj")
+                      for plot in self.knots.plots]  # fmt: skip
+            data["handle"] = [self.tracks.place(np.array([getattr(at, side) for at in places]))
+                              for side in ("real", "imag")]  # fmt: skip
+        return data
+
+    def _handle(self, driver: Driver) -> str:
+        """The point that is dragged; "" for a wheel, which has none."""
+        if driver.vector is not None:
+            return driver.vector[1]
+        return next((slide.point for slide in self.method.mechanism.slides if slide.name == driver.link), "")
+
+    # --- figures ----------------------------------------------------------------------------------
+
+    def _plane(self, plane: Plane, paints: dict[tuple[tuple[str, str], ...], int]) -> Data:
+        figures, knots, colours = self.knots.figures, self.knots, Colours("accent", False)
+        window, room, layer = figures.window(plane), figures.room(plane), Layer("mechanism", (), plane)
+        drawn = []
+        for row in rows(figures.lettered(plane, knots.plots), leaps=len(knots.axes) == 1):
+            paint = paints.setdefault(colours.paint(layer, row.mark), len(paints))
+            drawn.append({**self._row(row), "paint": paint})
+        data: Data = {
+            "plane": plane, "scale": window.scale, "written": signs_of(written(plane, window.scale)),
+            "width": round(room.size.real, 3), "height": round(room.size.imag, 3), "rows": drawn,
+            "origin": [round(window.origin.real, 4), round(window.origin.imag, 4)],
+        }  # fmt: skip
+        if len(knots.axes) > 1:
+            data["cells"] = self.tracks.mask(cells_shown(knots, plane))
+        return data | ({"mask": mask} if (mask := self.tracks.mask(knots.shown[plane])) is not None else {})
+
+    def _row(self, row: Row) -> Data:
+        mark = row.mark
+        data: Data = {"kind": _kind(row), "numbers": [self.tracks.place(column) for column in row.numbers.T]}
+        layer = layer_of(mark)
+        more = {"step": mark.step, "layer": layer or None, "mask": self.tracks.mask(row.there)}
+        data |= {key: value for key, value in more.items() if value is not None}
+        match mark:
+            case Stroke() if row.form:
+                at, end = row.form[row.base[0]], row.form[row.base[1]]
+                data |= {"form": _path(row.form, mark.closed), "base": [at.real, at.imag, end.real, end.imag]}
+            case Stroke():
+                data |= {"closed": True} if mark.closed else {}
+            case ArcMark():
+                data["flags"] = f"{int(abs(mark.sweep) > np.pi)} {int(mark.sweep > 0)}"
+            case PointMark():
+                data |= {"data": stated(mark), "radius": mark.radius}
+            case VectorMark():
+                data |= {"data": stated(mark), "sign": signs_of(vector_label(mark.name))}
+                data |= {"also": list(mark.also)} if mark.also else {}
+            case Text():
+                data["spans"] = [[round(span.at.real, 2), round(span.at.imag, 2), span.text, short(span.size),
+                                  int(span.italic)] for span in runs(replace(mark, at=0j))]  # fmt: skip
+            case Disc():
+                pass
+            case _:
+                assert_never(mark)
+        return data
+
+    # --- words and values -------------------------------------------------------------------------
+
+    def _steps(self) -> tuple[list[Data], list[list[float]]]:
+        """The steps, and the knots at which they are told."""
+        axes = self.knots.reach.axes
+        if len(axes) == 1:
+            us = [[*map(float, axes[0].even(_TOLD + (not axes[0].round)))]]
+        else:
+            us = [[*map(float, axis.even(_WORD_KNOTS))] for axis in axes]
+        known = dict(zip(self.knots.places, self.knots.plots, strict=True))
+        plots = [known[at] if at in known else self.knots.reach.plot(at) for at in product(*us)]
+        steps = spoken_steps(StepWords(self.method, self.knots.figures.scales), plots, self.tracks, len(axes) == 1)
+        return steps, [[round(u, 9) for u in each] for each in us]
+
+    def _values(self) -> Iterator[Data]:
+        """What is asked for, or what a sweep shows."""
+        machine = self.method.mechanism
+        for name in drawable(machine, asked(machine)):
+            if centre_of(machine, name) is not None:
+                continue
+            quantity = named(machine, name, Where("page"))
+            unit = EDGE[quantity.unit]
+            column = np.array([self._value(plot, quantity) for plot in self.knots.plots]) * unit.factor
+            if np.isnan(column).all():
+                continue
+            rise = self._unwound(column) if quantity.unit == "rad" else 0.0
+            sizes = unfolded(column) if len(self.knots.axes) == 1 else column
+            data: Data = {"name": name, "sign": signs_of(label_of(quantity)), "unit": unit.sign,
+                          "value": self.tracks.fine(sizes)}  # fmt: skip
+            data |= {"size": True} if np.nanmin(sizes) < 0 <= np.nanmin(column) else {}
+            mask = self.tracks.mask(~np.isnan(column))
+            yield data | ({"rise": rise} if rise else {}) | ({"mask": mask} if mask is not None else {})
+
+    def _unwound(self, column: np.ndarray) -> float:
+        """Make angles [deg] go on past a full turn; that by which they rise each time the driver comes round, evenly,
+        is taken off."""
+        held, axis = ~np.isnan(column), self.knots.axes[0]
+        column[held] = np.unwrap(column[held], period=360.0)
+        if not axis.period or len(self.knots.axes) > 1:
+            return 0.0
+        rise = 360.0 * round(float(column[held][-1] - column[held][0]) / 360.0)
+        column -= rise * (axis.u - axis.u[0]) / axis.period
+        return rise
+
+    def _value(self, plot: Plot | None, quantity: Quantity) -> float:
+        if plot is None:
+            return float("nan")
+        try:
+            answer = quantity.answer(readings(self.method, plot))
+        except GraphkinError:
+            return float("nan")
+        value = float(answer.value.real)
+        if quantity.along is not None and answer.vector is not None:  # a guide, along which it has a sign
+            value = float(dot(quantity.along, answer.vector))
+        return value if np.isfinite(value) else float("nan")
+
+
+def _events(course: Course) -> Iterator[tuple[Event, Mapping[Lang, str]]]:
+    for stop in course.stops:
+        yield stop, {lang: stop_line(course, stop, lang) for lang in LANGUAGES}
+    for change in course.changes:
+        yield change, {lang: change_line(course, change, lang) for lang in LANGUAGES}
+
+
+# --- marks ------------------------------------------------------------------------------------------------------------
+
+
+def _kind(row: Row) -> str:
+    """The kind of element that a row is."""
+    match row.mark:
+        case Stroke():
+            return "body" if row.form else "line"
+        case Disc():
+            return "circle"
+        case ArcMark():
+            return "arc"
+        case Text():
+            return "text"
+        case VectorMark():
+            return "vector"
+        case PointMark():
+            return "point"
+        case _:
+            assert_never(row.mark)
+
+
+def _path(places: Sequence[complex], closed: bool) -> str:
+    return "M" + "L".join(f"{mm(at.real)} {mm(at.imag)}" for at in places) + ("Z" if closed else "")
+
+
+def signs_of(label: Label) -> list[list[object]]:
+    """A label as the page sets it: letters, whether they lean, what stands below and above."""
+    every: list[list[object]] = []
+    for sign in signs(label):
+        base, low, high = ("".join(run.text for run in each) for each in sign.runs)
+        leans = int(sign.base is not None and sign.base.italic)
+        every.append([base, leans, low, high] if low or high else [base, leans] if leans else [base])
+    return every

@@ -1,0 +1,164 @@
+"""How far each driver gets, and the position at any of its values.
+
+Along each driver runs a parameter u in which the motion is smooth up to a dead point: there links move as the root of
+the way that is left, so the driver's value goes like a cosine of u.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import product
+from typing import Literal
+
+import numpy as np
+
+from graphkin.base.value import bulky, frozen
+from graphkin.construction import Plot, replay
+from graphkin.errors import GraphkinError
+from graphkin.model.mechanism import Driver
+from graphkin.model.quantities import EDGE, driven
+from graphkin.planning import Method
+from graphkin.running.other_positions import reached
+from graphkin.running.path import along, stride
+from graphkin.studies.sweeps import Course, course, prove
+
+Ends = Literal["line", "low", "high", "both"]  # where dead points are
+_SHORT_OF_STOP = 1e-3  # the distance from a dead point at which the page ends [of the range]
+_TURN = 2 * np.pi
+_ASIDE_DEG, _ASIDE_PART = 0.05, 0.001  # nearer to a change point polygons are 0/0: as the motion of a sheet has it
+_BESIDE = 1e-9  # beside the drawn position, which is told as its file has it, any is told alike [rad, m]
+
+
+@frozen
+class Axis:
+    """A driver's way from `low` to `high` [rad, m]; `round`: high is low again, all positions alike."""
+
+    driver: Driver
+    low: float
+    high: float
+    ends: Ends
+    round: bool = False
+
+    @cached_property
+    def span(self) -> tuple[float, float]:
+        """The least and the greatest u."""
+        short = float(np.arccos(1 - _SHORT_OF_STOP))
+        if self.ends == "line":
+            return self.low, self.high
+        if self.ends == "both":
+            short = float(np.arccos(1 - 2 * _SHORT_OF_STOP))
+            return short, np.pi - short
+        return (short, np.pi / 2) if self.ends == "low" else (0.0, np.pi / 2 - short)
+
+    def value(self, u: float) -> float:
+        """The driver's value [rad, m]."""
+        size = self.high - self.low
+        match self.ends:
+            case "line":
+                return u
+            case "both":
+                return self.low + size * (1 - float(np.cos(u))) / 2
+            case "low":
+                return self.low + size * (1 - float(np.cos(u)))
+            case "high":
+                return self.low + size * float(np.sin(u))
+
+    def u_at(self, value: float) -> float:
+        """The parameter of a value, at most the ends'."""
+        part = min(max((value - self.low) / (self.high - self.low), 0.0), 1.0)
+        match self.ends:
+            case "line":
+                u = value
+            case "both":
+                u = float(np.arccos(1 - 2 * part))
+            case "low":
+                u = float(np.arccos(1 - part))
+            case "high":
+                u = float(np.arcsin(part))
+        return min(max(u, self.span[0]), self.span[1])
+
+    def even(self, count: int) -> np.ndarray:
+        """So many places, from end to end; round and round without the last, which is the first again."""
+        return np.linspace(*self.span, count, endpoint=not self.round)
+
+    @property
+    def turns(self) -> float:
+        """Its length [turns]; of a slide half of that."""
+        return (self.high - self.low) / _TURN if self.driver.kind != "slide" else 0.5
+
+
+@bulky
+class Reach:
+    """A method's reachable positions by the values of its drivers; courses: of each driver alone."""
+
+    method: Method
+    courses: tuple[Course, ...]
+
+    @classmethod
+    def of(cls, method: Method) -> Reach:
+        drawn = method.facts(None).values
+        units = [EDGE[driven(driver.kind == "slide")].factor for driver in method.drivers]
+        courses = list[Course]()
+        for k, driver in enumerate(method.drivers):
+            others = {other.name: float(drawn[n]) * units[n] for n, other in enumerate(method.drivers) if n != k}
+            one = course(method, others)
+            assert one.driver == driver
+            courses.append(one)
+            prove(one)
+        return cls(method, tuple(courses))
+
+    @cached_property
+    def axes(self) -> tuple[Axis, ...]:
+        return tuple(map(self._axis, self.courses))
+
+    def _axis(self, one: Course) -> Axis:
+        if one.full_turn:
+            return Axis(one.driver, 0.0, _TURN, "line", self._comes_round(one))
+        low, high = one.reach
+        stops = [float(one.value(stop.at).real) for stop in one.stops]
+        dead = low in stops, high in stops
+        ends: Ends = "both" if all(dead) else "low" if dead[0] else "high" if dead[1] else "line"
+        return Axis(one.driver, low, high, ends)
+
+    def _comes_round(self, one: Course) -> bool:
+        """True if all points are after a turn where they were."""
+        if len(self.courses) > 1:
+            return not self.method.moves_on
+        start, end = (along(self.method, one.path, one.at(value)) for value in (0.01, 0.01 + _TURN))
+        near = 1e-7 * self.method.size
+        same = all(abs(complex(end.position[name]) - complex(place)) < near for name, place in start.position.items())
+        return same and not self.method.structure.contacts
+
+    def values(self, us: Sequence[float]) -> tuple[float, ...]:
+        """The drivers' values, beside the drawn ones and beside change points."""
+        values = [axis.value(u) for axis, u in zip(self.axes, us, strict=True)]
+        drawn = self.method.facts(None).values
+        for k, (one, value) in enumerate(zip(self.courses, values, strict=True)):
+            aside = stride(self.method, one.path.pace, _ASIDE_DEG, _ASIDE_PART)
+            for change in one.path.changes:
+                if abs(float(one.at(value)) - change.at) < aside:
+                    values[k] = float(one.value(change.at + 2 * aside).real)
+            if abs(values[k] - float(drawn[k])) < _BESIDE:
+                values[k] += _BESIDE
+        return tuple(values)
+
+    def plot(self, us: Sequence[float]) -> Plot | None:
+        """The position, and the polygons to it; None where the mechanism does not get."""
+        values = self.values(us)
+        try:
+            if len(values) == 1:
+                path, t = self.courses[0].path, float(self.courses[0].at(values[0]))
+            else:
+                path, t = reached(self.method, values)
+            plot = along(self.method, path, t)
+            return replay(self.method.acceleration, replay(self.method.velocity, plot))
+        except GraphkinError:
+            return None
+
+    def grid(self, knots: Sequence[np.ndarray]) -> Iterator[tuple[float, ...]]:
+        """All places of a grid, the last driver's first."""
+        return ((*map(float, us),) for us in product(*knots))
+
+
+Samples = Mapping[tuple[float, ...], Plot | None]

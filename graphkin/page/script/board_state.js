@@ -1,0 +1,121 @@
+/** The state of a student's work: what is drawn, in its order, and what is filled in; kept in the browser. */
+import { heldData } from "./dom.js";
+
+/** @import { LetterRun } from "./board_letters.js" */
+/** @typedef {{kind: string, line?: string, angle?: number}} StepDirection */
+/** One act of the pencil. `at` are places [mm from the pole, y up]; `point` is where a set square lay.
+ * @typedef {{plane: string, tool: string, at: [number, number][], name?: string, line?: string, point?: [number,
+ * number], direction?: StepDirection | null, length?: number, angle?: number}} Step */
+/** @typedef {{term: string, direction: string, magnitude: string}} FilledTerm */
+/** @typedef {{plane: string, equation: number, terms: FilledTerm[]}} FilledEquation */
+/** @typedef {{value: string, unit: string, sense: string}} Answer */
+/** @typedef {{student: string, scales: Record<string, number | null>, answers: Record<string, Answer>,
+ * equations: FilledEquation[], steps: Step[]}} Work */
+/** @typedef {{token: string, text: string}} Choice */
+/** @typedef {{term: string, words: LetterRun[]}} GivenTerm */
+/** @typedef {{plane: string, equation: number, front: LetterRun[], sides: GivenTerm[][]}} GivenEquation */
+/** @typedef {{key: string, words: LetterRun[], units: string[], sense: string}} AnswerBox */
+/** A line of the mechanism; where it lies on its paper, of one that is given there; and whether it is drawn there.
+ * @typedef {{name: string, angle: number | null, at: [[number, number], [number, number]] | null,
+ * drawn: boolean}} GivenLine */
+/** What a set square is laid to; where the figure's corner and its points are on its paper [mm].
+ * @typedef {{lines: GivenLine[], pairs: string[], points: Record<string, [number, number]>, corner: [number,
+ * number] | null}} GivenMechanism */
+/** A paper: `given` of the mechanism's own, whose scale is that of the figure. `near`: how much nearer it is seen at
+ * first than from where all of it is seen; `points`: letters that are offered; `of`: what these belong to; `vectors`:
+ * names that are offered.
+ * @typedef {{plane: string, pole: string, unit: string, scale: number | null, box: import("./board_geometry.js").Box,
+ * near: number, points: string[], of: Record<string, string>, vectors: string[]}} GivenPaper */
+/** What the page holds.
+ * @typedef {{key: string, name: string, title: {en: string, zh: string}, problem: Record<string, unknown>,
+ * papers: GivenPaper[], given: GivenMechanism, equations: GivenEquation[], choices: Record<string,
+ * {directions: Choice[], magnitudes: Choice[]}>, answers: AnswerBox[]}} HeldBoard */
+
+/** @type {HeldBoard} */
+export const BOARD = heldData("board");
+
+/** @returns {Work} */
+function emptyWork() {
+  return {
+    student: String(BOARD.problem.student ?? ""),
+    scales: Object.fromEntries(BOARD.papers.map(({ plane, scale }) => [plane, scale])),
+    answers: Object.fromEntries(
+      BOARD.answers.map(({ key, units }) => [key, { value: "", unit: units[0] ?? "", sense: "" }])),
+    equations: BOARD.equations.map(({ plane, equation, sides }) =>
+      ({ plane, equation, terms: sides.flat().map(({ term }) => ({ term, direction: "", magnitude: "" })) })),
+    steps: [],
+  };
+}
+
+/** @param {string} plane @returns {GivenPaper} */
+export function paperOf(plane) {
+  const paper = BOARD.papers.find((each) => each.plane === plane);
+  if (!paper) throw new Error(`no paper ${plane}`);
+  return paper;
+}
+
+/** @type {Work} */
+export let work = emptyWork();
+/** @type {Step[][]} */
+let pastSteps = [];
+/** @type {(() => void)[]} */
+const workWatchers = [];
+const WORK_PLACE = `graphkin board ${BOARD.key}`;
+
+/** Do something whenever what is drawn has changed, or all of it. @param {() => void} act */
+export function onWork(act) {
+  workWatchers.push(act);
+}
+
+/** @param {Work} next @param {Step[][]} past what was drawn before, one after another */
+function changeWork(next, past) {
+  work = next;
+  pastSteps = past;
+  keepWork();
+  for (const act of workWatchers) act();
+}
+
+/** Remember the work for the next time this page is opened. A browser may forbid it: the work can still be saved. */
+export function keepWork() {
+  try {
+    localStorage.setItem(WORK_PLACE, JSON.stringify(work));
+  } catch {
+    // private windows
+  }
+}
+
+/** Take up the work where it was left. */
+export function recallWork() {
+  try {
+    const text = localStorage.getItem(WORK_PLACE);
+    if (text) takeUp(JSON.parse(text));
+  } catch {
+    // nothing was kept
+  }
+}
+
+/** Other work instead of this; what is missing in it is empty. @param {Partial<Work>} other */
+export function takeUp(other) {
+  const empty = emptyWork();
+  const filled = new Map((other.equations ?? []).map((one) => [`${one.plane} ${one.equation}`, one.terms]));
+  for (const one of empty.equations) {
+    const before = filled.get(`${one.plane} ${one.equation}`) ?? [];
+    one.terms = one.terms.map((term) => before.find((each) => each.term === term.term) ?? term);
+  }
+  changeWork({
+    student: other.student ?? empty.student, equations: empty.equations, steps: other.steps ?? [],
+    scales: { ...empty.scales, ...other.scales }, answers: { ...empty.answers, ...other.answers },
+  }, []);
+}
+
+/** Change what is drawn, so that it can be undone. @param {Step[]} steps */
+export function redraw(steps) {
+  changeWork({ ...work, steps }, [...pastSteps, structuredClone(work.steps)]);
+}
+
+/** Take back the last change of the drawing; false if there is none. */
+export function undoStep() {
+  const steps = pastSteps.pop();
+  if (steps) changeWork({ ...work, steps }, pastSteps);
+  return Boolean(steps);
+}

@@ -1,0 +1,176 @@
+/** What is dragged: a bar for each driver, its crank pin on the mechanism, keys; and the motion that runs by itself. */
+import { endsOf, knotEnds, onTheWay, parameterAt, valueAt } from "./axes.js";
+import { button, html, setAttributes, takeEvent } from "./dom.js";
+import { within } from "./numbers.js";
+import { dragged, svg } from "./svg.js";
+import { inEachLanguage, labelled, say, spoken } from "./words.js";
+
+/** @import { Shown } from "./state.js" */
+
+const STEP = { "°": 1, mm: 0.5 }; // of a key; of a bar a hundredth [deg, mm]
+const FINE = 0.1;
+const NEAR_EVENT = 0.012; // of the range: there a dead point is told
+const SECONDS = 8; // of a turn that runs by itself
+
+/** The bar and the handle of one driver. */
+export class DriverControl {
+  /** @param {Shown} shown @param {number} number @param {(values: number[]) => void} go */
+  constructor(shown, number, go) {
+    this.shown = shown;
+    this.number = number;
+    this.axis = shown.mechanism.axes[number];
+    this.go = go;
+    const [low, high] = endsOf(this.axis).map((end) => end * this.axis.factor);
+    this.bar = html("input", {
+      type: "range", min: low, max: high, step: "any", "data-driver": this.axis.name, id: `bar-${number}`,
+    });
+    this.field = html("input", { type: "number", step: "any", class: "value", "data-value": this.axis.name });
+    this.events = html("p", { class: "event", role: "status" });
+    this.element = html("div", { class: "driver" }, html("label", { for: `bar-${number}` }, this.axis.name),
+      this.ticked(low, high), this.field, html("span", { class: "unit" }, this.axis.unit), this.events);
+    this.bar.addEventListener("input", () => this.set(this.bar.valueAsNumber / this.axis.factor));
+    this.field.addEventListener("change", () => this.set(this.field.valueAsNumber / this.axis.factor));
+    this.bar.addEventListener("keydown", (event) => this.key(event));
+    this.handle = this.axis.handle ? this.madeHandle() : null;
+    for (const control of [this.bar, this.field]) labelled(control, "page.drive", { name: this.axis.name });
+    inEachLanguage(() => this.showEvent());
+  }
+
+  /** The bar with a tick at each dead point and change point. @param {number} low @param {number} high */
+  ticked(low, high) {
+    const ticks = this.axis.events.map((event) => {
+      const tick = html("i", { class: "tick" });
+      tick.style.left = `${(100 * (event.value * this.axis.factor - low)) / (high - low)}%`;
+      return tick;
+    });
+    return html("span", { class: "bar" }, this.bar, ...ticks);
+  }
+
+  madeHandle() {
+    const handle = svg("circle", {
+      class: "handle", r: 4.5, "data-driver": this.axis.name, tabindex: 0, role: "slider",
+      "aria-valuemin": this.bar.min, "aria-valuemax": this.bar.max,
+    });
+    handle.addEventListener("keydown", (event) => this.key(event));
+    labelled(handle, "page.handle", { name: this.axis.name });
+    dragged(handle, handle, false, (place) => this.set(this.nearestTo(place)));
+    return handle;
+  }
+
+  get value() {
+    return this.shown.values[this.number];
+  }
+
+  /** @param {number} value [rad, m] */
+  set(value) {
+    if (!Number.isFinite(value)) return;
+    const values = [...this.shown.values];
+    values[this.number] = onTheWay(this.axis, value);
+    this.go(values);
+  }
+
+  /** @param {KeyboardEvent} event */
+  key(event) {
+    const sense = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+    if (!sense || event.altKey || event.ctrlKey || event.metaKey) return;
+    takeEvent(event);
+    const step = STEP[this.axis.unit === "°" ? "°" : "mm"] * (event.shiftKey ? FINE : 1);
+    this.set(this.value + (sense * step) / this.axis.factor);
+  }
+
+  /** The value at which the handle is nearest to a place, not far along from where it is.
+   * @param {{x: number, y: number}} place */
+  nearestTo(place) {
+    const { axis, shown } = this;
+    const [x, y] = axis.handle ?? [0, 0];
+    const us = shown.parameters();
+    const start = us[this.number];
+    const [first, last] = knotEnds(axis);
+    const kept = (/** @type {number} */ u) => (axis.round ? parameterAt(axis, u) : within(u, first, last));
+    const off = (/** @type {number} */ u) => {
+      us[this.number] = kept(u);
+      shown.tracks.moveTo(us);
+      return Math.hypot(shown.tracks.value(x) - place.x, shown.tracks.value(y) - place.y);
+    };
+    const span = (last - first) / 4;
+    let [best, least] = [start, off(start)];
+    for (let reach = span; reach > span * 1e-4; reach /= 2.2) {
+      const middle = best;
+      for (let k = -6; k <= 6; k++) {
+        const at = middle + (k * reach) / 6;
+        const own = off(at) + 1e-6 * Math.abs(at - start);
+        if (own < least) [best, least] = [at, own];
+      }
+    }
+    return valueAt(axis, kept(best));
+  }
+
+  /** The bar and the handle where the driver is. */
+  show() {
+    const shown = this.value * this.axis.factor;
+    const text = String(Math.round(shown * 1000) / 1000);
+    this.bar.valueAsNumber = shown;
+    if (document.activeElement !== this.field) this.field.value = text;
+    const said = `${text}${this.axis.unit === "°" ? "°" : " " + this.axis.unit}`;
+    this.bar.setAttribute("aria-valuetext", said);
+    if (this.handle && this.axis.handle) {
+      const [cx, cy] = this.axis.handle.map((each) => this.shown.tracks.value(each).toFixed(3));
+      setAttributes(this.handle, { cx, cy, "aria-valuenow": text, "aria-valuetext": said });
+    }
+    this.showEvent();
+  }
+
+  showEvent() {
+    const near = NEAR_EVENT * (this.axis.high - this.axis.low);
+    const event = this.axis.events.find((each) => Math.abs(each.value - this.value) < near);
+    const text = event ? spoken(event) : "";
+    if (this.events.textContent !== text) this.events.textContent = text;
+  }
+}
+
+/** The motion that runs by itself: round, or there and back. */
+export class Run {
+  /** @param {DriverControl} driver */
+  constructor(driver) {
+    this.driver = driver;
+    this.frame = 0;
+    this.sense = driver.axis.rate < 0 ? -1 : 1;
+    this.button = button({ class: "run", "data-action": "run", "data-word": "page.play" }, () => this.toggle());
+  }
+
+  toggle() {
+    if (this.frame) return this.stop();
+    let last = performance.now();
+    const go = (/** @type {number} */ now) => {
+      this.forward(Math.min(0.1, (now - last) / 1000));
+      last = now;
+      this.frame = requestAnimationFrame(go);
+    };
+    this.frame = requestAnimationFrame(go);
+    return this.label();
+  }
+
+  stop() {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    this.label();
+  }
+
+  label() {
+    this.button.setAttribute("data-word", this.frame ? "page.pause" : "page.play");
+    this.button.textContent = say(this.frame ? "page.pause" : "page.play");
+  }
+
+  /** @param {number} seconds */
+  forward(seconds) {
+    const { axis } = this.driver;
+    const [low, last] = knotEnds(axis);
+    const high = axis.round ? low + axis.period : last;
+    let u = parameterAt(axis, this.driver.value) + (this.sense * seconds * (high - low)) / SECONDS;
+    if (!axis.round && (u > high || u < low)) {
+      this.sense = -this.sense;
+      u = within(u, low, high);
+    }
+    this.driver.set(valueAt(axis, u));
+  }
+}

@@ -1,0 +1,186 @@
+/** A figure: its marks as elements, which go along with the drivers. */
+import { setAttributes } from "./dom.js";
+import { LETTER_FONT, svg } from "./svg.js";
+import { plainText } from "./signs.js";
+
+/** @import { PlaneData, Row, Shown } from "./state.js" */
+/** @typedef {{group: SVGElement, element: SVGElement, grasp?: SVGElement, head?: SVGElement, row: Row, hidden: boolean,
+ * at: number[]}} Piece */
+
+const TIP = 2.8; // of an arrow head; half of it on arrows that are too short for it [mm]
+const ZOOM_MARGIN = 8; // about the points of a polygon, for their letters [mm]
+
+/** @param {number} value */
+function coordinate(value) {
+  return String(Math.round(value * 1e4) / 1e4);
+}
+
+/** One plane of a mechanism on a paper of its own. */
+export class PlaneFigure {
+  /** @param {Shown} shown @param {PlaneData} plane @param {string} name of the figure, for a screen reader */
+  constructor(shown, plane, name) {
+    this.shown = shown;
+    this.plane = plane;
+    this.drawing = svg("svg", {
+      viewBox: `0 0 ${plane.width} ${plane.height}`, class: "drawing", role: "group", "aria-label": name,
+      "data-plane": plane.plane, "data-scale": plane.scale, "font-family": LETTER_FONT,
+      "stroke-linejoin": "round", "stroke-linecap": "round",
+    });
+    this.drawing.style.aspectRatio = `${plane.width} / ${plane.height}`;
+    this.box = "";
+    this.figure = svg("g", { "data-plane": plane.plane, "data-scale": plane.scale });
+    this.drawing.append(this.figure);
+    /** @type {Piece[]} */
+    this.pieces = plane.rows.map((row) => this.piece(row));
+  }
+
+  /** @param {Row} row @returns {Piece} */
+  piece(row) {
+    const paint = this.shown.mechanism.paints[row.paint] ?? {};
+    const element = elementOf(row);
+    setAttributes(element, { ...paint, ...statement(row) });
+    /** @type {Piece} */
+    const piece = { group: element, element, row, hidden: false, at: [] };
+    if (row.kind === "vector") {
+      piece.grasp = svg("line", { class: "grasp" });
+      piece.head = svg("path", { class: "head", fill: paint.stroke, stroke: "none" });
+      piece.group = svg("g", { class: "arrow", "data-vector": row.data?.name }, piece.grasp, piece.head, element);
+    }
+    setAttributes(piece.group, { "data-layer": row.layer, "data-step": row.step });
+    this.figure.append(piece.group);
+    return piece;
+  }
+
+  /** All marks where they are now. */
+  move() {
+    const { tracks } = this.shown;
+    const drawn = tracks.isAround(this.plane.mask) && tracks.isInCell(this.plane.cells);
+    this.figure.toggleAttribute("hidden", !drawn);
+    this.figure.style.display = drawn ? "" : "none";
+    if (!drawn) return false;
+    for (const piece of this.pieces) {
+      const { row } = piece;
+      const hidden = !tracks.isNear(row.mask);
+      if (hidden !== piece.hidden) {
+        piece.hidden = hidden;
+        piece.group.style.visibility = hidden ? "hidden" : "";
+      }
+      if (!hidden) moveTo(piece, row.numbers.map((number) => tracks.value(number, row.mask)));
+    }
+    this.zoom();
+    return true;
+  }
+
+  /** A paper that is larger where the polygon is larger than usual. */
+  zoom() {
+    const { width, height, plane } = this.plane;
+    let [left, top, right, bottom] = [0, 0, width, height];
+    for (const { row, at } of plane === "position" ? [] : this.pieces) {
+      if (row.kind !== "point") continue;
+      const [x = 0, y = 0] = at;
+      [left, top] = [Math.min(left, x - ZOOM_MARGIN), Math.min(top, y - ZOOM_MARGIN)];
+      [right, bottom] = [Math.max(right, x + ZOOM_MARGIN), Math.max(bottom, y + ZOOM_MARGIN)];
+    }
+    const box = [left, top, right - left, bottom - top].map((side) => side.toFixed(2)).join(" ");
+    if (box === this.box) return;
+    this.box = box;
+    this.drawing.setAttribute("viewBox", box);
+    this.drawing.style.setProperty("--wide", `${(right - left).toFixed(2)}mm`);
+    this.drawing.style.setProperty("--high", `${(bottom - top).toFixed(2)}mm`);
+  }
+
+  /** Marks after a step are hidden, those before it grey; 0 shows the whole. @param {number} step */
+  showStep(step) {
+    this.drawing.classList.toggle("stepping", step > 0);
+    for (const { group, row } of this.pieces) {
+      const own = row.step ?? 0;
+      group.classList.toggle("later", step > 0 && own > step);
+      group.classList.toggle("earlier", step > 0 && own > 0 && own < step);
+      group.classList.toggle("new", step > 0 && own === step);
+    }
+  }
+}
+
+/** A mark of two ends, which measures as a line. @param {Row} row */
+function isSegment({ kind, numbers, closed }) {
+  return kind === "vector" || (kind === "line" && numbers.length === 4 && !closed);
+}
+
+/** The element of a mark. @param {Row} row @returns {SVGElement} */
+function elementOf(row) {
+  if (isSegment(row)) return svg("line");
+  if (row.kind === "body") return svg("path", { d: row.form, "vector-effect": "none" });
+  if (row.kind === "circle" || row.kind === "point") return svg("circle", { r: row.radius });
+  if (row.kind !== "text") return svg("path");
+  return svg("text", {}, ...(row.spans ?? []).map(([x, y, text, size, leans]) =>
+    svg("tspan", { x, y, "font-size": size, "font-style": leans ? "italic" : null }, text)));
+}
+
+/** What a mark says of itself, as in drawing files. @param {Row} row */
+function statement(row) {
+  if (!row.data) return {};
+  /** @type {Record<string, string>} */
+  const said = { class: row.kind };
+  for (const [key, value] of Object.entries(row.data)) said[`data-${key}`] = value;
+  if (row.also) said["data-also"] = row.also.join(" ");
+  if (row.sign) Object.assign(said, { role: "img", "aria-label": plainText(row.sign) });
+  return said;
+}
+
+/** @param {Piece} piece @param {number[]} at its numbers now */
+function moveTo(piece, at) {
+  if (piece.at.length && at.every((value, k) => value === piece.at[k])) return;
+  piece.at = at;
+  const { element, grasp, head, row } = piece;
+  const place = placeOf(row, at);
+  setAttributes(element, place);
+  if (grasp) setAttributes(grasp, place);
+  head?.setAttribute("d", headPath(at));
+}
+
+/** A mark's attributes where it is. @param {Row} row @param {number[]} at @returns {Record<string, string>} */
+function placeOf(row, at) {
+  const [a, b, c, d, e] = at.map(coordinate);
+  if (isSegment(row)) return { x1: a, y1: b, x2: c, y2: d };
+  switch (row.kind) {
+    case "body":
+      return { transform: turned(at, row.base ?? [0, 0, 1, 0]) };
+    case "arc":
+      return { d: `M${a} ${b}A${e} ${e} 0 ${row.flags} ${c} ${d}` };
+    case "circle":
+      return { cx: a, cy: b, r: c };
+    case "point":
+      return { cx: a, cy: b };
+    case "text":
+      return { transform: `translate(${a} ${b})` };
+    default:
+      return { d: cornersPath(at) + (row.closed ? "Z" : "") };
+  }
+}
+
+/** @param {number[]} at */
+function cornersPath(at) {
+  return at.map((number, k) => `${k % 2 ? " " : k ? "L" : "M"}${coordinate(number)}`).join("");
+}
+
+/** The turn and the shift that bring one line to where it is now. @param {number[]} at its ends now
+ * @param {[number, number, number, number]} base its ends as the form was drawn */
+function turned([ax = 0, ay = 0, bx = 0, by = 0], [cx, cy, dx, dy]) {
+  const [ox, oy, nx, ny] = [dx - cx, dy - cy, bx - ax, by - ay];
+  const square = ox * ox + oy * oy;
+  const cos = (nx * ox + ny * oy) / square;
+  const sin = (ny * ox - nx * oy) / square;
+  const numbers = [cos, sin, -sin, cos, ax - cos * cx + sin * cy, ay - sin * cx - cos * cy];
+  return `matrix(${numbers.map((number) => number.toFixed(6)).join(" ")})`;
+}
+
+/** The head of an arrow, its tip at the arrow's end. @param {number[]} ends */
+function headPath([x1, y1, x2, y2]) {
+  const length = Math.hypot(x2 - x1, y2 - y1);
+  if (length < 0.05) return "";
+  const size = TIP * (length > 1.6 * TIP ? 1 : 0.5);
+  const [ex, ey] = [(x2 - x1) / length, (y2 - y1) / length];
+  const [fx, fy] = [x2 - size * ex, y2 - size * ey];
+  const half = (0.5 * size) / TIP;
+  return `${cornersPath([x2, y2, fx - half * ey, fy + half * ex, fx + half * ey, fy - half * ex])}Z`;
+}

@@ -1,0 +1,247 @@
+/** The page: figures, bars, steps and results of the mechanism that is shown; language, hash, contents. */
+import { button, byId, heldData, html, setAttributes, tickBox } from "./dom.js";
+import { DriverControl, Run } from "./drivers.js";
+import { PlaneFigure } from "./figure.js";
+import { onHash, readHash, writeHash } from "./hash.js";
+import { ResultsPanel, arrowSize } from "./results.js";
+import { addParts } from "./player_parts.js";
+import { plainText, signNodes } from "./signs.js";
+import { Shown } from "./state.js";
+import { StepsPanel } from "./steps.js";
+import { fillWords, inEachLanguage, language, say, setLanguage, spoken } from "./words.js";
+
+/** @import { Mechanism } from "./state.js" */
+
+/** @type {Mechanism[]} */
+const MECHANISMS = heldData("mechanisms");
+
+/** A mechanism on the page. */
+export class Player {
+  /** @param {Mechanism} mechanism */
+  constructor(mechanism) {
+    this.shown = new Shown(mechanism);
+    this.figures = mechanism.planes.map((plane) => new PlaneFigure(this.shown, plane, say(`page.${plane.plane}`)));
+    this.steps = new StepsPanel(this.shown, (step) => this.goStep(step));
+    this.results = new ResultsPanel(this.shown);
+    this.drivers = mechanism.axes.map((_, k) => new DriverControl(this.shown, k, (values) => this.goTo(values)));
+    const first = this.drivers[0];
+    this.run = first ? new Run(first) : null;
+    this.told = html("p", { class: "told", role: "status" });
+    this.asked = 0;
+    this.figures[0].drawing.append(...this.drivers.flatMap(({ handle }) => handle ?? []));
+    const panels = [this.steps.element, this.told, this.results.element, this.layersElement()];
+    this.element = html("div", { class: "player" },
+      this.figuresElement(), html("div", { class: "panels" }, ...panels), this.bars());
+    this.quizzing = false;
+    addParts(this);
+    fillWords(this.element);
+    this.pointing();
+    this.light(null);
+    this.move();
+    this.goStep(0);
+  }
+
+  figuresElement() {
+    const [position, ...polygons] = this.figures.map(({ drawing, plane: { plane, written } }) => {
+      const heading = html("h2", {}, html("span", { "data-word": `page.${plane}` }), " ");
+      const header = html("header", {}, heading, html("span", { class: "scale" }, ...signNodes(written)));
+      const note = plane === "position" ? "page.not reached" : "page.too large";
+      return html("section", { class: `figure ${plane}` }, header, drawing, html("p", { class: "note", "data-word": note }));
+    });
+    return html("div", { class: "figures" }, position, html("div", { class: "polygons", tabindex: 0, role: "group" }, ...polygons));
+  }
+
+  layersElement() {
+    const boxes = this.shown.mechanism.layers.map((layer) =>
+      tickBox({ "data-toggle": layer, checked: true }, true, (shown) => this.showLayer(layer, shown),
+        html("span", { "data-word": `page.layer ${layer}` })));
+    return html("section", { class: "panel layers" }, html("h2", { "data-word": "page.layers" }), ...boxes);
+  }
+
+  /** @param {string} layer @param {boolean} shown */
+  showLayer(layer, shown) {
+    const pieces = this.figures.flatMap((figure) => figure.pieces).filter(({ row }) => row.layer === layer);
+    for (const { group } of pieces) group.style.display = shown ? "" : "none";
+  }
+
+  bars() {
+    const help = html("p", { class: "keys", "data-word": "page.keys" });
+    const controls = [...(this.run ? [this.run.button] : []), ...this.drivers.map((driver) => driver.element)];
+    return html("div", { class: "bars" }, ...controls, help);
+  }
+
+  /** @param {number[]} values */
+  goTo(values) {
+    this.shown.values = values;
+    this.asked ||= requestAnimationFrame(() => {
+      this.asked = 0;
+      this.move();
+      keepHash();
+    });
+  }
+
+  /** Everything where the drivers are now. */
+  move() {
+    const { shown } = this;
+    for (const tracks of [shown.tracks, shown.words]) tracks.moveTo(shown.parameters());
+    for (const figure of this.figures) figure.drawing.parentElement?.classList.toggle("empty", !figure.move());
+    for (const driver of this.drivers) driver.show();
+    this.results.move();
+    if (shown.step) this.steps.show();
+    for (const act of shown.onMove) act();
+  }
+
+  /** @param {number} step */
+  goStep(step) {
+    this.shown.step = Math.min(Math.max(0, Math.round(step) || 0), this.steps.count);
+    for (const figure of this.figures) figure.showStep(this.shown.step);
+    this.element.classList.toggle("by-step", this.shown.step > 0);
+    this.showPlane(this.shown.mechanism.steps.find((each) => each.step === this.shown.step)?.plane);
+    this.steps.show();
+    keepHash();
+  }
+
+  /** On a phone one polygon is seen at a time: that of the step. @param {string | undefined} plane */
+  showPlane(plane) {
+    const section = this.figures.find((figure) => figure.plane.plane === plane)?.drawing.parentElement;
+    const track = section?.closest(".polygons");
+    if (section && track) track.scrollLeft = section.offsetLeft - /** @type {HTMLElement} */ (track.firstElementChild).offsetLeft;
+  }
+
+  /** Arrows and the words that name them light up together. */
+  pointing() {
+    for (const kind of ["pointerover", "focusin"]) {
+      this.element.addEventListener(kind, (event) => {
+        const target = /** @type {Element | null} */ (event.target)?.closest?.("[data-vector]");
+        this.light(target?.getAttribute("data-vector") ?? null);
+      });
+    }
+  }
+
+  /** @param {string | null} name */
+  light(name) {
+    let line = null;
+    for (const element of this.element.querySelectorAll("[data-vector]")) {
+      const own = element.getAttribute("data-vector");
+      const also = element.querySelector("line.vector")?.getAttribute("data-also")?.split(" ") ?? [];
+      const lit = name !== null && (own === name || also.includes(name));
+      element.classList.toggle("lit", lit);
+      if (lit && element instanceof SVGElement) line = /** @type {SVGLineElement | null} */ (element.querySelector("line.vector"));
+    }
+    const figure = this.figures.find((each) => line && each.drawing.contains(line));
+    this.told.replaceChildren(say("page.point"));
+    this.told.removeAttribute("data-told");
+    if (!line || !figure) return;
+    const { size, unit, angle, none } = arrowSize(line, figure.plane.scale);
+    const row = figure.pieces.find((piece) => piece.element === line)?.row;
+    const words = { name: "\0", size, unit, angle };
+    const [before = "", after = ""] = say(none ? "page.nothing" : "page.size", words).split("\0");
+    const sentence = this.sentenceOf(row?.step);
+    this.told.replaceChildren(before, ...signNodes(row?.sign ?? []), after, ...(sentence ? [html("br"), sentence] : []));
+    this.told.setAttribute("data-told", plainText(row?.sign ?? []));
+  }
+
+  /** @param {number | undefined} step */
+  sentenceOf(step) {
+    const own = this.shown.mechanism.steps.find((each) => each.step === step);
+    if (!own) return null;
+    const sentence = this.steps.entries(own[language()]).find((node) => node.hasAttribute("data-step-sentence"));
+    return sentence ? html("span", { class: "of-step" }, ...sentence.childNodes) : null;
+  }
+}
+
+/** @type {Player | null} */
+let player = null;
+
+/** @param {Map<string, string>} entries */
+function goToHash(entries) {
+  const lang = entries.get("lang");
+  if (lang && lang !== language()) setLanguage(lang);
+  const chosen = MECHANISMS.find((each) => each.name === entries.get("show")) ?? player?.shown.mechanism ?? MECHANISMS[0];
+  if (!chosen) return;
+  if (player?.shown.mechanism !== chosen) showMechanism(chosen);
+  const now = /** @type {Player} */ (/** @type {unknown} */ (player));
+  for (const driver of now.drivers) {
+    const value = Number(entries.get(driver.axis.name) ?? NaN);
+    if (Number.isFinite(value)) driver.set(value / driver.axis.factor);
+  }
+  now.move();
+  now.goStep(Number(entries.get("step") ?? 0));
+}
+
+function keepHash() {
+  if (!player) return;
+  const entries = new Map();
+  if (MECHANISMS.length > 1) entries.set("show", player.shown.mechanism.name);
+  for (const driver of player.drivers) {
+    entries.set(driver.axis.name, String(Math.round(driver.value * driver.axis.factor * 1e4) / 1e4));
+  }
+  if (player.shown.step) entries.set("step", String(player.shown.step));
+  entries.set("lang", language());
+  writeHash(entries);
+}
+
+/** @param {Mechanism} mechanism */
+function showMechanism(mechanism) {
+  player?.run?.stop();
+  player = null;
+  const made = new Player(mechanism);
+  player = made;
+  byId("page").replaceChildren(made.element);
+  showTitle(mechanism);
+  for (const link of document.querySelectorAll("#contents [data-show]")) {
+    setAttributes(link, { "aria-current": link.getAttribute("data-show") === mechanism.name && "page" });
+  }
+}
+
+/** @param {Mechanism} mechanism */
+function showTitle({ title }) {
+  byId("title").textContent = document.title = spoken(title);
+}
+
+function contentsElement() {
+  const entries = MECHANISMS.map(({ name, title }) => {
+    const link = html("a", { href: `#show=${encodeURIComponent(name)}`, "data-show": name });
+    inEachLanguage(() => (link.textContent = spoken(title)));
+    return html("li", {}, link);
+  });
+  const details = html("details", {}, html("summary", { "data-word": "page.contents" }), html("ol", {}, ...entries));
+  return html("nav", { id: "contents", "data-word-label": "page.contents" }, details);
+}
+
+/** @param {KeyboardEvent} event */
+function onKey(event) {
+  const target = /** @type {Element | null} */ (event.target);
+  if (!player || player.quizzing || event.altKey || event.ctrlKey || event.metaKey) return;
+  if (target?.closest("input, select, summary") && !["PageUp", "PageDown"].includes(event.key)) return;
+  if (event.key === " " && target?.closest("button, a")) return;
+  const { run, steps, drivers } = player;
+  const step = { PageDown: steps.after(), PageUp: steps.before(), Home: 0 }[event.key];
+  if (step === undefined && event.key !== " ") return drivers[0]?.key(event);
+  event.preventDefault();
+  if (step === undefined) run?.toggle();
+  else player.goStep(step);
+}
+
+function startPage() {
+  const switcher = button({ "data-action": "language", "data-word": "page.language" }, () => {
+    setLanguage(language() === "zh" ? "en" : "zh");
+    keepHash();
+  });
+  const printer = button({ "data-action": "print", "data-word": "page.print" }, () => print());
+  const head = html("header", { class: "top" }, html("h1", { id: "title" }), switcher, printer);
+  document.body.prepend(head, ...(MECHANISMS.length > 1 ? [contentsElement()] : []), html("main", { id: "page" }));
+  goToHash(readHash());
+  fillWords(document);
+  inEachLanguage(() => {
+    if (!player) return;
+    showTitle(player.shown.mechanism);
+    for (const figure of player.figures) figure.drawing.setAttribute("aria-label", say(`page.${figure.plane.plane}`));
+    player.steps.show();
+    player.light(null);
+  });
+  onHash(goToHash);
+  addEventListener("keydown", onKey);
+}
+
+startPage();

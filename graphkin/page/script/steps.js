@@ -1,0 +1,99 @@
+/** The construction step by step: the sentences of the solution, whose terms and the figures' arrows light up together. */
+import { button, html } from "./dom.js";
+import { modulo } from "./numbers.js";
+import { printed, signNodes } from "./signs.js";
+import { fillWords, inEachLanguage, language, say } from "./words.js";
+
+/** @import { Shown, Template } from "./state.js" */
+
+const FIRST = 0xe100;
+const NOISE = 4; // smaller numbers are none [of the least that a track tells apart]
+
+/** The panel of steps. */
+export class StepsPanel {
+  /** @param {Shown} shown @param {(step: number) => void} go */
+  constructor(shown, go) {
+    this.shown = shown;
+    this.numbers = shown.mechanism.steps.map(({ step }) => step);
+    this.count = Math.max(0, ...this.numbers);
+    const back = button({ "data-word-label": "page.back", "data-action": "back" }, () => go(this.before()), "◀");
+    const next = button({ "data-word-label": "page.next", "data-action": "next" }, () => go(this.after()), "▶");
+    const whole = button({ "data-word": "page.whole", "data-action": "whole" }, () => go(0));
+    this.number = html("span", { class: "step-number", "aria-live": "polite" });
+    this.text = html("div", { class: "step-text" });
+    this.element = html("section", { class: "panel steps", "aria-labelledby": "steps-heading" },
+      html("h2", { id: "steps-heading", "data-word": "page.steps" }),
+      html("div", { class: "row" }, back, next, whole, this.number), this.text);
+    fillWords(this.element);
+    inEachLanguage(() => this.show());
+  }
+
+  /** The step after the one shown; the last is followed by itself. */
+  after() {
+    return this.numbers.find((number) => number > this.shown.step) ?? this.count;
+  }
+
+  before() {
+    const step = this.shown.step || this.count + 1;
+    return this.numbers.filter((number) => number < step).pop() ?? 0;
+  }
+
+  /** The sentences of the step shown, with the numbers of the place where the drivers are. */
+  show() {
+    const { step, mechanism } = this.shown;
+    this.number.textContent = step ? say("page.step", { step, count: this.count }) : "";
+    const own = mechanism.steps.find((each) => each.step === step);
+    const held = document.activeElement?.closest(".step-text") ? document.activeElement.getAttribute("data-vector") : null;
+    this.text.replaceChildren(...(own ? this.entries(own[language()]) : [html("p", { class: "hint" }, say("page.all steps"))]));
+    if (held) /** @type {HTMLElement | null} */ (this.text.querySelector(`[data-vector="${CSS.escape(held)}"]`))?.focus();
+  }
+
+  /** @param {Template[][]} entries */
+  entries(entries) {
+    const chosen = entries.map((templates) => this.chosen(templates)).filter((template) => template !== null);
+    return chosen.map((template) => entryElement(template, this.values(template)));
+  }
+
+  /** What is said here: the template of the nearest knot; another one where a number of that has passed 0 since, or
+   * where it is said at that knot alone. @param {Template[]} templates */
+  chosen(templates) {
+    const { words } = this.shown;
+    const near = templates.find((template) => words.isNear(template.mask));
+    if (!near) return null;
+    const numbers = this.values(near);
+    const track = (/** @type {number} */ number) => words.track(number)[words.nearest] ?? 0;
+    const passed = (near.numbers ?? []).some((number, k) => !near.sizes?.includes(k) && track(number) * (numbers[k] ?? 0) < 0);
+    const alone = near.mask !== undefined && words.isAlone(near.mask);
+    if (!passed && !alone) return near;
+    const isAround = (/** @type {Template} */ { mask }) =>
+      mask === undefined || words.corners.some((corner) => words.mask(mask)[corner]);
+    return templates.find((one) => one !== near && isAround(one)) ?? near;
+  }
+
+  /** @param {Template} template */
+  values(template) {
+    const { words } = this.shown;
+    return (template.numbers ?? []).map((number, k) => {
+      const signed = words.value([number], template.mask);
+      const size = template.sizes?.includes(k) ? Math.abs(signed) : signed;
+      const value = template.turns?.includes(k) ? modulo(size, 360) : size;
+      return Math.abs(value) < NOISE * words.quantum(number) ? 0 : value;
+    });
+  }
+}
+
+/** @param {Template} template @param {number[]} numbers */
+function entryElement(template, numbers) {
+  const filled = (/** @type {string} */ text) =>
+    text.replace(/[\ue100-\uf8ff]/g, (letter) => printed(numbers[letter.charCodeAt(0) - FIRST] ?? NaN));
+  const lines = template.words.map((line) => signNodes(line, filled));
+  if (template.kind === "heading") return html("h3", {}, ...lines[0]);
+  if (template.kind === "equation") {
+    const wide = lines.length / 3;
+    const cells = lines.map((cell) => html("td", {}, ...cell));
+    const rows = [0, 1, 2].map((row) => html("tr", {}, ...cells.slice(row * wide, (row + 1) * wide)));
+    return html("div", { class: "equation" }, html("table", {}, html("tbody", {}, ...rows)));
+  }
+  const isStep = template.kind === "step";
+  return html("p", { class: isStep ? "step-sentence" : template.kind, "data-step-sentence": isStep }, ...lines[0]);
+}

@@ -1,0 +1,97 @@
+"""What is found is saved as by the commands, and wrong objects are told what to give."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+import graphkin
+from graphkin.cli import main
+from graphkin.errors import BadValues, NotAMechanism, NothingDrawn
+from graphkin.outputs.files import FileInTheWay, UnknownEnding
+
+
+def command(*words: str) -> None:
+    result = CliRunner().invoke(main, words)
+    assert result.exit_code == 0, result.output
+
+
+@pytest.mark.parametrize("kind", [".svg", ".pdf", ".tex", ".ggb"])
+def test_a_drawing_is_saved_as_the_command_draws_it(kind: str, tmp_path: Path):
+    command("draw", "ex3-1", "--angle", "90", "-o", str(tmp_path / f"a{kind}"))
+    sheet = graphkin.Drawing.of("ex3-1", 90).sheet()
+    assert sheet.save(tmp_path / f"b{kind}").read_bytes() == (tmp_path / f"a{kind}").read_bytes()
+    assert sheet.svg() == graphkin.Drawing.of("ex3-1", {"AB": 90})._repr_svg_()
+
+
+SAME: dict[str, tuple[list[str], Callable[[], object]]] = {
+    "centres": (["centres", "fig3-4"], lambda: graphkin.centres("fig3-4")),
+    "find": (["find", "ex3-7", "max v E"], lambda: graphkin.find("ex3-7", "max v E")),
+    "design": (
+        ["design", "rocker", "--length", "80", "--swing", "40", "--K", "1.3", "--frame", "71"],
+        lambda: graphkin.design("rocker", length=80, swing=40, K=1.3, frame=71),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SAME)
+def test_answers_are_those_of_the_commands(name: str, tmp_path: Path):
+    words, ask = SAME[name]
+    answer = ask()
+    assert CliRunner().invoke(main, [*words, "--lang", "zh"]).stdout.splitlines() == graphkin.lines_of(answer, "zh")
+    command(*words, "-o", str(tmp_path / "a.svg"))
+    assert graphkin.sheet_of(answer).save(tmp_path / "b.svg").read_bytes() == (tmp_path / "a.svg").read_bytes()
+    assert len(repr(answer)) < 200
+
+
+@pytest.mark.parametrize("kind", [".csv", ".json", ".svg"])
+def test_a_sweep_is_saved_as_the_command_writes_it(kind: str, tmp_path: Path):
+    command("sweep", "ex3-7", "--driver", "0:90:30", "--of", "v E", "-o", str(tmp_path / f"a{kind}"))
+    swept = graphkin.sweep("ex3-7", "0:90:30", "v E")
+    assert swept.save(tmp_path / f"b{kind}").read_bytes() == (tmp_path / f"a{kind}").read_bytes()
+
+
+def test_steps_are_sheets(tmp_path: Path):
+    command("design", "slider", "--stroke", "40", "--K", "1.2", "--offset", "15", "--steps", str(tmp_path))
+    steps = graphkin.sheet_of(graphkin.design("slider", stroke=40, K=1.2, offset=15)).step_sheets()
+    assert [step.svg().encode() for step in steps] == [path.read_bytes() for path in sorted(tmp_path.iterdir())]
+
+
+def test_another_file_is_not_replaced(tmp_path: Path):
+    own, sheet = tmp_path / "a.svg", graphkin.Drawing.of("ex3-1").sheet()
+    own.write_text("mine", encoding="utf-8")
+    with pytest.raises(FileInTheWay, match="force=True"):
+        sheet.save(own)
+    sheet.save(own, force=True)
+    for page in (sheet, graphkin.sweep("ex3-1", "0:90:30")):
+        with pytest.raises(UnknownEnding, match=r"\.pdf"):
+            page.save(tmp_path / "a.gif")
+    assert [path.name for path in tmp_path.iterdir()] == ["a.svg"]
+
+
+@pytest.mark.parametrize("wrong", [None, {"frame": {}}, graphkin.Mechanism.new(), 3], ids=["None", "dict", "Builder", "int"])
+def test_what_is_no_mechanism(wrong: object):
+    calls = (graphkin.load, graphkin.plan, graphkin.Drawing.of, graphkin.replay, graphkin.motion, graphkin.sweep,
+             graphkin.trial, graphkin.centres, graphkin.tolerance, graphkin.handout, graphkin.loads)  # fmt: skip
+    for call in calls:
+        with pytest.raises(NotAMechanism, match=type(wrong).__name__):
+            call(wrong)  # type: ignore[operator]
+    [solved] = graphkin.solve_many([wrong])  # type: ignore[list-item]
+    assert isinstance(solved.error, NotAMechanism)
+    with pytest.raises(NotAMechanism):
+        [*graphkin.grade(wrong, "a.toml")]  # type: ignore[arg-type]
+
+
+def test_values_that_no_driver_takes():
+    with pytest.raises(BadValues):
+        graphkin.replay("ex3-1", ["a"])
+    for values in ([1, 2], {"XY": 3}):
+        with pytest.raises(ValueError, match="AB"):
+            graphkin.Drawing.of("ex3-1", values)
+    with pytest.raises(NothingDrawn):
+        graphkin.lines_of(3)
+    at = graphkin.motion("ex3-1", graphkin.replay("ex3-1", [[60, 90]]).theta["1"][None])
+    assert at.omega["3"] == pytest.approx(graphkin.motion("ex3-1", [[60, 90]]).omega["3"])

@@ -1,0 +1,82 @@
+"""Pages opened in a real Chromium, which is silent: it writes no error and asks for nothing."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, BrowserContext, Page, Request
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "chromium-headless-shell")
+_QUIET = ("--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+          "--disable-component-update", "--disable-sync", "--hide-scrollbars")  # fmt: skip
+_MODULES = Path(__file__).parent / "page" / "node_modules"
+_GRAVE = ("serious", "critical")
+
+
+def missing(what: str) -> None:
+    """Skips the test that needs it; where CI is set it fails instead."""
+    assert not os.environ.get("CI"), f"{what} must be there"
+    pytest.skip(f"{what} is not installed")
+
+
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """The browser of this machine. While it runs, no other loop of asyncio can in this thread: it is closed with each module."""
+    executable = next(filter(None, map(shutil.which, NAMES)), None)
+    if executable is None:
+        missing("Chromium")
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        missing("playwright")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=executable, headless=True, args=_QUIET)
+        yield browser
+        browser.close()
+
+
+@dataclass
+class Browsing:
+    """Opens pages, and keeps what they do wrong in `faults`."""
+
+    browser: Browser
+    faults: list[str] = field(default_factory=list)
+    contexts: list[BrowserContext] = field(default_factory=list)
+
+    def open(self, path: Path, fragment: str = "", **context: object) -> Page:
+        """A page in a window of its own: `viewport={"width": .., "height": ..}`, `has_touch`, `reduced_motion`, `locale`.."""
+        self.contexts.append(self.browser.new_context(**context))
+        page = self.contexts[-1].new_page()
+        own = path.resolve().as_uri()
+        page.on("pageerror", lambda error: self.faults.append(f"error: {error}"))
+        page.on("console", lambda message: self.faults.append(f"{message.type}: {message.text}") if message.type in ("error", "warning") else None)
+        page.on("request", lambda request: self._ask(request, own))
+        page.goto(own + fragment)
+        return page
+
+    def _ask(self, request: Request, own: str) -> None:
+        if request.url.split("#")[0] != own and not request.url.startswith(("data:", "blob:")):
+            self.faults.append(f"request: {request.url}")
+
+    def close(self) -> None:
+        for context in self.contexts:
+            context.close()
+
+
+def axe(page: Page) -> list[str]:
+    """Grave faults that axe-core finds on a page as it stands now: the rule, what it says, and the first element."""
+    script = _MODULES / "axe-core" / "axe.min.js"
+    if not script.is_file():
+        missing("axe-core (npm install in tests/page)")
+    page.evaluate(script.read_text("utf-8"))
+    violations = page.evaluate("axe.run(document, {resultTypes: ['violations']}).then(found => found.violations)")
+    return [f"{each['id']}: {each['help']}: {each['nodes'][0]['html'][:200]}" for each in violations if each["impact"] in _GRAVE]

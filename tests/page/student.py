@@ -1,0 +1,209 @@
+"""A student at the drawing board: draws the construction of a problem with the pointer alone, right or with mistakes."""
+
+from __future__ import annotations
+
+import cmath
+import json
+import math
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from graphkin.base.geometry import number, place
+from graphkin.construction import Equation, Given, Image, LayOff, Meet, Plane, Ray, Step
+from graphkin.handouts.problem import HandoutProblem
+from graphkin.marking.equation_choices import equation_choices
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import EDGE, Centre, Moving, Rotation, Track
+from graphkin.proof.readings import readings
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+Altered = Callable[[complex], complex]
+
+
+_PIXEL = """([plane, x, y, seen]) => {
+  const paper = document.querySelector(`svg[data-plane="${plane}"]`);
+  const place = (u, v) => new DOMPoint(u, -v).matrixTransform(paper.getScreenCTM());
+  const aside = paper.closest(".problem");
+  const off = place(x, seen).y - innerHeight * 0.6;
+  if (aside && aside.scrollHeight > aside.clientHeight + 1) aside.scrollBy(0, off);
+  else if (Math.abs(off) > innerHeight * 0.3) scrollBy(0, off);
+  const { x: right, y: down } = place(x, y);
+  return [right, down];
+}"""
+
+
+@dataclass
+class Student:
+    """One student on one page; `slips`: by the name of an arrow, or of a line's point, the factor that turns it wrong."""
+
+    page: Page
+    problem: HandoutProblem
+    slips: dict[str, complex] = field(default_factory=dict)
+    said: dict[str, Any] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.said = json.loads(self.page.locator("#board").text_content() or "")
+
+    # --- hands
+
+    def tool(self, tool: str, /, **fields: str) -> None:
+        self.page.locator(f'[data-tool="{tool}"]').click()
+        for key, text in fields.items():
+            box = self.page.locator(f'[data-field="{key}"]')
+            box.select_option(text) if key in ("kind", "line") else box.fill(text)
+
+    def pixel(self, plane: Plane, at: complex, seen: complex | None = None) -> tuple[float, float]:
+        """Where a place of a paper is on the screen; the window shows it, or another that is to be `seen`."""
+        x, y = self.page.evaluate(_PIXEL, [plane, at.real, at.imag, (at if seen is None else seen).imag])
+        return x, y
+
+    def click(self, plane: Plane, at: complex) -> None:
+        self.page.mouse.click(*self.pixel(plane, at))
+
+    def drag(self, plane: Plane, start: complex, end: complex) -> None:
+        middle = (start + end) / 2
+        self.page.mouse.move(*self.pixel(plane, start, middle))
+        self.page.mouse.down()
+        self.page.mouse.move(*self.pixel(plane, end, middle), steps=2)
+        self.page.mouse.up()
+
+    # --- a problem
+
+    def draw(self) -> None:
+        for plane in self.problem.polygons:
+            self.polygon(plane)
+
+    def polygon(self, plane: Plane) -> None:
+        """The construction of a polygon, act by act, as it is on the student's paper."""
+        self.page.locator(f'[data-scale="{plane}"]').fill(f"{self.problem.scales[plane]:g}")
+        construction = self.problem.construction(plane)
+        self.at: dict[str, complex] = {construction.pole: 0j}
+        self.plane, self.pole = plane, construction.pole
+        for name, node in construction.nodes.items():
+            if node.site is not None and node.site.link == FRAME:
+                self.at[name] = 0j
+        for part in self.problem.goal.parts[plane]:
+            for step in part.steps if isinstance(part, Equation) else (part,):
+                self.step(step)
+            if isinstance(part, Equation):
+                for term in part.left + part.right:
+                    if term.size is None and term.tail in self.at and term.head in self.at:
+                        self.arrow(term.name(plane), self.at[term.tail], self.at[term.head])
+
+    def step(self, step: Step) -> None:
+        plot, scale = self.problem.drawing.plot, self.problem.scales[self.plane]
+        match step:
+            case LayOff(term, start, tip):
+                name = term.name(self.plane)
+                arrow = place(plot.points(self.plane)[tip] - plot.points(self.plane)[start]) / scale
+                arrow *= self.slips.get(name, 1.0)
+                if abs(arrow) < 0.05 or tip in self.at:
+                    self.at.setdefault(tip, self.at[start])
+                    return
+                angle = math.degrees(cmath.phase(arrow))
+                self.tool("vector", kind="angle", length=f"{abs(arrow):.2f}", angle=f"{angle:.3f}", name=name)
+                self.click(self.plane, self.at[start])
+                self.at[tip] = self.at[start] + cmath.rect(round(abs(arrow), 2), math.radians(round(angle, 3)))
+                self.letter(tip)
+            case Meet(Ray() as first, Ray() as second, point):
+                lines = [self.line(ray) for ray in (first, second)]
+                (one, along), (other, across) = lines
+                part = ((other - one).conjugate() * across).imag / (along.conjugate() * across).imag
+                self.at[point] = one + part * along
+                self.letter(point)
+            case Image(point=point) if point not in self.at:
+                arrow = place(plot.points(self.plane)[point] - plot.points(self.plane)[self.pole]) / scale
+                self.at[point] = arrow
+                if re.fullmatch(r"\w+'*", point) and abs(arrow) > 0.05:
+                    angle, node = math.degrees(cmath.phase(arrow)), self.problem.construction(self.plane).nodes[point]
+                    name = f"{self.plane[0]}_{node.of}"
+                    self.tool("vector", kind="angle", length=f"{abs(arrow):.3f}", angle=f"{angle:.4f}", name=name)
+                    self.click(self.plane, 0j)
+                    self.letter(point)
+            case Given(point, also):
+                self.at.update(dict.fromkeys((point, *also), 0j))
+            case _:
+                pass
+
+    def letter(self, point: str) -> None:
+        if (
+            any(abs(self.at[point] - at) < 0.05 for name, at in self.at.items() if name != point)
+            and abs(self.at[point]) < 0.05
+        ):
+            return
+        self.tool("point", name=point)
+        self.click(self.plane, self.at[point])
+
+    def arrow(self, name: str, tail: complex, head: complex) -> None:
+        if abs(head - tail) > 1:
+            self.tool("vector", kind="", length="", name=name)
+            self.drag(self.plane, tail, head)
+
+    def line(self, ray: Ray) -> tuple[complex, complex]:
+        """A line drawn with the set square along a line of the mechanism: it is pointed at, or taken from the list."""
+        along = place(self.problem.drawing.plot.direction(ray.direction)) * self.slips.get(ray.through, 1.0)
+        for line in sorted(self.said["given"]["lines"], key=lambda line: not line["drawn"]):
+            ends = [complex(*xy) for xy in line["at"] or ()]
+            own = (ends[1] - ends[0]) / abs(ends[1] - ends[0]) if ends else cmath.rect(1, math.radians(line["angle"]))
+            for tool, turned in (("parallel", own), ("perpendicular", 1j * own)):
+                if abs((turned.conjugate() * along).imag) < 1e-5:
+                    self.tool(tool)
+                    if line["drawn"] and (places := line["at"]):
+                        start, end = (complex(*xy) for xy in places)
+                        self.click("position", start + 0.37 * (end - start))
+                    if self.page.locator('[data-field="line"]').input_value() == "":  # not drawn, or a point is near
+                        self.tool(tool, line=line["name"])
+                    self.click(self.plane, self.at[ray.through])
+                    return self.at[ray.through], along
+        angle = math.degrees(cmath.phase(along)) % 180
+        for turned in (0, 180):
+            self.tool("protractor", angle=f"{angle + turned:.4f}")
+            self.click(self.plane, self.at[ray.through])
+        return self.at[ray.through], along
+
+    def fill_equations(self, wrong: dict[tuple[str, str], str] | None = None) -> None:
+        """Every choice of the equations; `wrong`: by term and row what is chosen instead."""
+        drawing = self.problem.drawing
+        for equation in equation_choices(drawing.method, drawing.plot):
+            row = f'[data-of-plane="{equation.plane}"][data-equation="{equation.number}"] [data-term="{{}}"]'
+            for term in equation.terms:
+                for kind, right in (("direction", term.directions), ("magnitude", term.magnitudes)):
+                    token = (wrong or {}).get((term.name, kind), min(right))
+                    self.page.locator(f"{row.format(term.name)} select[data-{kind}]").select_option(token)
+
+    def answers(self) -> Iterator[tuple[str, float, str]]:
+        """By question the value in the first unit offered, and its sense."""
+        motions = readings(self.problem.drawing.method, self.problem.drawing.plot)
+        for text, quantity in zip(self.problem.asked.texts, self.problem.asked.wanted, strict=True):
+            if quantity is None or isinstance(quantity, Centre | Track):
+                continue
+            answer, unit = quantity.answer(motions), EDGE[quantity.unit]
+            value = number(answer.value) * unit.factor
+            if isinstance(quantity, Rotation) and quantity.word != "theta":
+                yield text, abs(value), "counter-clockwise" if value > 0 else "clockwise"
+            elif isinstance(quantity, Moving) and answer.vector is not None:
+                arrow = place(answer.vector)
+                yield text, abs(arrow) * unit.factor, f"{math.degrees(cmath.phase(arrow)):.2f}"
+            else:
+                yield text, value, ""
+
+    def fill_answers(self, wrong: dict[str, float] | None = None) -> None:
+        for text, value, sense in self.answers():
+            self.page.locator(f'[data-answer="{text}"]').fill(f"{value * (wrong or {}).get(text, 1.0):.4g}")
+            box = self.page.locator(f'[data-sense="{text}"]')
+            if sense and box.count():
+                box.select_option(sense) if "clock" in sense else box.fill(sense)
+
+    def hand_in(self, folder: Path, name: str = "") -> Path:
+        if name:
+            self.page.locator('[data-field="student"]').fill(name)
+        with self.page.expect_download() as download:
+            self.page.locator('[data-action="hand-in"]').click()
+        path = folder / download.value.suggested_filename
+        download.value.save_as(path)
+        return path

@@ -1,0 +1,181 @@
+"""The page that plays, in a browser: dragged, by keys, step by step, in both languages, on paper and on a phone."""
+
+from __future__ import annotations
+
+import math
+import random
+import re
+
+import pytest
+from browsing import Browsing, axe
+from shown_positions import fragment, off, shown
+
+import graphkin
+from graphkin import api
+from graphkin.say.entry import Sentence
+from graphkin.say.explained import derivation
+
+WIDE = {"width": 1300, "height": 850}
+
+
+def at(page) -> float:
+    return float(page.input_value("input.value"))
+
+
+def centre(page, locator: str) -> tuple[float, float]:
+    box = page.locator(locator).bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+# --- positions ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["ex3-7", "ex3-1", "p3-17", "s4-ex5"])
+def test_vectors_and_points_are_where_the_analysis_has_them(name, browsing: Browsing, page_of):
+    """Any place of the hash: a six-bar, a guide, a short range between dead points, rolling wheels."""
+    machine, rng = api.load(name), random.Random(name)
+    page, seen = browsing.open(page_of(name), viewport=WIDE), 0
+    low, high = (math.radians(float(page.get_attribute("input[data-driver]", side))) for side in ("min", "max"))
+    if machine.drivers[0].kind == "slide":
+        low, high = (float(page.get_attribute("input[data-driver]", side)) / 1000 for side in ("min", "max"))
+    for _ in range(10):
+        values = (rng.uniform(low, high),)
+        page.evaluate("hash => { location.hash = hash }", fragment(machine, values))
+        page.wait_for_function("value => Math.abs(document.querySelector('input.value').value - value) < 2e-3",
+                               arg=float(fragment(machine, values).split("=")[1]))  # fmt: skip
+        worst = off(machine, values, shown(page))
+        assert max(worst.values()) < 0.02, max(worst, key=worst.get)
+        seen += len(worst)
+    assert seen > 150
+
+
+# --- driving ------------------------------------------------------------------------------------------------------
+
+
+def test_the_crank_pin_is_dragged_and_everything_follows(browsing: Browsing, page_of):
+    page = browsing.open(page_of("ex3-7"), "#AB=30", viewport=WIDE)
+    pivot, pin = centre(page, ".point[data-name='A']"), centre(page, ".handle[data-driver='AB']")
+    arm, before = math.dist(pivot, pin), page.inner_text("[data-result='omega 3']")
+    page.mouse.move(*pin)
+    page.mouse.down()
+    for angle in range(30, 141, 10):
+        page.mouse.move(pivot[0] + 1.3 * arm * math.cos(math.radians(angle)), pivot[1] - 1.3 * arm * math.sin(math.radians(angle)))
+    page.mouse.up()
+    page.wait_for_function("() => Math.abs(document.querySelector('input.value').value - 140) < 1.5")
+    assert "AB=1" in page.url
+    assert page.inner_text("[data-result='omega 3']") != before
+    assert max(off(api.load("ex3-7"), (math.radians(at(page)),), shown(page)).values()) < 0.05  # the angle is printed to 0.001
+    assert math.dist(centre(page, ".handle[data-driver='AB']"), centre(page, ".point[data-name='B']")) < 1
+
+
+def test_keys_drive_and_step(browsing: Browsing, page_of):
+    page = browsing.open(page_of("ex3-7"), "#AB=359", viewport=WIDE)
+    for key, place in (("ArrowRight", 0), ("ArrowRight", 1), ("Shift+ArrowLeft", 0.9)):
+        page.keyboard.press(key)
+        page.wait_for_function(f"() => Math.abs(document.querySelector('input.value').value - {place}) < 1e-6")
+    page.focus("input[type=range]")
+    page.keyboard.press("ArrowLeft")
+    page.wait_for_function("() => Math.abs(document.querySelector('input.value').value - 359.9) < 1e-6")
+    page.keyboard.press("PageDown")
+    assert page.locator("[data-step-sentence]").count() == 1
+    page.evaluate("() => document.activeElement.blur()")  # on a bar Home goes to its end
+    page.keyboard.press("Home")
+    assert page.locator("[data-step-sentence]").count() == 0
+    page.click("[data-action=run]")
+    before = at(page)
+    page.wait_for_function(f"() => Math.abs(document.querySelector('input.value').value - {before}) > 2")
+    page.click("[data-action=run]")
+
+
+def test_dead_points_at_both_ends_are_said(browsing: Browsing, page_of):
+    page = browsing.open(page_of("p3-17"), "#cylinder=5000", viewport=WIDE)
+    assert "dead point" in page.inner_text(".event")
+    assert at(page) == pytest.approx(float(page.get_attribute("input[type=range]", "max")), abs=1e-3)
+    page.evaluate("() => { location.hash = '#cylinder=0&lang=zh' }")
+    page.wait_for_selector(".event:has-text('死点')")
+    assert page.locator(".tick").count() == 2
+
+
+# --- steps --------------------------------------------------------------------------------------------------------
+
+
+def sentences(lang: str, angle: float) -> dict[int, str]:
+    """What explain says of each step, at the scales of the page."""
+    drawing = graphkin.Drawing.of("ex3-7", angle)
+    scales = {"length": 0.01, "velocity": 0.005, "acceleration": 0.006}
+    entries = derivation(drawing.method, drawing.plot, scales, lang)
+    return {entry.act.page: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
+
+
+def letters(text: str) -> str:
+    """Without signs that are set above or below, and without rounding."""
+    return re.sub(r"[\s_^′'{}¹²ⁿᵗᵏʳntkr]|(?<=\d\.\d\d)\d+", "", text)
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_steps_go_both_ways_in_the_words_of_explain(lang, browsing: Browsing, page_of):
+    page, right = browsing.open(page_of("ex3-7"), f"#AB=61.3&step=1&lang={lang}", viewport=WIDE), sentences(lang, 61.3)
+    told = {}
+    for _ in right:
+        step = int(re.search(r"step=(\d+)", page.url)[1])
+        told[step] = page.inner_text("[data-step-sentence]")
+        assert page.evaluate("step => [...document.querySelectorAll('.drawing [data-step]')].every(e => (Number(e.dataset.step) > step)"
+                             " === (getComputedStyle(e).display === 'none' && e.classList.contains('later')))", step)  # fmt: skip
+        page.click("[data-action=next]")
+    assert {step: letters(text) for step, text in told.items()} == {step: letters(text) for step, text in right.items()}
+    for step in sorted(right, reverse=True)[1:]:
+        page.click("[data-action=back]")
+        assert f"step={step}" in page.url
+        assert page.inner_text("[data-step-sentence]") == told[step]
+
+
+def test_words_and_arrows_light_up_together(browsing: Browsing, page_of):
+    page = browsing.open(page_of("ex3-7"), "#AB=60&step=6", viewport=WIDE)
+    term = page.locator(".step-text .term[data-vector='v_B3B2']").first
+    term.hover()
+    assert page.locator("g.arrow.lit line.vector").get_attribute("data-name") == "v_B3B2"
+    page.locator("g.arrow[data-vector='v_B3'] .vector").hover()
+    assert page.locator(".step-text .term.lit").first.get_attribute("data-vector") == "v_B3"
+    size = float(re.search(r"([\d.]+) m/s", page.inner_text(".told"))[1])
+    right = next(v for v in shown(page) if v["plane"] == "velocity")
+    x1, y1, x2, y2 = next(m["at"] for m in right["marks"] if m["data"]["data-name"] == "v_B3")
+    assert size == pytest.approx(math.dist((x1, y1), (x2, y2)) * right["scale"], rel=1e-3)
+
+
+# --- everywhere ---------------------------------------------------------------------------------------------------
+
+
+def test_a_lecture_in_both_languages(browsing: Browsing, page_of):
+    page = browsing.open(page_of("ex3-7", "s4-ex5"), "#lang=en", viewport=WIDE)
+    assert page.locator("#contents li").count() == 2
+    page.click("#contents summary")
+    page.click("#contents [data-show='s4-ex5']")
+    page.wait_for_selector("#contents [data-show='s4-ex5'][aria-current]")
+    title = page.inner_text("h1")
+    page.click("[data-action=language]")
+    assert page.inner_text("h1") != title
+    assert re.search("[\u4e00-\u9fff]", page.inner_text("h1"))
+    assert page.get_attribute("html", "lang") == "zh-CN"
+    assert "lang=zh" in page.url
+    assert "show=s4-ex5" in page.url
+    again = browsing.open(page_of("ex3-7", "s4-ex5"), "#" + page.url.partition("#")[2], viewport=WIDE)
+    assert again.inner_text("h1") == page.inner_text("h1")
+
+
+def test_it_is_printed_to_scale(browsing: Browsing, page_of):
+    page = browsing.open(page_of("ex3-7"), "#AB=100", viewport=WIDE)
+    page.emulate_media(media="print")
+    for plane in ("position", "velocity", "acceleration"):
+        box, view = page.locator(f"svg.drawing[data-plane={plane}]").evaluate(
+            "e => [e.getBoundingClientRect().width / 96 * 25.4, e.viewBox.baseVal.width]")  # fmt: skip
+        assert box == pytest.approx(view, abs=0.05), plane
+    assert not page.is_visible(".handle")
+
+
+@pytest.mark.parametrize("size", [(390, 844), (844, 390), (1300, 850)], ids=["upright", "across", "wide"])
+def test_it_fits_any_screen_and_reader(size, browsing: Browsing, page_of):
+    page = browsing.open(page_of("ex3-7"), "#AB=100&step=9", viewport={"width": size[0], "height": size[1]}, reduced_motion="reduce")
+    assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth")
+    assert page.locator("svg.drawing[data-plane=position]").bounding_box()["height"] > 120
+    assert page.locator("input[type=range]").bounding_box()["y"] < size[1]
+    assert axe(page) == []

@@ -1,0 +1,91 @@
+"""Between knots all is drawn where a replay has it; numbers are packed without loss."""
+
+from __future__ import annotations
+
+import random
+
+import numpy as np
+import pytest
+
+from graphkin import api
+from graphkin.page.knots import page_knots
+from graphkin.page.reach import Axis, Reach
+from graphkin.page.rows import rows
+from graphkin.page.stencils import Knots, stencil
+from graphkin.page.tracks import Tracks, packed
+from graphkin.sheet.marks import Stroke
+from graphkin.sheet.window import PLANES
+
+LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-"
+
+
+def unpacked(text: str) -> list[int]:
+    numbers, pieces = [], []
+    for letter in text:
+        value = LETTERS.index(letter)
+        pieces.append(value % 32)
+        if value < 32:
+            whole = sum(piece << 5 * k for k, piece in enumerate(pieces))
+            numbers.append(-(whole >> 1) if whole & 1 else whole >> 1)
+            pieces = []
+    return numbers
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "fig3-10"])
+def test_what_is_drawn_between_knots_is_near_enough(name):
+    """A full turn, and a short range between dead points: arrows, points and bars, replayed anew."""
+    knots, rng, seen = page_knots(Reach.of(api.plan(api.load(name)))), random.Random(name), 0
+    (axis,), (low, high) = knots.axes, knots.reach.axes[0].span
+    for plane in PLANES:
+        frames = [knots.figures.figure(plane, plot).marks for plot in knots.plots]
+        for _ in range(6):
+            u = rng.uniform(low, high)
+            there = knots.figures.figure(plane, knots.reach.plot([u])).marks
+            for row in rows([*frames, there]):
+                held = row.there[:-1]
+                if row.is_known and row.there[-1] and held.all() and not (isinstance(row.mark, Stroke) and row.form):
+                    numbers, weights = stencil([axis], [u], held)
+                    assert np.abs(weights @ row.numbers[numbers] - row.numbers[-1]).max() < 0.01, (plane, row.mark)
+                    seen += 1
+    assert seen > 150
+
+
+@pytest.mark.parametrize("ends", ["line", "low", "high", "both"])
+def test_a_driver_goes_to_its_ends(ends):
+    axis = Axis(api.load("ex3-1").drivers[0], 0.3, 2.5, ends)
+    low, high = (axis.value(u) for u in axis.span)
+    assert 0.3 <= low < 0.31
+    assert 2.49 < high <= 2.5
+    for value in np.linspace(low, high, 9):
+        assert axis.value(axis.u_at(value)) == pytest.approx(value, abs=1e-9)
+
+
+def test_six_knots_hold_powers_up_to_the_fifth():
+    """Within a run of knots, at uneven distances; over a grid, the product of its drivers."""
+    uneven, even = Knots(np.array([0, 1, 1.5, 2, 3, 4, 6, 7.0])), Knots(np.arange(9.0))
+    table = np.array([(x**5 - x) * (y**4 + 1) for x in uneven.u for y in even.u])
+    mask = np.ones((8, 9), dtype=bool)
+    mask[0, 0] = False
+    numbers, weights = stencil([uneven, even], [1.7, 7.9], mask)
+    assert weights @ table[numbers] == pytest.approx((1.7**5 - 1.7) * (7.9**4 + 1), rel=1e-9)
+    round_about = Knots(np.arange(12) * np.pi / 6, 2 * np.pi)
+    numbers, weights = stencil([round_about], [6.2], np.ones(12, dtype=bool))
+    assert weights @ np.cos(round_about.u)[numbers] == pytest.approx(np.cos(6.2), abs=1e-4)
+
+
+def test_tracks_are_packed_without_loss():
+    values = np.cumsum(np.random.default_rng(5).normal(size=90))
+    values[[3, 4, 40]] = np.nan
+    tracks = Tracks([], [])
+    assert tracks.place(np.full(90, 2.5)) == 2.5
+    assert tracks.place(values) == tracks.place(values.copy()) == [0]
+    order, *whole = unpacked(tracks.texts[0])
+    for _ in range(order):
+        whole = np.cumsum(whole)
+    held = ~np.isnan(values)
+    assert np.abs(np.array(whole)[held] / 1000 - values[held]).max() <= 0.0005 + 1e-9
+    assert unpacked(packed(np.array([0, -1, 31, -5000, 2**40]))) == [0, -1, 31, -5000, 2**40]
+    assert tracks.mask(held) == 0
+    assert tracks.mask(np.ones(90, dtype=bool)) is None
+    first, *lengths = unpacked(tracks.masks[0])
+    assert (first, lengths) == (1, [2, 2, 35, 1])
