@@ -5,14 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from graphkin.base.value import bulky, frozen
 from graphkin.equations.expressions import Sum, Symbol
 from graphkin.equations.formulas import ZERO, Letter, Node, Op, Row
 from graphkin.errors import Lang
 from graphkin.say.catalogue import phrase, say
-from graphkin.sheet import Sheet
+
+if TYPE_CHECKING:
+    from graphkin.sheet import Sheet
 
 By = Literal["complex", "matrix"]
 Cell = str | Node  # words or a formula

@@ -10,8 +10,6 @@ from typing import assert_never
 from graphkin.equations import document as parts
 from graphkin.equations.document import Block, Document
 from graphkin.equations.formulas import LATEX, MATHML, TEXT, Grid, Minus, Node, Op, Row, escaped, in_notation
-from graphkin.outputs.svg import inline
-from graphkin.outputs.tikz import LIBRARIES, picture
 from graphkin.outputs.typesetting import tex_text
 from graphkin.say.text_table import aligned, padded, width
 
@@ -138,6 +136,8 @@ def _block_html(block: Block) -> str:
             rows = "".join(f"<tr>{line}</tr>\n" for line in lines)
             return f"<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>"
         case parts.FigureNode():
+            from graphkin.outputs.svg import inline
+
             sheet = block.draw()
             titled = f'<svg role="img" aria-label="{escape(sheet.title)}" '
             drawing = inline(sheet).replace("<svg ", titled, 1)
@@ -150,8 +150,7 @@ def _html(part: str | Node) -> str:
     return escaped(part) if isinstance(part, str) else f"<math>{in_notation(part, MATHML)}</math>"
 
 
-_PREAMBLE = "\n".join(LIBRARIES) + r"""
-\usepackage[margin=20mm]{geometry}
+_PREAMBLE = r"""\usepackage[margin=20mm]{geometry}
 \usepackage{amsmath}
 \usepackage{graphicx}
 \usepackage{longtable}
@@ -168,11 +167,14 @@ _PREAMBLE = "\n".join(LIBRARIES) + r"""
 
 def write_tex(document: Document) -> str:
     """A whole document for xelatex or lualatex, in Chinese with the ctex class; English also for pdflatex."""
+    from graphkin.outputs.tikz import LIBRARIES
+
+    libraries = "\n".join(LIBRARIES)
     body = "\n\n".join(_block_tex(block) for block in document.blocks)
     chinese = any("\u2e80" <= c <= "\uffef" for c in document.title + body)
     return (
         rf"\documentclass[a4paper]{{{'ctexart' if chinese else 'article'}}}"
-        f"\n{_PREAMBLE}\\begin{{document}}\n{{\\Large\\bfseries {tex_text(document.title)}\\par}}\n\n"
+        f"\n{libraries}\n{_PREAMBLE}\\begin{{document}}\n{{\\Large\\bfseries {tex_text(document.title)}\\par}}\n\n"
         f"{body}\n\\end{{document}}\n"
     )
 
@@ -195,6 +197,8 @@ def _block_tex(block: Block) -> str:
             rows = "".join(" & ".join(_tex(cell) for cell in row) + " \\\\\n" for row in block.rows)
             return f"\\begin{{longtable}}{{@{{}}{columns}}}\n{heads} \\\\\n\\hline\n{rows}\\end{{longtable}}"
         case parts.FigureNode():
+            from graphkin.outputs.tikz import picture
+
             sheet = block.draw()
             return f"\\begin{{center}}\n{picture(sheet, 'black')}\n\n{tex_text(sheet.title)}\n\\end{{center}}"
         case _:

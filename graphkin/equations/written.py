@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from functools import partial
 from math import remainder
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from graphkin.base.geometry import Value, place
 from graphkin.equations.document import Block, By, Document, DocumentTable, EquationPage, FigureNode, listed, motion_of
 from graphkin.equations.expressions import Symbol
-from graphkin.equations.figure import figure
 from graphkin.equations.formulas import Call, Exp, Letter, Op, Row, Word
 from graphkin.equations.legend import LegendEntry
 from graphkin.equations.methods import write_complex, write_matrix
@@ -23,6 +23,9 @@ from graphkin.model.quantities import EDGE, Unit
 from graphkin.model.units import significant
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
+
+if TYPE_CHECKING:
+    from graphkin.sheet import Sheet
 
 _THETA, _I = Letter(Symbol("θ", kind="angle")), Word("i")
 _EULER = Row((Exp(Row((_I, _THETA))), Op("="), Call("cos", (_THETA,)), Op("+"), _I, Call("sin", (_THETA,))))
@@ -39,7 +42,7 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     """The document, filling the model's legend."""
     page = EquationPage(lang)
     page.say("equations.every vector", euler=_EULER)
-    page.blocks.append(FigureNode(partial(figure, model, say("equations.figure", lang), lang)))
+    page.blocks.append(FigureNode(partial(_figure, model, lang)))
     _write_drivers(model, page)
     before = len(page.blocks)
     if not model.tasks:
@@ -55,6 +58,12 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     mechanism = model.method.mechanism
     title = f"{mechanism.headline(lang)}{say('common.colon', lang)}{say(f'equations.method {by}', lang)}"
     return Document(title, tuple(page.blocks), by, lang, mechanism.name)
+
+
+def _figure(model: Model, lang: Lang) -> Sheet:
+    from graphkin.equations.figure import figure
+
+    return figure(model, say("equations.figure", lang), lang)
 
 
 def _write_drivers(model: Model, page: EquationPage) -> None:

@@ -21,16 +21,34 @@ How to add a sheet:
 
 from __future__ import annotations
 
-from graphkin.errors import TooLargeForPaper, UnknownPaper
-from graphkin.sheet.composition import Style
-from graphkin.sheet.mechanism_sheet import mechanism_sheet as sheet
-from graphkin.sheet.mechanism_sheet import mechanism_step_sheets as step_sheets
-from graphkin.sheet.mechanism_sheet import scales_of
-from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import PAPERS, Paper
-from graphkin.sheet.path_figure import Paths
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from graphkin.errors import TooLargeForPaper, UnknownPaper
+    from graphkin.sheet.composition import Style
+    from graphkin.sheet.mechanism_sheet import mechanism_sheet as sheet
+    from graphkin.sheet.mechanism_sheet import mechanism_step_sheets as step_sheets
+    from graphkin.sheet.mechanism_sheet import scales_of
+    from graphkin.sheet.page import Sheet
+    from graphkin.sheet.paper import PAPERS, Paper
+    from graphkin.sheet.path_figure import Paths
 
 __all__ = [
     "PAPERS", "Paper", "Paths", "Sheet", "Style", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet",
     "step_sheets",
 ]  # fmt: skip
+
+_HOMES = {
+    "TooLargeForPaper": "errors", "UnknownPaper": "errors", "Style": "sheet.composition", "Sheet": "sheet.page",
+    "PAPERS": "sheet.paper", "Paper": "sheet.paper", "Paths": "sheet.path_figure",
+}  # fmt: skip
+_CALLED = {"sheet": "mechanism_sheet", "step_sheets": "mechanism_step_sheets"}
+
+
+def __getattr__(name: str) -> Any:
+    """What letters a formula needs of a sheet is not all that draws one: public names are imported when first used."""
+    if name in __all__:
+        home = import_module(f"graphkin.{_HOMES.get(name, 'sheet.mechanism_sheet')}")
+        return getattr(home, _CALLED.get(name, name))
+    raise AttributeError(f"module 'graphkin.sheet' has no attribute {name!r}")
