@@ -14,6 +14,7 @@ velocity and its acceleration polygon step by step, and proves them right agains
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
     submissions: whatever students hand in -> the numbers in it, SI
     marking: a Key of a Method, and numbers -> verdicts, own values carried on, likely mistakes
+    photo: a picture of a sheet of paper -> polygons in mm, beside what `marking` expects
     homework: problems     a template with ranges -> a mechanism for each student, posed well and tellable
               grading      a key and files -> a record a submission
               platforms    sets and records -> files of teaching platforms, and back
@@ -61,7 +62,7 @@ __version__ = "0.2.0"
 
 ORDER = (
     "base", "errors", "construction", "model", "files", "planning", "running", "analytic", "proof", "studies", "check",
-    "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "homework", "handouts", "page",
+    "submissions", "marking", "photo", "results", "say", "sheet", "outputs", "equations", "api", "homework", "handouts", "page",
     "cli",
 )  # fmt: skip
 
