@@ -37,7 +37,8 @@ from graphkin.say.tolerances import tolerance_lines
 STEP = 1e-3
 """Of the pencil's errors."""
 WITHIN = 1.3
-PLACES = [*library.names()[:: 1 if "GRAPHKIN_RANDOM" in os.environ else 2], *(f"{family} {seed}" for family in FAMILIES for seed in range(1 + ("GRAPHKIN_RANDOM" in os.environ)))]
+ALL = "GRAPHKIN_RANDOM" in os.environ
+PLACES = [*library.names()[:: 1 if ALL else 4], *(f"{family} {seed}" for family in [*FAMILIES][:: 1 if ALL else 2] for seed in range(1 + ALL))]
 
 
 def mechanism(place: str) -> Mechanism:

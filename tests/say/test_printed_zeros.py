@@ -26,7 +26,7 @@ COMMANDS = (
     "handout @ --stage solution -o +.html", "draw @ -o +.svg",
 )  # fmt: skip
 ALL = "GRAPHKIN_RANDOM" in os.environ
-EVERY = 7
+EVERY = 14
 """Every command of every mechanism; else of each so many apart, in turns."""
 TURNED = ("solve @ --json", "explain @ --all")
 """At other angles of the crank, too: there something stands still, or moves straight. All, else one in turns."""
