@@ -1,7 +1,7 @@
 """Boxes and straight lines on paper, many at once: overlaps, crossings, distances.
 
-All are places (2, ..), x and y of each [mm], that broadcast against one another; a box is its corners low and high, a
-line its ends.
+All are places (2, ..), x and y of each [mm], or complex, that broadcast against one another; a box is its corners low
+and high, a line its ends.
 """
 
 from __future__ import annotations
@@ -41,6 +41,13 @@ def meet(start: Array, end: Array, other: Array, other_end: Array) -> Array:
 def _cross(along: Array, off: Array) -> Array:
     """The side of a line on which a place lies, by its sign."""
     return np.asarray(along[0] * off[1] - along[1] * off[0])
+
+
+def off_lines(places: Array | complex, start: Array | complex, end: Array | complex) -> Array:
+    """From the nearest place of a line to each place, all complex [mm]."""
+    along, off = np.asarray(end - start), places - start
+    part = np.clip((off * along.conj()).real / np.where(along == 0, 1.0, abs(along) ** 2), 0.0, 1.0)
+    return np.asarray(off - part * along)
 
 
 def beyond(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:

@@ -170,8 +170,7 @@ class LabelPlacing:
         """Labels that lie on another or on something drawn, out of their room, or under a leader."""
         places = self.standing()
         low, high = places.low, places.high
-        bad = ~self.scene.inside(low, high)
-        bad[self.scene.known.touched(low.T + _TOUCH, high.T - _TOUCH)] = True
+        bad = ~self.scene.inside(low, high) | self.scene.known.touched(low + _TOUCH, high - _TOUCH)
         least, most = places.reach
         near = overlap(least[:, :, None], most[:, :, None], least[:, None], most[:, None])
         np.fill_diagonal(near, False)
