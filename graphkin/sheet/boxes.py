@@ -6,6 +6,8 @@ and high, a line its ends.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from graphkin.base.geometry import Array
@@ -48,6 +50,12 @@ def off_lines(places: Array | complex, start: Array | complex, end: Array | comp
     along, off = np.asarray(end - start), places - start
     part = np.clip((off * along.conj()).real / np.where(along == 0, 1.0, abs(along) ** 2), 0.0, 1.0)
     return np.asarray(off - part * along)
+
+
+def free_about(places: Array, lines: Sequence[Sequence[complex]], most: float) -> Array:
+    """Distance of each place (n,) from the nearest of some lines, so far as it matters; all complex [mm]."""
+    ends = np.array(lines, dtype=complex).reshape(-1, 2).T
+    return np.asarray(abs(off_lines(places[:, None], *ends)).min(axis=1, initial=most))
 
 
 def beyond(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:

@@ -15,7 +15,7 @@ from graphkin.model.pairs import Slide
 from graphkin.planning import Method
 from graphkin.say.reading import driven_slides
 from graphkin.sheet import symbols
-from graphkin.sheet.boxes import off_lines
+from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import between, joined, link_label, quantity_label, vector_label
 from graphkin.sheet.marks import Mark, Place, Shows
@@ -210,8 +210,7 @@ def clearance(skeleton: Skeleton, *places: Place) -> float:
     pivots = [point for point in skeleton.points if FRAME in skeleton.mechanism.owners[point]]
     feet = [(at := skeleton.at(point), at + symbols.PIVOT_DEPTH * ground_way(point, skeleton)) for point in pivots]
     gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
-    ends = np.array([*skeleton.segments, *feet], dtype=complex).reshape(-1, 2).T
-    return min(*gaps, float(abs(off_lines(np.array(places)[:, None], *ends)).min(initial=np.inf)))
+    return float(free_about(np.array(places), [*skeleton.segments, *feet], min(gaps)).min())
 
 
 def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure, speed: str | None) -> None:

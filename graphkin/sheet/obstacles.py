@@ -52,8 +52,8 @@ class Obstacles:
         return np.asarray(self.around(low, high, (0.0,), 1)[0] > 0)
 
     def around(self, low: Array, high: Array, margins: Sequence[float], most: int | None = None) -> Array:
-        """To how many lines each of the boxes low..high (2, n) is nearer than each of some margins [mm]; so many at most,
-        where more would say nothing."""
+        """To how many lines each of the boxes low..high (2, n) is nearer than each of some margins [mm]; so many at
+        most, where more would say nothing."""
         counts, rows = np.zeros((len(margins), low.shape[1]), dtype=np.intp), np.arange(low.shape[1])
         for tree in range(len(self._trees)):
             counts[:, rows] += self._around(low[:, rows], high[:, rows], margins, tree)
