@@ -156,19 +156,19 @@ def head_size(vector: VectorMark) -> tuple[float, float]:
 
 def _melting(corners: Head, heads: Sequence[Head]) -> float:
     """The part of a head, or of a smaller one, that lies in another, so far as it is more than a little."""
-    near = (each for each in heads if abs(sum(each) - sum(corners)) < 6 * TIP)
-    return max([0.0, *(_share(corners, each) - _SHARE for each in near)])
+    near = [each for each in heads if abs(sum(each) - sum(corners)) < 6 * TIP]
+    return max(0.0, float(_shares(corners, np.array(near).T).max()) - _SHARE) if near else 0.0
 
 
-def _share(one: Head, other: Head) -> float:
-    """The part of the smaller triangle that lies in the other."""
-    small, large = sorted((one, other), key=lambda corners: abs(_across(*corners)))
-    u, v = _GRID
+def _shares(one: Head, others: Array) -> Array:
+    """The part of the smaller triangle that lies in the other, of one and each of others (3, n)."""
+    alike, larger = np.array(one)[:, None] + 0 * others, abs(_across(*one)) > abs(_across(*others))
+    small, large, (u, v) = np.where(larger, others, alike), np.where(larger, alike, others), _GRID[:, :, None]
     inside = small[0] + u * (small[1] - small[0]) + v * (small[2] - small[0])
-    sides = [_across(a, b, inside) for a, b in pairwise((*large, large[0]))]
-    return float((np.all([s >= 0 for s in sides], axis=0) | np.all([s <= 0 for s in sides], axis=0)).mean())
+    sides = np.array([_across(a, b, inside) for a, b in pairwise((*large, large[0]))])
+    return np.asarray(((sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)).mean(axis=0))
 
 
-def _across(a: complex, b: complex, c: complex | Array) -> Array:
+def _across(a: complex | Array, b: complex | Array, c: complex | Array) -> Array:
     """Twice the area of a triangle, with the sense of its turn."""
     return np.imag((b - a).conjugate() * (c - a))

@@ -1,10 +1,12 @@
 """Boxes and straight lines on paper, many at once: overlaps, crossings, distances.
 
-All are places (2, ..), x and y of each [mm], that broadcast against one another; a box is its corners low and high, a
-line its ends.
+All are places (2, ..), x and y of each [mm], or complex, that broadcast against one another; a box is its corners low
+and high, a line its ends.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -41,6 +43,19 @@ def meet(start: Array, end: Array, other: Array, other_end: Array) -> Array:
 def _cross(along: Array, off: Array) -> Array:
     """The side of a line on which a place lies, by its sign."""
     return np.asarray(along[0] * off[1] - along[1] * off[0])
+
+
+def off_lines(places: Array | complex, start: Array | complex, end: Array | complex) -> Array:
+    """From the nearest place of a line to each place, all complex [mm]."""
+    along, off = np.asarray(end - start), places - start
+    part = np.clip((off * along.conj()).real / np.where(along == 0, 1.0, abs(along) ** 2), 0.0, 1.0)
+    return np.asarray(off - part * along)
+
+
+def free_about(places: Array, lines: Sequence[Sequence[complex]], most: float) -> Array:
+    """Distance of each place (n,) from the nearest of some lines, so far as it matters; all complex [mm]."""
+    ends = np.array(lines, dtype=complex).reshape(-1, 2).T
+    return np.asarray(abs(off_lines(places[:, None], *ends)).min(axis=1, initial=most))
 
 
 def beyond(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:

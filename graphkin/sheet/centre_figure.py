@@ -156,8 +156,8 @@ def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
             spot.name, (Run(" "), *coordinates(paper.found, spot.place), Run(" mm")), _EDGE_ARROW)  # fmt: skip
         tried = [(start, along, start + length * along) for start, along in _places(paper, spot)]
         skew = [(start + 0.4j * along, end - 0.4j * along) for start, along, end in tried]  # a bar along it is crossed
-        crossed = obstacles([*drawn, *figure.marks]).crossed(*(xy(np.array(ends)).T for ends in zip(*skew)))
-        price = [min(hits, 6) + 0.4 * k for k, hits in enumerate(np.bincount(crossed, minlength=len(tried)).tolist())]
+        crossed = obstacles([*drawn, *figure.marks]).crossed(*(xy(np.array(ends)) for ends in zip(*skew)))
+        price = [min(hits, 6) + 0.4 * k for k, hits in enumerate(crossed.tolist())]
         for k, (start, _, end) in enumerate(tried):
             price[k] += 8 * any(min(abs(start - other), abs(end - other)) < _APART for other in off)
             price[k] += 30 * (not (paper.room.holds(start) and paper.room.holds(end)))

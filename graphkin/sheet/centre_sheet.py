@@ -47,7 +47,7 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
     for layout in sorted(layouts.values(), key=lambda one: -one.worth)[:_TRIES]:
         page = layout.page(found, lang)
         labels = page.panels[0].far
-        tried.append((labels.clashes, max(0, len(labels.led) - _CROWDED), len(tried), page))
+        tried.append((len(labels.clashing), max(0, len(labels.led) - _CROWDED), len(tried), page))
         if not any(tried[-1][:2]):
             break
     return min(tried)[-1].sheet()

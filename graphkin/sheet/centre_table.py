@@ -5,18 +5,19 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import replace
-from functools import partial
+
+import numpy as np
 
 from graphkin.base import geometry
 from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
+from graphkin.sheet.boxes import free_about
 from graphkin.sheet.centre_figure import Spot, centre_label, coordinates, spots
 from graphkin.sheet.layout import HEAD
 from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import PenName, Room
-from graphkin.sheet.skeleton import off_stretch
 from graphkin.sheet.titleblock import PITCH, Table, TableBlock, across
 from graphkin.studies.centres import Centres
 
@@ -86,16 +87,12 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
         for k, stage in enumerate(found.centring.stages, start=1)
     ]
     marks, balls = list[Mark](chords), list[Place]()
-
-    def room(at: Place, chord: Stroke) -> float:
-        """The distance of a place on a chord from other chords and numbers, as far as it matters [mm]."""
-        to_chord = min((off_stretch(at, *o.places) for o in chords if o is not chord), default=9.0)
-        to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)
-        return round(min(to_chord, to_ball, 5.0), 3)
-
     for chord in sorted(chords, key=lambda chord: abs(chord.places[1] - chord.places[0])):
-        spots = [chord.places[0] + share * (chord.places[1] - chord.places[0]) for share in _SHARES]
-        at = max(spots, key=partial(room, chord=chord))
+        start, end = chord.places
+        spots = np.array([start + share * (end - start) for share in _SHARES])
+        to_chord = free_about(spots, [other.places for other in chords if other is not chord], 5.0)
+        room = np.minimum(to_chord, free_about(spots, [(ball, ball) for ball in balls], 5.0 + _BALL) - _BALL)
+        at = complex(spots[np.round(room, 3).argmax()])
         balls.append(at)
         label = plain(str(chord.step))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)

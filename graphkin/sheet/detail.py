@@ -203,11 +203,9 @@ def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
                 yield Stroke(piece, pen, step=step)
         case Stroke(places=places, closed=closed):
             yield from _pieces((*places, places[0]) if closed else places, mark, circle)
-        case Disc(centre, radius):
-            around = tuple(centre + cmath.rect(radius, k * cmath.pi / 60) for k in range(121))
-            yield from _pieces(around, Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
-        case ArcMark():
-            yield from _pieces(arc_places(mark), Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
+        case Disc() | ArcMark():
+            arc = mark if isinstance(mark, ArcMark) else ArcMark(mark.centre, mark.radius, 0.0, cmath.tau)
+            yield from _pieces(arc_places(arc), Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
         case _:
             pass
 

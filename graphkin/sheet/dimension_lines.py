@@ -12,7 +12,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache, cached_property, partial
-from itertools import islice, product
+from itertools import count, islice, product
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME
@@ -33,7 +33,7 @@ _GAPS = (1.1, 1.9)  # between a line and its letters [mm]
 _OFFSETS = (7.5, 11.0, 16.0, 22.0)  # of a dimension line from what it measures [mm]
 _RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
 _BLOCK, _GROUND = 6.2, 7.0  # from the middle of a block, from a pivot past its ground to an extension line [mm]
-_AT_ONCE = 10  # ways that are tried together
+_AT_ONCE = 10  # ways that are tried together; then twice as many, and so on
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
 _CLEAR = 2.2  # between an arc and what else there is [mm]
@@ -71,8 +71,8 @@ class DimensionLines:
 
     def draw(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""
-        every = self._trials(size)
-        while trials := list(islice(every, _AT_ONCE)):
+        every, at_once = self._trials(size), count(_AT_ONCE, _AT_ONCE)  # what finds no room soon is tried in many ways
+        while trials := list(islice(every, next(at_once))):
             for number in self.free.fitting([(trial.free, trial.crossing) for trial in trials])[:1]:
                 trial = trials[number]
                 marks = [replace(mark, accent="grey") if size.derived and isinstance(mark, Stroke | Text) else mark

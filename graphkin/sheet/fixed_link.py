@@ -7,16 +7,19 @@ import math
 from collections.abc import Sequence
 from itertools import chain
 
+import numpy as np
+
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
 from graphkin.planning import Method
 from graphkin.say.reading import driven_slides
 from graphkin.sheet import symbols
+from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import between, joined, link_label, quantity_label, vector_label
 from graphkin.sheet.marks import Mark, Place, Shows
-from graphkin.sheet.skeleton import Skeleton, crossing, off_stretch
+from graphkin.sheet.skeleton import Skeleton, crossing
 from graphkin.sheet.wheels import circles, follower, wheels_of
 from graphkin.sheet.window import Figure
 
@@ -206,9 +209,8 @@ def clearance(skeleton: Skeleton, *places: Place) -> float:
     """Distance of places from the nearest link, as far as it matters to the eye [mm]."""
     pivots = [point for point in skeleton.points if FRAME in skeleton.mechanism.owners[point]]
     feet = [(at := skeleton.at(point), at + symbols.PIVOT_DEPTH * ground_way(point, skeleton)) for point in pivots]
-    stretches = [*skeleton.segments, *feet]
     gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
-    return min([*gaps, *(off_stretch(place, start, end) for start, end in stretches for place in places)])
+    return float(free_about(np.array(places), [*skeleton.segments, *feet], min(gaps)).min())
 
 
 def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure, speed: str | None) -> None:

@@ -184,7 +184,7 @@ def _clear(free: Array, low: Array, high: Array, lying: Sequence[Obstacles]) -> 
     """True for those of the boxes so far free that keep off all that lies there."""
     for each in lying:
         rows = np.flatnonzero(free)
-        free[rows[each.touched(low[rows] - _CLEAR, high[rows] + _CLEAR)]] = False
+        free[rows] = ~each.touched(low[rows].T - _CLEAR, high[rows].T + _CLEAR)
     return free
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import filled
-from graphkin.sheet.boxes import meet, xy
+from graphkin.sheet.boxes import meet, off_lines, xy
 from graphkin.sheet.label_costs import LabelPlaces
 from graphkin.sheet.label_requests import CRAMMED, LONGEST, SIGN, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
@@ -93,19 +93,18 @@ class LabelScene:
         rows = np.flatnonzero(inside | ~np.isin(owner, owner[inside]))
         owner, places, inside, cost = owner[rows], places.take(rows, axis=2), inside[rows], spots.cost[rows]
         (low, high), leader = places[:2], places[2:]
-        close, hits = self.known.around(low, high, (_EASY, _CLEAR))
-        cost = cost + _CLOSE * np.minimum(close, 6) + _LINE * np.minimum(hits, _ON) + _OUTSIDE * ~inside
+        close, hits = self.known.around(low, high, (_EASY, _CLEAR), 6)
+        cost = cost + _CLOSE * close + _LINE * np.minimum(hits, _ON) + _OUTSIDE * ~inside
         if self.giving_way:
-            cost += _COVERED * np.minimum(self._covered.around(low, high, (_WHOLE,))[0], 2)
+            cost += _COVERED * self._covered.around(low, high, (_WHOLE,), 2)[0]
         free = inside & (hits == 0)
         rows = np.flatnonzero(free)
         if near:
             strange = self.arrows.strange(self.wanted, owner[rows], low[:, rows].T, high[:, rows].T)
         else:
-            start, end = leader.take(rows, axis=2).swapaxes(1, 2)
-            strange = self.arrows.unclear(self.wanted, owner[rows], start, end)
-            cost[rows] += _CROSSED * np.bincount(self.known.crossed(start, end), minlength=len(rows))
-            cost[rows] += _LETTERED * (np.bincount(self.letters.crossed(start, end), minlength=len(rows)) > 0)
+            start, end = leader.take(rows, axis=2)
+            strange = self.arrows.unclear(self.wanted, owner[rows], start.T, end.T)
+            cost[rows] += _CROSSED * self.known.crossed(start, end) + _LETTERED * (self.letters.crossed(start, end) > 0)
         cost[rows] += STRANGE * strange
         free[rows] &= strange == 0
         all_ = LabelPlaces(places, np.full(len(cost), not near), cost, free)
@@ -138,9 +137,8 @@ class Arrows:
 
     def hold(self, want: LabelRequest) -> Array:
         """The arrows on which all that a label names lies."""
-        places, along = np.array([want.start, want.place]), self.end - self.start
-        part = np.clip(((places[:, None] - self.start) / along).real, 0, 1)
-        return np.asarray((np.abs(self.start + part * along - places[:, None]) < _SHORTEST).all(axis=0))
+        places = np.array([[want.start], [want.place]])
+        return np.asarray((abs(off_lines(places, self.start, self.end)) < _SHORTEST).all(axis=0))
 
     def strange(self, wanted: Sequence[LabelRequest], owner: Array, low: Array, high: Array) -> Array:
         """Boxes low..high of labels that stand beyond another line than their owner's, or nearer to another arrow; or
@@ -153,9 +151,8 @@ class Arrows:
                 own |= self.hold(want)  # arrows that lie on one another are one line
                 apart = self._apart(low[rows, None], high[rows, None])
                 strange[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER
-                along = want.place * 2 - 2 * want.start
-                part = np.clip(((middle - want.start) / along).real, 0, 1) if along else 0
-                strange[rows] |= self._crossed(middle, want.start + part * along, ~own)
+                off = off_lines(middle, want.start, 2 * want.place - want.start)
+                strange[rows] |= self._crossed(middle, middle - off, ~own)
             elif want.end is None:
                 places = np.array([want.start, *self.points[np.abs(self.points - want.start) > _SAME]])
                 off = np.maximum(low[rows, None] - xy(places).T, xy(places).T - high[rows, None])
@@ -183,10 +180,8 @@ class Arrows:
 
     def _beside(self, own: complex, start: Array, end: Array, others: Array) -> Array:
         """Leaders that end close to some arrows, but for parallel ones on the other side of their own."""
-        first, along = self.start[others], self.end[others] - self.start[others]
-        off = end[:, None] - first
-        part = np.clip((off * along.conj()).real / (along * along.conj()).real, 0.0, 1.0)
-        off -= part * along  # from the near place of each
+        first, last = self.start[others], self.end[others]
+        along, off = last - first, off_lines(end[:, None], first, last)
         apart, side = np.abs(off), ((start - end) * own.conjugate()).imag[:, None] * (off * own.conjugate()).imag
         parallel = np.abs((along * own.conjugate()).imag) < _PARALLEL * np.abs(along) * abs(own)
         return np.asarray(((apart < _OWN) & ~(parallel & (apart > _ASIDE) & (side > 0))).any(axis=1))
@@ -200,12 +195,8 @@ class Arrows:
     def _apart(self, low: Array, high: Array) -> Array:
         """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""
         (left, top), (right, bottom) = np.moveaxis(low, -1, 0), np.moveaxis(high, -1, 0)
-        along = self.end - self.start
-        distances = []
-        for corner in (x + 1j * y for x in (left, right) for y in (top, bottom)):
-            off = corner - self.start
-            part = np.clip((off * along.conj()).real / (along * along.conj()).real, 0.0, 1.0)
-            distances.append(np.abs(off - part * along))
+        corners = (x + 1j * y for x in (left, right) for y in (top, bottom))
+        distances = [abs(off_lines(corner, self.start, self.end)) for corner in corners]
         for end in (self.start, self.end):
             across = np.maximum(np.maximum(left - end.real, end.real - right), 0.0)
             distances.append(np.hypot(across, np.maximum(np.maximum(top - end.imag, end.imag - bottom), 0.0)))

@@ -170,8 +170,7 @@ class LabelPlacing:
         """Labels that lie on another or on something drawn, out of their room, or under a leader."""
         places = self.standing()
         low, high = places.low, places.high
-        bad = ~self.scene.inside(low, high)
-        bad[self.scene.known.touched(low.T + _TOUCH, high.T - _TOUCH)] = True
+        bad = ~self.scene.inside(low, high) | self.scene.known.touched(low + _TOUCH, high - _TOUCH)
         least, most = places.reach
         near = overlap(least[:, :, None], most[:, :, None], least[:, None], most[:, None])
         np.fill_diagonal(near, False)
@@ -202,10 +201,6 @@ class Settled(NamedTuple):
     unclear: Sequence[int] = ()
     places: LabelPlacing | None = None
 
-    @property
-    def clashes(self) -> int:
-        return len(self.clashing)
-
     def burdens(self, wanted: Sequence[LabelRequest]) -> Array:
         """The burden of each label on the eye; one that says nothing new can be left out."""
         burdens = np.zeros(len(wanted))
@@ -220,17 +215,17 @@ def burden(each: Array) -> float:
     return float(each.sum() + _MORE * max(0, int(np.count_nonzero(each)) - _EASY))
 
 
-def settle(scene: LabelScene, crowd: bool = False, near: Settled | None = None) -> Settled:
-    """The labels (and their leaders) at their places among what is drawn; `crowd`: on nothing else at any price, and
-    those that say nothing new left out for that; near: as they stand otherwise."""
+def settle(scene: LabelScene, near: Settled | None = None) -> Settled:
+    """The labels (and their leaders) at their places among what is drawn; near: as they stand where that is a crowd:
+    now on nothing else at any price, and those that say nothing new left out for that."""
     if not scene.wanted:
         return Settled([], ())
     many = len(scene.wanted) > MANY  # of which no care helps those that have no room
     places = (near and near.places) or LabelPlacing(scene, NEAR if many and scene.crammed else LED)
-    if crowd and not many:
+    if near and not many:
         places.look_farther(FAR)
     clashing, unclear = places.clashing(), places.unclear()
-    for most in (1, 2) * _ROUNDS if crowd else ():
+    for most in (1, 2) * _ROUNDS if near else ():
         if out := _left_out(scene.wanted, places.stands, clashing, unclear if most == 1 else (), most):
             places.leave_out(out)
             clashing, unclear = places.clashing(), places.unclear()

@@ -141,7 +141,7 @@ class Arrangement:
         contents = self.contents
         for plane in sorted(contents.planes, key=lambda plane: (plane not in contents.detailed, plane == "position")):
             panel = contents.panel(self.layout, plane)
-            yield (price := round(price + _LOST * panel.near.clashes + burden(panel.burdens), 6))
+            yield (price := round(price + _LOST * len(panel.near.clashing) + burden(panel.burdens), 6))
 
     @cached_property
     def burdens(self) -> dict[Plane, Array]:

@@ -278,7 +278,7 @@ def lettered(
         for k in (k for k in wants if k in looked_at):  # the number of things on which each of the places lies
             near = nearby[k]
             low, high = xy(near.middle - half - clear), xy(near.middle + half + clear)
-            cost = _LIKING * near.cost + np.bincount(drawn[k].touched(low.T, high.T), minlength=len(near.middle))
+            cost = _LIKING * near.cost + drawn[k].around(low, high, (0.0,))[0]
             outside = ([room.left, room.top] > low.T).any(axis=1) | ([room.right, room.bottom] < high.T).any(axis=1)
             costs.append(cost + _on_others(near.middle, half, letters[k], halves[k]).sum(axis=1) + _OUTSIDE * outside)
             sides.append(near.middle - wants[k].place)

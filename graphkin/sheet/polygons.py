@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from itertools import chain
+
+import numpy as np
 
 from graphkin.base import geometry
 from graphkin.base.geometry import place
@@ -17,10 +17,11 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.planning.at_rest import relabelled
 from graphkin.planning.method import rate_found
+from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, vector_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark
-from graphkin.sheet.skeleton import hull, in_line, off_stretch
+from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
 
@@ -70,25 +71,17 @@ def _centre(method: Method, wheel: Wheel) -> str | None:
     return next((name for name, site in at_centre if site is not None and site.link in owners), None)
 
 
-def gear_circles(
-    images: Sequence[GearImage], window: Window, arrows: Sequence[VectorMark], places: Sequence[Place]
-) -> Figure:
-    """Thin circles with their letters, each where little else lies."""
-    figure = Figure()
-    drawn = [(window(image.at), image.radius / window.scale) for image in images]
+def gear_circles(images: Sequence[GearImage], window: Window, others: Sequence[tuple[Place, Place]]) -> Figure:
+    """Thin circles with their letters, each where it is far from other lines."""
+    figure, drawn = Figure(), [(window(image.at), image.radius / window.scale) for image in images]
     for image, (at, radius) in zip(images, drawn, strict=True):
-        if radius < _LEAST:
-            continue
-        figure.marks.append(Disc(at, radius, "thin", step=image.step))
-        others = [circle for circle in drawn if circle != (at, radius)]
-        rim = [at + cmath.rect(radius, math.radians(15 + 30 * k)) for k in range(12)]
-        gaps = [
-            min([9.0, *(abs(spot - place) for place in places), *(abs(abs(spot - o) - r) for o, r in others),
-                 *(off_stretch(spot, arrow.start, arrow.end) for arrow in arrows)])
-            for spot in rim
-        ]  # fmt: skip
-        spot = rim[gaps.index(max(gaps))]
-        figure.wanted.append(LabelRequest(image.label, spot, gap=0.4, away=(spot - at) / radius, step=image.step))
+        if radius >= _LEAST:
+            rim = at + radius * np.exp(1j * np.radians(np.arange(15, 360, 30)))
+            rims = [abs(abs(rim - centre) - other) for centre, other in drawn if (centre, other) != (at, radius)]
+            spot = complex(rim[np.min([*rims, free_about(rim, others, 9.0)], axis=0).argmax()])
+            away = (spot - at) / radius
+            figure.marks.append(Disc(at, radius, "thin", step=image.step))
+            figure.wanted.append(LabelRequest(image.label, spot, gap=0.4, away=away, step=image.step))
     return figure
 
 
@@ -262,7 +255,8 @@ def named_site(site: Site) -> str:
 def polygon_figure(polygon: PolygonFigure) -> Figure:
     """Images as thin lines, then arrows, then points."""
     vectors, plane = list(polygon.vectors()), polygon.construction.plane
-    rims = gear_circles(polygon.gears, polygon.window, vectors, list(polygon.named.values()))
+    ends = [*((vector.start, vector.end) for vector in vectors), *((at, at) for at in polygon.named.values())]
+    rims = gear_circles(polygon.gears, polygon.window, ends)
     marks = [*_image_lines(polygon, vectors), *rims.marks, *vectors]
     for name, at in polygon.named.items():
         marks.append(PointMark(plane, name, polygon.of(name), at, step=polygon.step(name), site=polygon.site(name)))

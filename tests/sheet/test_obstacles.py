@@ -48,8 +48,10 @@ def _xy(places: Any) -> list[tuple[float, float]]:
     return [(place.real, place.imag) for place in places]
 
 
+@pytest.mark.parametrize("at_once", [1000, 70])
 @pytest.mark.parametrize("seed", range(3))
-def test_boxes_and_lines_touch_what_they_touch(seed: int) -> None:
+def test_boxes_and_lines_touch_what_they_touch(seed: int, at_once: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("graphkin.sheet.obstacles._AT_ONCE", at_once)
     rng = random.Random(seed)
     marks = list(_marks(rng))
     things = [shape for _, shape in marks]
@@ -58,9 +60,10 @@ def test_boxes_and_lines_touch_what_they_touch(seed: int) -> None:
     high, end = low + dice.uniform(2, 9, low.shape), low + dice.uniform(-30, 30, low.shape)  # as large as letters are
     boxes, lines = shapely.box(*low.T, *high.T), shapely.linestrings(np.stack([low, end], axis=1))
     rims = [thing.exterior if isinstance(thing, shapely.Polygon) else thing for thing in things]
-    assert sorted({*known.touched(low, high).tolist()}) == _met(boxes, things)
-    assert {*_met(lines, rims)} <= {*known.crossed(low, end).tolist()} <= {*_met(lines, things)}
+    assert np.flatnonzero(known.touched(low.T, high.T)).tolist() == _met(boxes, things)
+    assert {*_met(lines, rims)} <= {*np.flatnonzero(known.crossed(low.T, end.T))} <= {*_met(lines, things)}
     wide, narrow = known.around(low.T, high.T, (1.3, 0.4))
+    assert (known.around(low.T, high.T, (1.3, 0.4), 2) == np.minimum([wide, narrow], 2)).all()
     for margin, counted in ((1.3, wide), (0.4, narrow)):
         assert np.flatnonzero(counted).tolist() == _met(shapely.box(*(low - margin).T, *(high + margin).T), things)
 
