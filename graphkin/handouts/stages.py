@@ -252,6 +252,8 @@ def blocks_of(entries: Sequence[entry.Entry], lang: Lang, points: Collection[str
         match each:
             case entry.Heading(text):
                 yield document.HandoutHeading(plain(text))
+            case entry.Sentence(text, item=True):
+                yield document.FormulaLine(lettered(text, points))
             case entry.Sentence(text, act):
                 number = str(act.number) if act is not None and act.numbered else ""
                 yield document.Paragraph(lettered(text, points), number)
@@ -275,8 +277,9 @@ def rows(equation: entry.VectorEquation, lang: Lang, points: Collection[str]) ->
 
 def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | None = None) -> document.HandoutPicture:
     """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
-    method, plot, lang = problem.drawing.method, problem.drawing.plot, problem.lang
-    drawn = mechanism_sheet(method, plot, lang=lang, only=plane, style=style, tight=True)
+    drawing, lang = problem.drawing if style == "given" else problem.told, problem.lang
+    drawn = mechanism_sheet(drawing.method, drawing.plot, lang=lang, only=plane, style=style, tight=True,
+                            equations=False)  # fmt: skip
     if last is not None:
         drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
