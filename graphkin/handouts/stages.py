@@ -20,12 +20,13 @@ from graphkin.outputs.letters import lettered
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import Label, formula, joined, plain
+from graphkin.sheet.lettering import Label, formula, joined, plain, width
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import finest, written
 
-_HIGH, _LOW, _LINE, _ROW = 200.0, 70.0, 6.2, 7.5  # of a page but for a problem's lines and answers, and of each [mm]
+_HIGH, _LOW, _ROW = 196.0, 70.0, 7.5  # of a page but for a problem's entries and answers, and of an answer [mm]
+_ENTRY, _LINE, _WIDE, _LETTERS = 6.4, 4.9, 170.0, 3.7  # of an entry, of each further line of it; a page's width [mm]
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
@@ -186,7 +187,9 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
         problem = replace(problem, drawing=replace(problem.drawing, plot=shown[0]))
     figure = _figure(problem, "position", "construction" if solved else "given")
     notes = [] if there else [say("handouts.elsewhere", problem.lang)]
-    least = max(_LOW, _HIGH - _LINE * len(problem.posed) - _ROW * len(problem.asked.wanted))
+    texts = [each.text for each in problem.posed if isinstance(each, entry.Sentence | entry.Heading)]
+    further = sum(int(width(formula(text), _LETTERS) / _WIDE) for text in texts)
+    least = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - _ROW * len(problem.asked.wanted))
     if (high := figure.sheet.paper.height) > least:
         scale = finest(complex(0, high * problem.scales["position"]), complex(1, least))
         machine = replace(method.mechanism, scales={**method.mechanism.scales, "length": scale})
