@@ -250,7 +250,7 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
             image = _image(pictures, svg(sheet), sheet.paper.width, words)
             return f"#figure({image}, caption: [#{_string(number)}], numbering: none, gap: 2mm)\n"
         case document.GridRoom():
-            image = _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
+            image = _image(pictures, room_svg(block), block.width, block.words)
             return f"#align(center, {image})\n"
         case document.HandoutTable():
             return f"#block(breakable: false, width: 100%, {_table(block, wide)})\n"
