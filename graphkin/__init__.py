@@ -73,12 +73,12 @@ _HOMES = {
     "check": "measure",
     "errors": "GraphkinError",
     "files": "MechanismFile from_dict loads",
-    "handouts.problem_folder": "problems",
     "handouts.saving": "handout",
     "homework.result_files": "grade_into",
     "homework.grading": "grade power tolerance",
     "model.readout": "State",
     "outputs.tables": "SweepFrames",
+    "page.board_set": "problems",
     "page.saved": "play",
 }
 _CALLED = {"Mechanism": "MechanismFile", "Sweep": "SweepFrames"}
@@ -97,12 +97,12 @@ if TYPE_CHECKING:
     from graphkin.errors import GraphkinError
     from graphkin.files import MechanismFile as Mechanism
     from graphkin.files import from_dict, loads
-    from graphkin.handouts.problem_folder import problems
     from graphkin.handouts.saving import handout
     from graphkin.homework.grading import grade, power, tolerance
     from graphkin.homework.result_files import grade_into
     from graphkin.model.readout import State
     from graphkin.outputs.tables import SweepFrames as Sweep
+    from graphkin.page.board_set import problems
     from graphkin.page.saved import play
 
 

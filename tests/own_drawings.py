@@ -111,7 +111,7 @@ def one_link(of: Of) -> Iterator[str]:
     seen = about(of.centres, of.rng.choice(list(of.mechanism.moving)))
     yield svg(about_sheet(seen, lang=of.lang))
     drawn = bobillier(seen, of.rng.choice(of.mechanism.points))
-    whole = bobillier_sheet(seen, drawn, lang=of.lang)
+    whole = bobillier_sheet(drawn, lang=of.lang)
     yield svg(whole)
     yield svg(of.rng.choice(list(step_sheets(whole, range(1, len(drawn.construction.stages) + 1)))))
 

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Literal, overload
 
 from graphkin.api.drawing import Drawing, Source, Values, in_python, load, method_of, placed
 from graphkin.base.plain import Plain
-from graphkin.errors import BadPair, Lang, NothingDrawn, OutOfRange, Where, WrongCount
+from graphkin.errors import BadPair, Lang, NeedsTwoLinks, NothingDrawn, OutOfRange, UnknownPoint, Where, WrongCount
 from graphkin.files.values import quantity_at
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from graphkin.sheet import Sheet
     from graphkin.studies.assur import Structure
     from graphkin.studies.centres import Centres
+    from graphkin.studies.centres.about import About
+    from graphkin.studies.centres.about_bobillier import Bobillier
+    from graphkin.studies.centres.centrodes import Centrodes
     from graphkin.studies.design import Design
     from graphkin.studies.finding import Findings, VaryingTable
     from graphkin.studies.linkages import Linkage, Report
@@ -113,12 +116,66 @@ def from_lengths(kind: str, sizes: Sequence[Size], driver: str) -> Linkage:
     return linkages.from_lengths(kind, *lengths, driver=driver)
 
 
-def centres(mechanism: Source | Method, values: Values = None) -> Centres:
-    """All instant centres at the drawn position, or at driver values [deg, mm]; `names`, `board` hold them [m]."""
-    from graphkin.studies.centres import centres
+@overload
+def centres(mechanism: Source | Method, values: Values = None) -> Centres: ...
+@overload
+def centres(mechanism: Source | Method, values: Values = None, *, about: str) -> About: ...
+@overload
+def centres(mechanism: Source | Method, values: Values = None, *, about: str, bobillier: str) -> Bobillier: ...
+@overload
+def centres(
+    mechanism: Source | Method, values: Values = None, *, centrodes: str, ranges: str | Sequence[str] = ()
+) -> Centrodes: ...
+@overload
+def centres(
+    mechanism: Source | Method, values: Values = None, *, path: str, ranges: str | Sequence[str] = ()
+) -> Centrodes: ...
+def centres(
+    mechanism: Source | Method, values: Values = None, *, about: str = "", bobillier: str = "", centrodes: str = "",
+    path: str = "", ranges: str | Sequence[str] = (),
+) -> Centres | About | Bobillier | Centrodes:  # fmt: skip
+    """All instant centres at the drawn position, or at driver values [deg, mm]; `names`, `board` hold them [m]; or what
+    lies around them, as `graphkin centres` names it.
+
+    about      a link about its pole; with `bobillier`, a point: the centre of curvature of its path
+    centrodes  two links, "3,1"; path: a centre, "P13"; both over ranges "AB=0:90:1", else all that moves
+
+    >>> centres("fig3-4", about="3", bobillier="E").answer, centres("fig3-6", centrodes="3,1").name
+    ('K_E', 'P13')
+    """
+    from graphkin.studies import centres as found
 
     drawing = Drawing.of(mechanism, values)
-    return centres(drawing.method, drawing.plot)
+    with in_python():
+        return around(found.centres(drawing.method, drawing.plot), about, bobillier, centrodes, path, ranges)
+
+
+def around(
+    found: Centres, link: str = "", point: str = "", pair: str = "", centre: str = "", ranges: str | Sequence[str] = ()
+) -> Centres | About | Bobillier | Centrodes:
+    """The centres, or what the options of the command name around them."""
+    from graphkin.studies import sweeps
+    from graphkin.studies.centres import centrodes
+    from graphkin.studies.centres.about import about
+    from graphkin.studies.centres.about_bobillier import bobillier
+
+    if pair or centre:
+        ranges = [ranges] if isinstance(ranges, str) else ranges
+        course = sweeps.course(found.method, ranges)
+        sweeps.prove(course)
+        span = None if ranges else centrodes.whole(course)
+        if centre:
+            return centrodes.path(found, centre, course, span)
+        first, comma, second = pair.partition(",")
+        if not comma:
+            raise NeedsTwoLinks(Where("--centrodes"), pair)
+        return centrodes.centrodes(found, first.strip(), second.strip(), course, span)
+    if not (link or point):
+        return found
+    if point and point not in (points := found.method.mechanism.points):
+        raise UnknownPoint(Where("--bobillier"), point, points)
+    seen = about(found, link)
+    return bobillier(seen, point) if point else seen
 
 
 # --- design -----------------------------------------------------------------------------------
@@ -200,7 +257,8 @@ _READERS = {
     "VaryingTable": ("say.finding.finding_table", "studies.finding.table_json", ""),
     "Centres": ("say.centre_velocities.centre_lines", "studies.centres.as_json", "sheet.centre_sheet.centre_sheet"),
     "About": ("say.centre_about.about_words", "studies.centres.about.about_json", "sheet.about_sheet.about_sheet"),
-    "Bobillier": ("say.centre_about.bobillier_words", "", ""),
+    "Bobillier": ("say.centre_about.bobillier_lines", "studies.centres.about_bobillier.bobillier_json",
+                  "sheet.about_sheet.bobillier_sheet"),
     "Centrodes": ("say.centre_about.curve_lines", "studies.centres.centrodes.centrodes_json",
                   "sheet.centrode_sheet.centrode_sheet"),
     "Design": ("say.design.lines", "outputs.study_json.as_json", "sheet.design_sheet.design_sheet"),

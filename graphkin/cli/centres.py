@@ -11,13 +11,11 @@ import click
 from graphkin.base.value import frozen
 from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
-from graphkin.errors import Lang, UnknownCentre, UnknownPoint, Where
+from graphkin.errors import Lang
 
 if TYPE_CHECKING:
     from graphkin.sheet import Sheet
     from graphkin.studies.centres import Centres
-    from graphkin.studies.centres.about import About
-    from graphkin.studies.centres.about_bobillier import Bobillier
     from graphkin.studies.centres.centrodes import Centrodes
 
 Pages = list[tuple[Path, bytes | str]]
@@ -102,48 +100,17 @@ class _CentreCommand:
         drawing = shared.drawing(shared.read(source), self.at)
         return find(drawing.method, drawing.plot)
 
-    def _curves(self, found: Centres) -> Centrodes:
-        """The centrodes, or the path of a centre, that the options name."""
-        from graphkin.studies import sweeps
-        from graphkin.studies.centres.centrodes import centrodes, path, whole
+    def _answer(self, found: Centres) -> object:
+        """The centres, or what the options name around them."""
+        from graphkin.api.answers import around
 
-        course = sweeps.course(found.method, self.ranges)
-        sweeps.prove(course)
-        span = None if self.ranges else whole(course)
-        if self.centre:
-            try:
-                return path(found, self.centre, course, span)
-            except UnknownCentre as error:
-                raise error.at(Where("--path")) from None
-        first, comma, second = self.pair.partition(",")
-        if not comma:
-            raise click.UsageError("--centrodes takes two links: --centrodes 3,1")
-        return centrodes(found, first.strip(), second.strip(), course, span)
-
-    def _bobillier(self, found: Centres, pole: About) -> Bobillier:
-        from graphkin.studies.centres.about_bobillier import bobillier
-
-        points = found.method.mechanism.points
-        if self.point not in points:
-            raise UnknownPoint(Where("--bobillier"), self.point, points)
-        return bobillier(pole, self.point)
+        return around(found, self.link, self.point, self.pair, self.centre, self.ranges)
 
     def _lines(self, found: Centres) -> Iterator[str]:
-        """Of what the options name; a blank line between two answers, of which data have the first."""
         from graphkin.api.answers import data_of, lines_of
 
-        answers = [self._curves(found)] if self.pair or self.centre else self._about(found) if self.link else [found]
-        if self.as_json:
-            yield shared.json_line(data_of(answers[0]))
-            return
-        for k, answer in enumerate(answers):
-            yield from ([""] if k else []) + lines_of(answer, self.lang)
-
-    def _about(self, found: Centres) -> list[object]:
-        from graphkin.studies.centres.about import about
-
-        pole = about(found, self.link)
-        return [pole, self._bobillier(found, pole)] if self.point else [pole]
+        answer = self._answer(found)
+        yield from [shared.json_line(data_of(answer))] if self.as_json else lines_of(answer, self.lang)
 
     def _pole_of_two_velocities(self) -> None:
         from graphkin.outputs import svg
@@ -163,9 +130,11 @@ class _CentreCommand:
     def _pages(self, found: Centres) -> Pages:
         """The sheet, and one sheet a step."""
         from graphkin.outputs import svg
+        from graphkin.studies.centres.centrodes import Centrodes
 
-        rolling = bool(self.pair or self.centre)
-        whole, sheets, kind = self._rolling_sheets(found) if rolling else self._sheets(found)
+        answer = self._answer(found)
+        drawn = self._rolling_sheets(answer) if isinstance(answer, Centrodes) else self._sheets(answer)
+        whole, sheets, kind = drawn
         name = found.method.mechanism.name
         pages: Pages = []
         if self.output is not None:
@@ -174,30 +143,25 @@ class _CentreCommand:
             pages += [(self.steps / f"{name}-{kind}-{k:02d}.svg", svg.svg(page)) for k, page in enumerate(sheets, 1)]
         return pages
 
-    def _sheets(self, found: Centres) -> tuple[Sheet, Iterable[Sheet], str]:
-        """The sheet that the options name, one for each step, and what they are called."""
+    def _sheets(self, answer: object) -> tuple[Sheet, Iterable[Sheet], str]:
+        """The sheet of an answer, one for each step, and what they are called."""
         from graphkin.api.answers import sheet_of
-        from graphkin.sheet.about_sheet import bobillier_sheet
-        from graphkin.sheet.page import step_sheets
-        from graphkin.studies.centres.about import about
+        from graphkin.studies.centres import Centres
+        from graphkin.studies.centres.about_bobillier import Bobillier
 
-        if not self.link:
-            whole = sheet_of(found, self.lang, self.paper, fit=self.fit)
-            return whole, whole.step_sheets(range(1, len(found.centring.stages) + 1)), "centres"
-        pole = about(found, self.link)
-        if not self.point:
-            whole = sheet_of(pole, self.lang, self.paper)
-            return whole, (whole,), f"about-{self.link}"
-        curvature = self._bobillier(found, pole)
-        drawn = bobillier_sheet(pole, curvature, paper=self.paper, lang=self.lang)
-        return drawn, step_sheets(drawn, range(1, len(curvature.construction.stages) + 1)), f"bobillier-{self.point}"
+        whole = sheet_of(answer, self.lang, self.paper, **({"fit": self.fit} if isinstance(answer, Centres) else {}))
+        if isinstance(answer, Centres):
+            return whole, whole.step_sheets(range(1, len(answer.centring.stages) + 1)), "centres"
+        if isinstance(answer, Bobillier):
+            stages = range(1, len(answer.construction.stages) + 1)
+            return whole, whole.step_sheets(stages), f"bobillier-{self.point}"
+        return whole, (whole,), f"about-{self.link}"
 
-    def _rolling_sheets(self, found: Centres) -> tuple[Sheet | str, Iterable[Sheet], str]:
-        """The same of centrodes: the sheet, or the drawing that moves."""
+    def _rolling_sheets(self, curves: Centrodes) -> tuple[Sheet | str, Iterable[Sheet], str]:
+        """The sheet of centrodes, or the drawing that moves; frames."""
         from graphkin.outputs.animation import animation
         from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
 
-        curves = self._curves(found)
         moving = self.animate or self.steps is not None
         frames = list(centrode_frames(curves, paper=self.paper, lang=self.lang)) if moving else []
         whole: Sheet | str = ""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -65,29 +64,16 @@ def problems(
     )
     variants = _write(order, jobs)
     click.echo(folder.told_of(output))
-    if BOARD in kinds:
-        _write_boards(order, variants, jobs)
-    if platform_kinds := [kind for kind in kinds if kind != BOARD]:
-        from graphkin.homework import platforms
+    if kinds:
+        from graphkin.page.board_set import further_files
+        from graphkin.submissions import worker_pool
 
-        whole = folder.problem_set(order.template, variants, grading.judge_from(str(output)), lang)
-        for kind in dict.fromkeys(platform_kinds):
-            path = folder.file_of(output, kind)
-            platforms.write_set(path, whole, kind, lang, force)
-            click.echo(str(path))
+        workers: AbstractContextManager[Executor | None] = worker_pool(jobs) if jobs > 1 else nullcontext()
+        with workers as executor:
+            for path in further_files(order, variants, kinds, executor):
+                click.echo(str(path))
     if shared_numbers := [variant.student.id for variant in variants if variant.shared]:
         click.echo(remark(shared_numbers, lang), err=True)
-
-
-def _write_boards(order: SetOrder, variants: Sequence[Variant], jobs: int) -> None:
-    """A drawing board for each student."""
-    from graphkin.page.board_set import write_boards
-    from graphkin.submissions import worker_pool
-
-    workers: AbstractContextManager[Executor | None] = worker_pool(jobs) if jobs > 1 else nullcontext()
-    with workers as executor:
-        for path in write_boards(order, variants, executor):
-            click.echo(str(path))
 
 
 def _write(order: SetOrder, jobs: int) -> list[Variant]:

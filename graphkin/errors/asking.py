@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
-    "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
+    "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NeedsTwoLinks", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
     "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "StandsStill", "TooManyRows", "UnevenArrays",
     "UnknownQuantity", "ValueForEach",
 ]  # fmt: skip
@@ -31,6 +31,11 @@ class BadValues(AboutText):
 class BadPair(AboutText):
     en = "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', two angles as PHI:PSI (40:30)."
     zh = "{where}：{given!r} 不是一对数值。点写成 X,Y（如 10,40），两点写成 'X,Y X,Y'，两个角写成 φ:ψ（如 40:30）。"
+
+
+class NeedsTwoLinks(AboutText):
+    en = "{where}: {given!r} does not name two links. Write both with a comma: 3,1."
+    zh = "{where}：{given!r} 不是两个构件，请用逗号分开，如 3,1。"
 
 
 class GivenTwice(LocatedError):

@@ -80,8 +80,10 @@ class HandoutTable:
 
 @frozen
 class GridRoom:
-    """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]."""
+    """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]; in words
+    what is drawn there."""
 
+    words: str
     width: float
     height: float
     pole: complex

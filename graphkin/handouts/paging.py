@@ -8,7 +8,8 @@ from graphkin.base.value import frozen
 from graphkin.handouts import document
 from graphkin.handouts.document import Block
 
-_PAGE, _EARLY, _OVER = 0.2, 0.01, 3.0  # costs of a page, of a drawing before the end of its text, of no room
+_PAGE, _EARLY, _LATE, _OVER = 0.2, 0.01, 0.08, 3.0  # costs of a page, of a drawing before the end of its text or on
+# the page after it, of no room
 _LEAST = 0.18  # a last page has that much of its height, or more
 
 _FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom)  # stay with what leads
@@ -61,7 +62,7 @@ def _leads(block: Block) -> bool:
 
 def pages(parts: Sequence[PagePart], heights: Sequence[float], room: float) -> list[list[int]]:
     """The parts of each page, by their numbers: those of least cost. A drawing stands on a page with some of what it
-    belongs to, behind the last of that there.
+    belongs to, behind the last of that there; or it is the first on the page after.
 
     heights  of the parts, and `room` of a page, in one unit
     """
@@ -72,40 +73,43 @@ def pages(parts: Sequence[PagePart], heights: Sequence[float], room: float) -> l
     texts = [k for k in range(len(parts)) if k not in belonging]
     if not texts:
         return []
-    # by the text that a page begins with, and the drawing of what goes on there if that is placed already
-    best: dict[tuple[int, int | None], tuple[float, list[list[int]]]] = {(0, None): (0.0, [])}
+    # by the text that a page begins with, the drawing of what goes on there if that is placed, and the one before it
+    best: dict[tuple[int, int | None, int | None], tuple[float, list[list[int]]]] = {(0, None, None): (0.0, [])}
     for first in range(len(texts)):
-        for there in dict.fromkeys((None, drawings.get(texts[first]))):
-            if (before := best.get((first, there))) is None:
-                continue
-            for page, end, done in _choices(texts, drawings, first, there):
+        for start, (cost, before) in [each for each in best.items() if each[0][0] == first]:
+            for page, key in _choices(texts, drawings, *start):
+                end, placed, owed = key
                 used = sum(heights[k] for k in page)
                 if used > room and end > first + 1:
                     continue
-                early = _EARLY if done is not None and done in page else 0.0
-                total = before[0] + early + _cost(used / room, end == len(texts))
-                if (end, done) not in best or total < best[end, done][0]:
-                    best[end, done] = total, [*before[1], page]
-    return best[len(texts), None][1]
+                total = cost + _cost(used / room, end == len(texts))
+                total += _EARLY * (placed in page) + _LATE * (owed is not None)
+                if key not in best or total < best[key][0]:
+                    best[key] = total, [*before, page]
+    return best[len(texts), None, None][1]
 
 
 def _choices(
-    texts: list[int], drawings: dict[int, int], first: int, there: int | None
-) -> Iterator[tuple[list[int], int, int | None]]:
-    """What a page may hold from a text on, the shorter first; the next text, and its drawing if that is placed."""
-    page: list[int] = []
-    for end, text in enumerate(texts[first:], first + 1):
-        page.append(text)
-        own = drawings.get(text)
+    texts: list[int], drawings: dict[int, int], first: int, placed: int | None, owed: int | None
+) -> Iterator[tuple[list[int], tuple[int, int | None, int | None]]]:
+    """What a page may hold from a text on, behind the drawing that is owed; with the next text, its drawing if that is
+    placed, and the drawing that is owed then."""
+    begun: list[tuple[list[int], int, int | None]] = [([] if owed is None else [owed], first, None)]
+    while begun:
+        page, number, late = begun.pop()
+        page, end, own = [*page, texts[number]], number + 1, drawings.get(texts[number])
         over = own is not None and end < len(texts) and drawings.get(texts[end]) == own
-        if own is None or own == there:
-            yield [*page], end, own if over else None
-        elif over:
-            yield [*page], end, None
-            yield [*page, own], end, own
+        if own is None or own == placed or over:
+            going: list[tuple[list[int], int | None]] = [(page, late)]
+            if over and own != placed and late is None:
+                yield [*page, drawings[texts[number]]], (end, own, None)
         else:
-            page.append(own)
-            yield [*page], end, None
+            going = [([*page, drawings[texts[number]]], None), (page, own)] if late is None else []
+        for each, waits in going:
+            if end < len(texts):
+                begun.append((each, end, waits))
+            if waits is None or end < len(texts):
+                yield each, (end, own if over and own == placed else None, waits)
 
 
 def _cost(used: float, last: bool) -> float:

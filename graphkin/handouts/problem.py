@@ -27,6 +27,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Centre, read
 from graphkin.outputs.letters import lettered
 from graphkin.planning.drawn_position import shown
+from graphkin.planning.needed import cut_to
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 from graphkin.running.drawn_sides import drawn_sides
@@ -72,8 +73,7 @@ class HandoutProblem:
     @cached_property
     def _sections(self) -> tuple[Section, ...]:
         sections: list[tuple[entry.Heading, list[entry.Entry]]] = []
-        drawing = self.drawing
-        for each in derivation(drawing.method, drawing.plot, self._keys, self.lang, everything=False):
+        for each in derivation(self.told.method, self.told.plot, self._keys, self.lang, everything=False):
             if isinstance(each, entry.Heading):
                 sections.append((each, []))
             else:
@@ -84,9 +84,14 @@ class HandoutProblem:
     def _keys(self) -> dict[str, float]:
         return {KEYS[plane]: scale for plane, scale in self.scales.items()}
 
+    @cached_property
+    def told(self) -> Drawing:
+        """The drawing without the steps that the questions do not need: text and figures number the others alike."""
+        return replace(self.drawing, method=cut_to(self.drawing.method, self.goal.parts))
+
     def construction(self, plane: Plane) -> Construction:
         """The construction of a polygon."""
-        return constructions(self.drawing.method)[plane]
+        return constructions(self.told.method)[plane]
 
     @cached_property
     def posed_at(self) -> tuple[Plot, bool] | None:

@@ -23,14 +23,14 @@ from graphkin.handouts.hand_in import hand_in_page, workbook_rows
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.stages import figure_of, handout, scales_to_use
-from graphkin.homework.grading import SetMarker, key_for, pencils_of, set_text
+from graphkin.homework.grading import SetMarker, key_for, set_text
 from graphkin.homework.grading.keys import USUAL, Pencils
 from graphkin.homework.grading.sets import TEACHER
 from graphkin.homework.platforms.markup import ZIP_MARKS, pack
 from graphkin.homework.platforms.question import ProblemSet, question_of
 from graphkin.homework.platforms.set_formats import SETS
 from graphkin.homework.platforms.tables import workbook_files
-from graphkin.homework.problems import Template, Variant, drawn_variants, read_template, roster
+from graphkin.homework.problems import Template, Variant, drawn_variants
 from graphkin.marking.discriminability import SetDiscriminability, set_discriminability
 from graphkin.marking.marker import Marker
 from graphkin.marking.power import alarms
@@ -43,7 +43,7 @@ from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.entry import text_lines
 from graphkin.say.problems import MADE
 from graphkin.say.tolerances import discriminability_lines
-from graphkin.submissions import Student, worker_pool
+from graphkin.submissions import Student
 from graphkin.submissions.submission import fingerprint, safe_name
 
 STUDENTS = "students"
@@ -103,18 +103,6 @@ class _Whole:
 
     def line(self) -> str:
         return json.dumps([self.student, self.numbers, self.rates])
-
-
-def problems(
-    template: str | Path, students: str | int | Path, output: str | Path, *, seed: str = "1", lang: Lang = "en",
-    pencil: str | Sequence[float] | None = None, jobs: int = 0, force: bool = False,
-) -> list[Variant]:  # fmt: skip
-    """Write a problem for each student into a folder, as `graphkin problems` does; students: a roster, or how many."""
-    order = SetOrder(
-        Path(output), read_template(Path(template)), roster(str(students)), seed, lang, pencils_of(pencil), force
-    )
-    with worker_pool(jobs) if jobs > 1 else contextlib.nullcontext() as executor:
-        return [one for one in write_problems(order, executor) if isinstance(one, Variant)]
 
 
 def write_problems(order: SetOrder, executor: Executor | None = None) -> Iterator[Variant | Path]:

@@ -20,12 +20,13 @@ from graphkin.outputs.letters import lettered
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import Label, formula, joined, plain
+from graphkin.sheet.lettering import Label, formula, joined, plain, width
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import finest, written
 
-_HIGH, _LOW, _LINE, _ROW = 200.0, 70.0, 6.2, 7.5  # of a page but for a problem's lines and answers, and of each [mm]
+_HIGH, _LOW, _ROW = 196.0, 70.0, 7.5  # of a page but for a problem's entries and answers, and of an answer [mm]
+_ENTRY, _LINE, _WIDE, _LETTERS = 6.4, 4.9, 170.0, 3.7  # of an entry, of each further line of it; a page's width [mm]
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
@@ -186,7 +187,9 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
         problem = replace(problem, drawing=replace(problem.drawing, plot=shown[0]))
     figure = _figure(problem, "position", "construction" if solved else "given")
     notes = [] if there else [say("handouts.elsewhere", problem.lang)]
-    least = max(_LOW, _HIGH - _LINE * len(problem.posed) - _ROW * len(problem.asked.wanted))
+    texts = [each.text for each in problem.posed if isinstance(each, entry.Sentence | entry.Heading)]
+    further = sum(int(width(formula(text), _LETTERS) / _WIDE) for text in texts)
+    least = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - _ROW * len(problem.asked.wanted))
     if (high := figure.sheet.paper.height) > least:
         scale = finest(complex(0, high * problem.scales["position"]), complex(1, least))
         machine = replace(method.mechanism, scales={**method.mechanism.scales, "length": scale})
@@ -252,6 +255,8 @@ def blocks_of(entries: Sequence[entry.Entry], lang: Lang, points: Collection[str
         match each:
             case entry.Heading(text):
                 yield document.HandoutHeading(plain(text))
+            case entry.Sentence(text, item=True):
+                yield document.FormulaLine(lettered(text, points))
             case entry.Sentence(text, act):
                 number = str(act.number) if act is not None and act.numbered else ""
                 yield document.Paragraph(lettered(text, points), number)
@@ -275,8 +280,9 @@ def rows(equation: entry.VectorEquation, lang: Lang, points: Collection[str]) ->
 
 def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | None = None) -> document.HandoutPicture:
     """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
-    method, plot, lang = problem.drawing.method, problem.drawing.plot, problem.lang
-    drawn = mechanism_sheet(method, plot, lang=lang, only=plane, style=style, tight=True)
+    drawing, lang = problem.drawing if style == "given" else problem.told, problem.lang
+    drawn = mechanism_sheet(drawing.method, drawing.plot, lang=lang, only=plane, style=style, tight=True,
+                            equations=False)  # fmt: skip
     if last is not None:
         drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"

@@ -49,8 +49,9 @@ _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 // A closing bracket is set apart from what follows: typst would take half a letter from between; not every font has it.
 #show regex("[）】》”]"): set text(number-width: "tabular")
 #let lettered(body) = text(font: ({families}), body)
-#let act(number) = box(
-  circle(radius: 1.9mm, inset: 0mm, stroke: 0.2mm, align(center + horizon, text(size: 7.5pt, number))))
+// A number in a circle is as high as its line.
+#let act(number) = box(width: 3.8mm, height: 0.66em, place(center + horizon,
+  circle(radius: 1.9mm, inset: 0mm, stroke: 0.2mm, align(center + horizon, text(size: 7.5pt, number)))))
 #let part(above, breakable, body) = block(
   breakable: breakable, width: 100%, above: above, below: 0mm, body)
 #let foot = state("foot", (bar: "", words: ""))
@@ -249,7 +250,7 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
             image = _image(pictures, svg(sheet), sheet.paper.width, words)
             return f"#figure({image}, caption: [#{_string(number)}], numbering: none, gap: 2mm)\n"
         case document.GridRoom():
-            image = _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
+            image = _image(pictures, room_svg(block), block.width, block.words)
             return f"#align(center, {image})\n"
         case document.HandoutTable():
             return f"#block(breakable: false, width: 100%, {_table(block, wide)})\n"
@@ -306,7 +307,7 @@ def _words(label: Label) -> str:
 
 def _run(run: Run) -> str:
     """Its letters; one with an accent of its own in typst's own font, as few others have such accents."""
-    text = _BOUND.sub("\u00a0", run.text)
+    text = _BOUND.sub("\u00a0", run.text) + "\u2060" * run.text.endswith("/")  # a fraction stays on its line
     parts = (_string(part) if not k % 2 else f'text(font: "Libertinus Serif", {_string(part)})'
              for k, part in enumerate(_ACCENTED.split(text)) if part)  # fmt: skip
     return "".join(f"#emph({part})" if run.italic else f"#{part}" for part in parts)

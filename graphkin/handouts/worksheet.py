@@ -19,7 +19,8 @@ from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
 from graphkin.say.problems import positions
 from graphkin.sheet.lettering import Label, formula, plain, point_label
-from graphkin.sheet.mechanism_figure import mechanism_places
+from graphkin.sheet.mechanism_figure import shown_places
+from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.window import corners
 
 _MORE = 1.2
@@ -39,8 +40,8 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
     pole = names[0]
     start = points.get(pole, 0j)
     places = [place(points[name]) for name in names if name in points]
-    if plane == "position":  # with wheels, as far as these have room
-        for at in mechanism_places(problem.drawing.method, problem.drawing.plot):
+    if plane == "position":  # with wheels and asked centres, as far as these have room
+        for at in shown_places(problem.drawing.method, problem.drawing.plot):
             size = (corners([*places, at])[1] - corners([*places, at])[0]) / problem.scales[plane]
             places += [at] if max(size.real / ROOM.real, size.imag / ROOM.imag) < 1 / _MORE else []
     low, high = corners([(at - place(start)) / problem.scales[plane] for at in places])
@@ -53,7 +54,9 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
             direction = cmath.phase(arrow) % math.pi
             break
     mark = point_label("x") if plane == "position" else plain(f"{round(math.degrees(direction), 1):g}°")
-    return GridRoom(wide, tall, at, point_label(pole), direction, mark)
+    words = HEADINGS[problem.lang][plane]
+    name = pole or next(letter for letter in ("O", "O'", "O''") if letter not in machine.points)
+    return GridRoom(words, wide, tall, at, point_label(name), direction, mark)
 
 
 def _placed(low: float, high: float, room: float, lot: float) -> float:

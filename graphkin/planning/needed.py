@@ -6,7 +6,7 @@ turning of one driven against the frame, ("driven omega", "1"), or that of a sli
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import assert_never
 
@@ -97,17 +97,17 @@ def without_aids(method: Method) -> Method:
                 left = True
             else:
                 facts |= gives
-    if not left:
-        return method
-    parts = needed(method, facts)
+    return cut_to(method, needed(method, facts)) if left else method
+
+
+def cut_to(method: Method, parts: Mapping[Plane, tuple[Part, ...]]) -> Method:
+    """The polygons of these parts, without the points of others; a polygon that is not named stays whole."""
 
     def cut(polygon: Construction) -> Construction:
-        """The polygon of these parts, without the points of others."""
-        reader = PartsReader(method, polygon)
-        every, kept = ({name for part in some for _, name in reader.gives(part)}
-                       for some in (polygon.parts, parts[polygon.plane]))  # fmt: skip
+        reader, own = PartsReader(method, polygon), parts.get(polygon.plane, polygon.parts)
+        every, kept = ({name for part in some for _, name in reader.gives(part)} for some in (polygon.parts, own))
         nodes = {name: node for name, node in polygon.nodes.items() if name not in every - kept}
-        return replace(polygon, parts=parts[polygon.plane], nodes=nodes)
+        return replace(polygon, parts=own, nodes=nodes)
 
     return replace(method, velocity=cut(method.velocity), acceleration=cut(method.acceleration))
 

@@ -103,6 +103,11 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     return [*sources, *stages]
 
 
+def bobillier_lines(drawn: Bobillier, lang: Lang) -> list[str]:
+    """The link about its pole, then the construction."""
+    return [*about_words(drawn.seen, lang), "", *bobillier_words(drawn, lang)]
+
+
 def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
     """The drawing of two velocities and the pole it gives, a sentence each."""
     first, second = found.names

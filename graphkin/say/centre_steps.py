@@ -86,10 +86,10 @@ class CentreReader:
         for head, group in ((self.say("centres.definition"), direct), (self.say("centres.kennedy"), others)):
             if group:
                 yield Sentence(head)
-            yield from (Sentence("  " + self.sentence(stage)) for stage in group)
+            yield from (Sentence(self.sentence(stage), item=True) for stage in group)
         for pair in together:
             name = names.point(self.found.name(*pair))
-            yield Sentence("  " + self.say("centres.together", name=name, **self._links(pair)))
+            yield Sentence(self.say("centres.together", name=name, **self._links(pair)), item=True)
 
     def sentence(self, stage: Stage) -> str:
         """The sentence of one centre, with its links, its point or its lines by the step that makes it."""

@@ -26,11 +26,12 @@ class Heading:
 @frozen
 class Sentence:
     """A step of the pencil, or a reason; `act`: the act that it says, whose number the drawing bears, too; `row`: the
-    relation behind it, for a column of equations."""
+    relation behind it, for a column of equations; `item`: one of those that a sentence before it leads to."""
 
     text: str
     act: Act | None = None
     row: str = ""
+    item: bool = False
 
 
 @frozen
@@ -115,9 +116,9 @@ def text_lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
             case Heading(text):
                 yield from ([""] if k else [])
                 yield text
-            case Sentence(text, act):
+            case Sentence(text, act, _, item):
                 number = f"{circled(act.number)} " if act is not None and act.numbered else ""
-                yield f"  {number}{text.translate(UNBRACED)}"
+                yield f"{'    ' if item else '  '}{number}{text.translate(UNBRACED)}"
             case Calculation():
                 note = say("common.note", lang, note=entry.note) if entry.note else ""
                 yield f"    {entry.text}{close(note) if lang == 'zh' else note}".translate(UNBRACED)

@@ -95,11 +95,11 @@ def _relation(polygon: PolygonReading, term: Term) -> str:
         return polygon.reading.say("contacts.contact points", **words)
     if _coincident(term):
         return polygon.reading.say("derivation.coincident", **words)
-    lever = polygon.levers.get((term.tail, term.head))
+    links = {site.link for site in term.sites if len(term.sites) > 1}
     if isinstance(term.size, terms.Turning | terms.Normal | terms.Tangential):
-        words["link"] = polygon.reading.link(term.size.link)
-    elif lever is not None:
-        words["link"] = polygon.reading.link(lever.of)
+        links = {term.size.link}
+    if len(links) == 1:
+        words["link"] = polygon.reading.link(*links)
     return polygon.reading.say("derivation.points of link", **words) if "link" in words else ""
 
 

@@ -67,10 +67,10 @@ class AnswerLines:
         match quantity:
             case Centre():
                 place = self._centre(quantity)
-                return Sentence("  " + say("solution.centre at", name=names.point(quantity.text), place=place))
+                return Sentence(say("solution.centre at", name=names.point(quantity.text), place=place), item=True)
             case Track():
                 place = self._track(quantity)
-                return Sentence("  " + say("solution.place at", point=names.point(quantity.of), place=place))
+                return Sentence(say("solution.place at", point=names.point(quantity.of), place=place), item=True)
             case Moving():
                 size, vector = self.value(quantity), complex(quantity.vector(self._motions))
                 note = self.reading.heading(vector) if size else ""
@@ -173,7 +173,7 @@ def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:
         elif value := right.signed(quantity):
             off = say("solution.off", part=number(abs(drawn.signed(quantity) / value - 1) * 100, _NO_DEVIATION, 2))
         shown = {"read": drawn.result(quantity), "exact": right.result(quantity)}
-        yield Sentence("  " + say("solution.beside", name=name, off=off, **shown))
+        yield Sentence(say("solution.beside", name=name, off=off, **shown), item=True)
 
 
 def explain(

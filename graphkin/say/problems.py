@@ -25,9 +25,8 @@ def posed_entries(goal: SolutionGoal, drawn: DrawnSides | None = None) -> Iterat
     the question."""
     reading = goal.reading
     yield from islice(problem_data(reading), 1, None)
-    if drawn is not None:
-        lines = [assembly_sentence(drawn, reading.lang), *position_lines(reading.mechanism, reading.lang)]
-        yield from map(Sentence, filter(None, lines))
+    assembly = "" if drawn is None else assembly_sentence(drawn, reading.lang)
+    yield from map(Sentence, filter(None, [assembly, *position_lines(reading.mechanism, reading.lang)]))
     yield from goal.question()
     halves = (half for one in goal.wanted if one is not None for half in one.halves)
     thetas = {half.link: half for half in halves if isinstance(half, Rotation) and half.word == "theta"}

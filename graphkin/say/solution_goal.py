@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from itertools import groupby
 from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
@@ -90,10 +91,20 @@ class SolutionGoal:
             return
         yield Heading(say("solution.find"))
         if self.chosen:
-            symbols = [self.symbol(one) if one else text for one, text in zip(self.wanted, self.texts, strict=True)]
-            yield Sentence(say("solution.find these", wanted=self.reading.listed(symbols)))
+            yield Sentence(say("solution.find these", wanted=self.reading.listed([*self._listed()])))
         else:
             yield Sentence(say("solution.find all" if "acceleration" in self.parts else "solution.find velocities"))
+
+    def _listed(self) -> Iterator[str]:
+        """What is asked, symbol by symbol; of centres in a row the word once."""
+        asked = zip(self.wanted, self.texts, strict=True)
+        for centres, some in groupby(asked, key=lambda each: isinstance(each[0], Centre)):
+            if centres:
+                first, *others = (names.point(text) for _, text in some)
+                yield self.reading.say("solution.centre", name=first, which=int(bool(others)))
+                yield from others
+            else:
+                yield from (self.symbol(one) if one else text for one, text in some)
 
     def symbol(self, quantity: Quantity) -> str:
         """`ω3`, `aᵏ_B3B2`, `v_Cx`, `ω1/ω3`."""

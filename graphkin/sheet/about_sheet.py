@@ -178,8 +178,9 @@ class _LinkDrawing:
 # --- Bobillier --------------------------------------------------------------------------------
 
 
-def bobillier_sheet(link: About, solution: Bobillier, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
+def bobillier_sheet(solution: Bobillier, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
     """Bobillier's whole construction over the mechanism, a step for each sentence. Raises UnknownPaper."""
+    link = solution.seen
     method, plot = link.found.method, link.plot
     names = (solution.point, solution.pole, solution.answer, *solution.crossings)
     places = [as_place(solution.board.at(name)) for name in names]

@@ -15,8 +15,11 @@ import numpy as np
 from graphkin.base import geometry
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
+from graphkin.construction import Plot
 from graphkin.construction.drafting import Far, Stage
 from graphkin.model.pairs import Cam, Rod
+from graphkin.model.quantities import Centre, read
+from graphkin.planning import Method
 from graphkin.sheet.boxes import xy
 from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
@@ -28,8 +31,9 @@ from graphkin.sheet.paper import Room
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import BLOCK, HINGE
-from graphkin.sheet.window import Figure, Window
-from graphkin.studies.centres import Centres
+from graphkin.sheet.window import Figure, Window, corners
+from graphkin.studies.centres import Centres, centres
+from graphkin.studies.centres.instant_centres import shortest
 
 SAME = 0.05  # places closer than this are one on paper [mm]
 
@@ -132,6 +136,27 @@ def centre_lines(paper: OnPaper) -> Figure:
                 normal = LabelRequest(plain("n", italic=True), end, gap=0.2, away=end - other, step=spot.number)
                 figure.wanted.append(normal)
     return figure
+
+
+def asked_lines(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
+    """Kennedy's lines to the asked centres that a mechanism's figure shows, as far as the places drawn reach; the lines
+    of a special point's legs are there already."""
+    plot = skeleton.plot
+    asked = [one for one in (read(method.mechanism, text) for text in method.mechanism.ask) if isinstance(one, Centre)]
+    if not asked or not isinstance(plot, Plot) or not plot.omega:
+        return Figure()
+    found, near = centres(method, plot), SAME * skeleton.window.scale
+    legs = [place(plot.position[name]) for name in method.special]
+
+    def told(name: str) -> bool:
+        apart = [min((abs(place(found.board.at(name)) - at) for at in some), default=near) for some in (drawn, legs)]
+        return apart[0] < near <= apart[1]
+
+    names = {name for name in (found.name(*one.links) for one in asked) if told(name)}
+    low, high = corners([skeleton.window(at) for at in drawn])
+    room = Room(low.real, low.imag, high.real, high.imag).inset(-_BEYOND, -_BEYOND, -_BEYOND)
+    found, last = replace(found, centring=shortest(found, names)), max((act.page for act in method.acts), default=None)
+    return centre_lines(OnPaper(found, skeleton.window, room)).numbered(last)
 
 
 def _fresh(line: Stroke, drawn: Sequence[Stroke]) -> Iterator[Stroke]:

@@ -12,6 +12,7 @@ from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
+from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
 from graphkin.planning.at_rest import at_rest, held_labels
 from graphkin.planning.method import births, pages
@@ -96,7 +97,14 @@ class Planes:
         if self.style == "given":
             return mechanism_figure(skeleton, self.method, bare=True)  # as a problem gives it
         figure = self.paths.figure(window) + mechanism_figure(skeleton, self.method, self.values(plane))
-        return touched(self.method, self.plot, skeleton) + figure if self.style == "construction" else figure
+        if self.style != "construction":
+            return figure
+        added = touched(self.method, self.plot, skeleton)
+        if any(isinstance(read(self.method.mechanism, text), Centre) for text in self.method.mechanism.ask):
+            from graphkin.sheet.centre_figure import asked_lines
+
+            added += asked_lines(self.method, skeleton, self.values(plane))
+        return added + figure
 
     @cached_property
     def left_out(self) -> dict[Plane, dict[str, complex]]:

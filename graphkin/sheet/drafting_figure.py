@@ -81,13 +81,13 @@ class DraftingFigure:
 
 
 def together(wanted: Iterable[LabelRequest]) -> Iterator[LabelRequest]:
-    """Labels of points at one place as one label, whose parts come with steps of their own."""
+    """Labels of points at one place as one label, each once, whose parts come with steps of their own."""
     groups: list[list[LabelRequest]] = []
     for want in wanted:
         same = (group for group in groups if want.end is None and not want.parts and _at_one_place(group[0], want))
         if (group := next(same, None)) is None:
             groups.append([want])
-        else:
+        elif all(each.label != want.label for each in group):
             group.append(want)
     for first, *others in (sorted(group, key=lambda want: want.step or 0) for group in groups):
         if not others:

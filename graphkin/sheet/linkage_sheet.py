@@ -90,7 +90,7 @@ def _limits(one: Report, lang: Lang, start: str) -> Picture:
         key = "timed" if one.timed_by else "one" if one.slow is None else "k"
         texts.append(say(f"linkages.sheet {key}", lang, k=numbers.number(one.k), crank=one.timed_by))
     texts += [_dead(one, name, lang) for name in one.dead if name != one.driver][:1]
-    return _picture(one.limits, draw, *texts)
+    return _picture(one.limits, draw, *texts, ground=_on_ground(one))
 
 
 def _transmission(one: Report, lang: Lang, start: str) -> Picture:
@@ -106,7 +106,15 @@ def _transmission(one: Report, lang: Lang, start: str) -> Picture:
     letter, values = "s" if one.driver == one.slide else "φ", ", ".join(amount(one, end.driver) for end in one.least)
     least = say("linkages.sheet least", lang, gamma=gamma, alpha=alpha, letter=letter, driver=one.driver, values=values)
     dead = [_dead(one, one.driver, lang)] if one.driver in one.dead else []
-    return _picture(shown, draw, start + say("linkages.sheet gamma", lang, driver=one.driver), least, *dead)
+    head = start + say("linkages.sheet gamma", lang, driver=one.driver)
+    return _picture(shown, draw, head, least, *dead, ground=_on_ground(one))
+
+
+def _on_ground(one: Report) -> list[complex]:
+    """The places on a fixed guide, which is drawn as far in each figure [m]."""
+    guided = {slide.point for slide in one.linkage.mechanism().slides if slide.guide == FRAME}
+    ends = (zip(one.linkage.names, end.places, strict=True) for end in (*one.limits, *one.critical))
+    return [place for end in ends for name, place in end if name in guided]
 
 
 def _dead(one: Report, driver: str, lang: Lang) -> str:
@@ -140,8 +148,10 @@ _SEEN = 0.05  # an arm that leaves its link's line by more does not show its dir
 _PAST_BLOCK = 6.5  # side of the square in a right angle where it is to be seen beside a block [mm]
 
 
-def _picture(positions: Row, draw: Callable[[Window], Figure], *texts: str) -> Picture:
-    places = [place for position in positions for place in position.places]
+def _picture(
+    positions: Row, draw: Callable[[Window], Figure], *texts: str, ground: Sequence[complex] = ()
+) -> Picture:
+    places = [*ground, *(place for position in positions for place in position.places)]
     return Picture(Extent.of(places, draw), draw, texts)
 
 

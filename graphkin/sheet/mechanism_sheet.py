@@ -49,7 +49,7 @@ _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the 
 def mechanism_sheet(
     method: Method, plot: Plot, *, paper: str | None = None, lang: Lang = "en",
     only: Plane | Collection[Plane] | None = None, style: Style = "construction", upto: int | None = None,
-    tight: bool = False, paths: Paths = NONE,
+    tight: bool = False, paths: Paths = NONE, equations: bool = True,
 ) -> Sheet:  # fmt: skip
     """Draw a mechanism and its polygons to scale.
 
@@ -60,6 +60,7 @@ def mechanism_sheet(
     style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
            what is known of it, and nothing that would have to be found
     paths  of points, drawn under the mechanism
+    equations  of the polygons beside them; False where a text prints them above
     upto   draw the construction as far as this act of those planes, counted from 1, its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
@@ -70,6 +71,7 @@ def mechanism_sheet(
         return replace(cheapest(contents, paper).page.sheet(), given=True)
     method, plot = shown(method, plot)
     contents = _whole(Planes(method, plot, _planes(only), style, lang, paths, breaks=upto is None), tight)
+    contents = contents if equations else replace(contents, without=frozenset({"equations"}))
     return cheapest(contents, paper).page.sheet() if upto is None else next(_staged(contents, paper, [upto]))
 
 

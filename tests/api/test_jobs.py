@@ -100,7 +100,14 @@ def test_what_is_read_has_a_type():
 def test_homework(tmp_path: Path):
     text = four_bar().to_toml().replace("AB = 20", "AB = { from = 18, to = 22, step = 1 }")
     (tmp_path / "rocker.toml").write_text(text, encoding="utf-8")
-    first, second = graphkin.problems(tmp_path / "rocker.toml", 2, tmp_path / "set")
+    made = graphkin.problems(tmp_path / "rocker.toml", 2, tmp_path / "set", formats=["board", "moodle", "csv"])
+    first, second = made
+    names = {path.name for path in (tmp_path / "set").rglob("*") if path.is_file()}
+    assert {f"{first.student.id}.board.html", f"{second.student.id}.board.html"} <= names
+    assert [name for name in names if "moodle" in name]
+    with pytest.raises(graphkin.GraphkinError, match="formats: canvas"):
+        graphkin.problems(tmp_path / "rocker.toml", 2, tmp_path / "other", formats="canvas")
+    assert not (tmp_path / "other").exists()
     assert first.mechanism.text != second.mechanism.text
     right = graphkin.motion(first.mechanism)
     answers = f'student = "{first.student.id}"\n"omega 3" = {right.omega["3"] * 1.5}\n"v E" = {right.v["E"].magnitude}\n'

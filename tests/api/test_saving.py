@@ -29,6 +29,12 @@ def test_a_drawing_is_saved_as_the_command_draws_it(kind: str, tmp_path: Path):
 
 SAME: dict[str, tuple[list[str], Callable[[], object]]] = {
     "centres": (["centres", "fig3-4"], lambda: graphkin.centres("fig3-4")),
+    "about": (["centres", "fig3-4", "--about", "3"], lambda: graphkin.centres("fig3-4", about="3")),
+    "bobillier": (["centres", "fig3-4", "--about", "3", "--bobillier", "E"],
+                  lambda: graphkin.centres("fig3-4", about="3", bobillier="E")),
+    "centrodes": (["centres", "fig3-6", "--centrodes", "3,1"], lambda: graphkin.centres("fig3-6", centrodes="3,1")),
+    "path": (["centres", "fig3-10", "--path", "P13", "--driver", "0:2:1"],
+             lambda: graphkin.centres("fig3-10", path="P13", ranges="0:2:1")),
     "find": (["find", "ex3-7", "max v E"], lambda: graphkin.find("ex3-7", "max v E")),
     "design": (
         ["design", "rocker", "--length", "80", "--swing", "40", "--K", "1.3", "--frame", "71"],

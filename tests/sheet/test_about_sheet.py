@@ -103,13 +103,13 @@ def test_bobillier_on_paper(name: str, link: str, point: str | complex):
     """The centre's mark lies where the exact one is; each step adds its own marks."""
     entry = seen(name, link)
     drawn = bobillier(entry, point)
-    sheet = bobillier_sheet(entry, drawn, lang="zh")
+    sheet = bobillier_sheet(drawn, lang="zh")
     place = complex(entry.plot.position[point]) if isinstance(point, str) else point
     centre = sheet.origins["position"] + entry.carried(place).centre.conjugate() / sheet.scales["position"]
     (mark,) = (mark for mark in sheet.marks if isinstance(mark, Disc) and mark.step == len(drawn.construction.stages))
     assert abs(mark.centre - centre) < 1e-6
-    steps = list(step_sheets(bobillier_sheet(entry, drawn), range(1, len(drawn.construction.stages) + 1)))
+    steps = list(step_sheets(bobillier_sheet(drawn), range(1, len(drawn.construction.stages) + 1)))
     counts = [len(one.marks) for one in steps]
     assert counts == sorted(counts)
-    assert counts[-1] == len(bobillier_sheet(entry, drawn).marks)
+    assert counts[-1] == len(bobillier_sheet(drawn).marks)
     assert all(mark.new == (mark.step == 4) for mark in steps[3].marks)

@@ -259,7 +259,7 @@ PHRASES: Phrases = {
     "solution.find velocities": ("the velocities of all points, ω of all links.", "各点的速度，各构件的角速度。"),
     "solution.place": ("the place of {point}", "点 {point} 的位置"),
     "solution.place at": ("{point} is at {place} mm.", "{point} 位于 {place} mm。"),
-    "solution.centre": ("instant centre {name}", "瞬心 {name}"),
+    "solution.centre": ("instant [centre|centres] {name}", "瞬心 {name}"),
     "solution.centre at": ("{name}: {place}.", "{name}：{place}。"),
     "solution.exactly": ("Beside the exact values", "与精确值比较"),
     "solution.beside": ("{name}: as drawn {read}, exactly {exact}{off}.", "{name}：作图值 {read}，精确值 {exact}{off}。"),

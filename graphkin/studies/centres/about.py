@@ -19,7 +19,7 @@ import numpy as np
 from graphkin.base.geometry import cross, number
 from graphkin.base.plain import Plain
 from graphkin.base.tolerances import STILL
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import INFINITE
 from graphkin.errors import UnknownLink, UnknownPoint, Where
@@ -67,7 +67,7 @@ class CarriedPoint:
         return math.inf if cmath.isinf(self.centre) else abs(self.centre - self.place)
 
 
-@frozen
+@bulky
 class About:
     """A link at one instant, seen about its pole.
 

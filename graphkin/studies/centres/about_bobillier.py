@@ -16,12 +16,13 @@ from itertools import permutations
 import numpy as np
 
 from graphkin.base.geometry import cross, number
-from graphkin.base.value import frozen
+from graphkin.base.plain import Plain
+from graphkin.base.value import bulky, frozen
 from graphkin.construction.drafting import INFINITE, Board, replay
 from graphkin.construction.drafting.steps import CarriedAngle, Drafting, DraftMeet, Far, Pricked, Stage, Through
 from graphkin.errors.studies import NoBobillier
 from graphkin.model.mechanism import FRAME
-from graphkin.studies.centres.about import About
+from graphkin.studies.centres.about import About, about_json
 from graphkin.studies.centres.search import CLEAR
 
 
@@ -42,14 +43,15 @@ class Guided:
     pivoted: bool = False
 
 
-@frozen
+@bulky
 class Bobillier:
-    """The construction, and the letters of its points.
+    """The construction on a link about its pole, and the letters of its points.
 
     guides   the two points it starts from
     point, answer  the point and its centre of curvature; pole, crossings: the letters of P, and of Q and the second Q
     """
 
+    seen: About
     construction: Drafting
     guides: tuple[Guided, Guided]
     point: str
@@ -146,7 +148,7 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
     points |= {first.written: first.centre, second.written: second.centre}
     pole, q, qc, answer = (free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
     stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
-    return Bobillier(Drafting({}, stages, points), (first, second), letter, pole, (q, qc), answer)
+    return Bobillier(seen, Drafting({}, stages, points), (first, second), letter, pole, (q, qc), answer)
 
 
 def _clearest_pair(seen: About, place: complex) -> tuple[Guided, Guided]:
@@ -189,3 +191,8 @@ def _stages(
     yield Stage("axis c", (CarriedAngle("axis c", pole, "axis", "ray b", "ray c"),))
     yield Stage("Qc", (Through("line ac", a, c), DraftMeet(qc, "line ac", "axis c")))
     yield Stage("K", (Through("line a0qc", a0, qc), DraftMeet(answer, "line a0qc", "ray c")))
+
+
+def bobillier_json(solution: Bobillier) -> dict[str, Plain]:
+    """The link about its pole, with the centre of curvature of the point's path in it."""
+    return about_json(solution.seen)

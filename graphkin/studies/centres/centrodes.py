@@ -16,7 +16,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array, Value
 from graphkin.base.plain import Plain
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.errors import Where
 from graphkin.errors.studies import NoCentrode, UnknownCentre
 from graphkin.model.mechanism import FRAME
@@ -65,7 +65,7 @@ class CentrodePiece:
     closed: bool = False
 
 
-@frozen
+@bulky
 class Centrodes:
     """The curves of the centre of two links.
 
@@ -145,7 +145,7 @@ def path(
     """
     links = centre_of(centres.method.mechanism, name) if isinstance(name, str) else name
     if links is None:
-        raise UnknownCentre(WHERE, str(name), tuple(centres.names))
+        raise UnknownCentre(Where("--path"), str(name), tuple(centres.names))
     one, other = (link_of(centres, link, WHERE) for link in links)
     return _traced(centres, one, other, (FRAME,), course, span)
 
