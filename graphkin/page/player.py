@@ -47,7 +47,7 @@ from graphkin.sheet.window import PLANES
 from graphkin.studies.sweeps import Course, asked, drawable
 
 _WORD_KNOTS = 18  # along each of several drivers
-_TOLD = 180  # knots of one driver at which sentences are told
+_TOLD = 120  # places of a turn, or between the ends of a way, at which sentences are told
 Data = dict[str, object]
 
 

@@ -20,12 +20,15 @@ from graphkin.outputs.letters import lettered
 from graphkin.outputs.typesetting import signs
 from graphkin.page.tracks import Tracks
 from graphkin.planning import Method
+from graphkin.planning.drawn_position import shown
 from graphkin.say import names
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation
-from graphkin.say.explained import derivation
+from graphkin.say.explained import drawn_acts
 from graphkin.say.numbers import noted, noted_letter
 from graphkin.say.numbers import number as printed
+from graphkin.say.reading import Reading
+from graphkin.say.solution_goal import solution_goal
 from graphkin.sheet.lettering import Label, formula
 
 _ANY = re.compile("[\ue100-\uf8ff]")
@@ -65,7 +68,8 @@ class StepWords:
     def at(self, plot: Plot, lang: Lang) -> dict[int, list[Spoken]]:
         """The entries of each step at a position."""
         with noted() as numbers:
-            entries = list(derivation(self.method, plot, self.scales, lang))
+            reading = Reading(*shown(self.method, plot), self.scales, lang)
+            entries = drawn_acts(solution_goal(reading, True), as_planned=True)
             return {step: [self._spoken(each, lang, numbers) for each in own] for step, own in by_step(entries)}
 
     def _spoken(self, entry: Entry, lang: Lang, numbers: Sequence[float]) -> Spoken:
