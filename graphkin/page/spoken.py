@@ -12,12 +12,14 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.plain import Plain
 from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.handouts.stages import rows
 from graphkin.outputs.letters import lettered
 from graphkin.outputs.typesetting import signs
+from graphkin.page.lettered import signs_of
 from graphkin.page.tracks import Tracks
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import shown
@@ -32,7 +34,7 @@ from graphkin.say.solution_goal import solution_goal
 from graphkin.sheet.lettering import Label, formula
 
 _ANY = re.compile("[\ue100-\uf8ff]")
-Signs = list[list[object]]
+Signs = list[list[Plain]]
 Words = list[Signs]  # the words of a block: one line, or the cells of an equation's three lines one after another
 
 
@@ -94,11 +96,10 @@ class StepWords:
 
     def _signs(self, label: Label) -> Signs:
         found: Signs = []
-        for sign in signs(label):
-            base, low, high = ("".join(run.text for run in runs) for runs in sign.runs)
-            entry: list[object] = [base, int(sign.base is not None and sign.base.italic), low, high]
+        for sign in signs_of(label):
+            base, _, low, high = [*sign, "", "", ""][:4]
             vector = self.vectors.get(f"{base}_{low}^{high}") if low else None
-            found.append([*entry, vector] if vector else entry if low or high else entry[: 1 + bool(entry[1])])
+            found.append([*sign, vector] if vector else sign)
         return found
 
 
