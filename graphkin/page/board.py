@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import math
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
@@ -31,6 +31,7 @@ from graphkin.marking.equation_choices import equation_choices
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import EDGE, Centre, Moving, Quantity, Rotation, Track, at_position
 from graphkin.outputs.svg import inline
+from graphkin.page.lettered import signs_of
 from graphkin.page.writer import FOLDER, page
 from graphkin.planning.asked import plane_of
 from graphkin.say import names
@@ -98,13 +99,14 @@ def board_page(mechanism: Mechanism, lang: Lang, whose: str = "", set_name: str 
     drawn = BoardProblem.of(drawn_problem(mechanism, lang, whose))
     problems = {each: replace(drawn, lang=each) for each in LANGUAGES}
     figure = _given_figure(drawn)
+    papers = [*_papers(drawn, figure)]
     text = toml(parsed(mechanism.text))
     origin = {"mechanism": text, "name": mechanism.name, "set": set_name, "student": whose, "number": number}
     data: dict[str, Plain] = {
         "key": hashlib.sha256(f"{text}\0{whose}".encode()).hexdigest()[:16], "name": whose or mechanism.name,
         "title": {each: problem.title for each, problem in problems.items()}, "problem": {**origin},
-        "papers": [*_papers(drawn, figure)], "given": _given(drawn, figure), "answers": [*_answer_boxes(drawn)],
-        **_equations(drawn),
+        "papers": papers, "letters": _letters(papers, figure.points), "given": _given(drawn, figure),
+        "answers": [*_answer_boxes(drawn)], **_equations(drawn),
     }  # fmt: skip
     words = {key.removeprefix(_SUBJECT): both for key, both in for_scripts("board").items()}
     return page(drawn.title, lang, scripts=["board"], styles=["board"], data={"words": words, "board": data},
@@ -259,10 +261,10 @@ def _equations(problem: HandoutProblem) -> dict[str, Plain]:
     choices: dict[str, Plain] = {}
     for one in equation_choices(problem.drawing.method, problem.drawing.plot):
         sides: list[Plain] = [
-            [{"term": term.name, "words": _words(names.vector(term.name))} for term in side] for side in one.sides
+            [{"term": term.name, "words": _signs(names.vector(term.name))} for term in side] for side in one.sides
         ]
         equations.append({"plane": one.plane, "equation": one.number, "sides": sides,
-                          "front": _words(names.vector(one.front)) if one.front else []})  # fmt: skip
+                          "front": _signs(names.vector(one.front)) if one.front else []})  # fmt: skip
         choices[one.plane] = {
             "directions": [*map(_shown, one.directions)],
             "magnitudes": [*map(_shown, one.magnitudes)],
@@ -270,10 +272,21 @@ def _equations(problem: HandoutProblem) -> dict[str, Plain]:
     return {"equations": equations, "choices": choices}
 
 
-def _words(text: str) -> Plain:
-    """A formula as runs of letters."""
-    places = {"base": "", "sub": "low", "sup": "high"}
-    return [{"text": run.text, "place": places[run.place], "italic": run.italic} for run in formula(text)]
+def _letters(papers: Sequence[Plain], given: Collection[str]) -> dict[str, Plain]:
+    """The letters of each name that the student may give, and of the points given."""
+    every = dict.fromkeys(given)
+    for paper in papers:
+        assert isinstance(paper, dict)
+        for key in ("points", "vectors"):
+            offered = paper[key]
+            assert isinstance(offered, list)
+            every |= dict.fromkeys(map(str, offered))
+        every[str(paper["pole"])] = None
+    return {name: _signs(names.vector(name) if "_" in name else names.point(name)) for name in every}
+
+
+def _signs(text: str) -> Plain:
+    return [*signs_of(formula(text))]
 
 
 _PRINTED = {"given": "√", "?": "?", "0": "0"}
@@ -308,7 +321,7 @@ def _answer_boxes(problem: HandoutProblem) -> Iterator[Plain]:
         for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
             if quantity is not None:
                 units: list[Plain] = [*_UNITS.get(quantity.unit, (EDGE[quantity.unit].name,))]
-                words = _words(at_position(problem.goal.symbol(quantity), at))
+                words = _signs(at_position(problem.goal.symbol(quantity), at))
                 yield {"key": at_position(text, at), "words": words, "units": units, "sense": _sense(quantity)}
 
 

@@ -14,6 +14,7 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.base.geometry import dot
+from graphkin.base.plain import Plain
 from graphkin.base.value import bulky
 from graphkin.construction import Plane, Plot
 from graphkin.errors import GraphkinError, Lang, Where
@@ -21,11 +22,13 @@ from graphkin.model.mechanism import Driver
 from graphkin.model.quantities import EDGE, Quantity, centre_of, driven, named
 from graphkin.outputs.paint import Colours
 from graphkin.outputs.stated import stated
-from graphkin.outputs.typesetting import mm, runs, short, signs
+from graphkin.outputs.typesetting import mm, runs, short
 from graphkin.page import writer
+from graphkin.page.diagrams import frame
 from graphkin.page.figures import OWN, layer_of
 from graphkin.page.knots import PageKnots, cells_shown, page_knots
 from graphkin.page.layers import layers
+from graphkin.page.lettered import signs_of
 from graphkin.page.quiz import quiz
 from graphkin.page.reach import Reach
 from graphkin.page.rows import Row, rows
@@ -38,7 +41,7 @@ from graphkin.running import replay_all
 from graphkin.running.path import Event
 from graphkin.say.catalogue import LANGUAGES, for_scripts
 from graphkin.say.sweeps import change_line, stop_line
-from graphkin.sheet.lettering import Label, vector_label
+from graphkin.sheet.lettering import vector_label
 from graphkin.sheet.marks import ArcMark, Disc, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
 from graphkin.sheet.paper import written
@@ -47,7 +50,7 @@ from graphkin.sheet.window import PLANES
 from graphkin.studies.sweeps import Course, asked, drawable
 
 _WORD_KNOTS = 18  # along each of several drivers
-_TOLD = 180  # knots of one driver at which sentences are told
+_TOLD = 120  # places of a turn, or between the ends of a way, at which sentences are told
 Data = dict[str, object]
 
 
@@ -110,8 +113,8 @@ class _Played:
         events = [{"value": float(course.value(event.at).real), **line} for event, line in _events(course)]
         data: Data = {
             "name": axis.driver.name, "unit": unit.sign, "factor": unit.factor, "low": axis.low, "high": axis.high,
-            "ends": axis.ends, "round": axis.round, "u": [round(float(u), 9) for u in knots.u], "period": knots.period,
-            "start": self.start[k], "rate": axis.driver.rate, "events": events,
+            "wave": axis.wave, "ends": axis.reached, "round": axis.round, "u": [round(float(u), 9) for u in knots.u],
+            "period": knots.period, "start": self.start[k], "rate": axis.driver.rate, "events": events,
         }  # fmt: skip
         if handle := self._handle(axis.driver):
             window = self.knots.figures.window("position")
@@ -204,7 +207,18 @@ class _Played:
                           "value": self.tracks.fine(sizes)}  # fmt: skip
             data |= {"size": True} if np.nanmin(sizes) < 0 <= np.nanmin(column) else {}
             mask = self.tracks.mask(~np.isnan(column))
+            data["diagram"] = self._frame(sizes, rise, unit.sign, bool(data.get("size")))
             yield data | ({"rise": rise} if rise else {}) | ({"mask": mask} if mask is not None else {})
+
+    def _frame(self, values: np.ndarray, rise: float, unit: str, sizes: bool) -> dict[str, Plain]:
+        """The frame of a diagram over the first driver."""
+        knots, axis = self.knots.axes[0], self.knots.reach.axes[0]
+        along = EDGE[driven(axis.driver.kind == "slide")]
+        ends = axis.reached[0] * along.factor, axis.reached[1] * along.factor
+        whole = values + rise * (knots.u - knots.u[0]) / knots.period if rise else values
+        if rise:  # what is drawn goes on to the end of the turn
+            whole = np.append(whole, whole[0] + rise)
+        return frame(np.abs(whole) if sizes else whole, unit, ends, along.sign, len(self.knots.axes) > 1)
 
     def _unwound(self, column: np.ndarray) -> float:
         """Make angles [deg] go on past a full turn; that by which they rise each time the driver comes round, evenly,
@@ -261,13 +275,3 @@ def _kind(row: Row) -> str:
 
 def _path(places: Sequence[complex], closed: bool) -> str:
     return "M" + "L".join(f"{mm(at.real)} {mm(at.imag)}" for at in places) + ("Z" if closed else "")
-
-
-def signs_of(label: Label) -> list[list[object]]:
-    """A label as the page sets it: letters, whether they lean, what stands below and above."""
-    every: list[list[object]] = []
-    for sign in signs(label):
-        base, low, high = ("".join(run.text for run in each) for each in sign.runs)
-        leans = int(sign.base is not None and sign.base.italic)
-        every.append([base, leans, low, high] if low or high else [base, leans] if leans else [base])
-    return every

@@ -41,42 +41,41 @@ class Axis:
     round: bool = False
 
     @cached_property
-    def span(self) -> tuple[float, float]:
-        """The least and the greatest u."""
-        short = float(np.arccos(1 - _SHORT_OF_STOP))
-        if self.ends == "line":
-            return self.low, self.high
-        if self.ends == "both":
-            short = float(np.arccos(1 - 2 * _SHORT_OF_STOP))
-            return short, np.pi - short
-        return (short, np.pi / 2) if self.ends == "low" else (0.0, np.pi / 2 - short)
-
-    def value(self, u: float) -> float:
-        """The driver's value [rad, m]."""
+    def wave(self) -> tuple[float, float] | None:
+        """Middle and half of a cosine: at u the driver's value is middle - half cos u; None where it is u itself."""
         size = self.high - self.low
         match self.ends:
             case "line":
-                return u
+                return None
             case "both":
-                return self.low + size * (1 - float(np.cos(u))) / 2
+                return (self.low + self.high) / 2, size / 2
             case "low":
-                return self.low + size * (1 - float(np.cos(u)))
+                return self.high, size
             case "high":
-                return self.low + size * float(np.sin(u))
+                return self.low, size
+
+    @cached_property
+    def span(self) -> tuple[float, float]:
+        """The least and the greatest u."""
+        if self.wave is None:
+            return self.low, self.high
+        short = float(np.arccos(1 - _SHORT_OF_STOP * (self.high - self.low) / self.wave[1]))
+        return np.pi / 2 if self.ends == "high" else short, np.pi / 2 if self.ends == "low" else np.pi - short
+
+    def value(self, u: float) -> float:
+        """The driver's value [rad, m]."""
+        return u if self.wave is None else self.wave[0] + self.wave[1] * float(np.sin(u - np.pi / 2))
 
     def u_at(self, value: float) -> float:
         """The parameter of a value, at most the ends'."""
-        part = min(max((value - self.low) / (self.high - self.low), 0.0), 1.0)
-        match self.ends:
-            case "line":
-                u = value
-            case "both":
-                u = float(np.arccos(1 - 2 * part))
-            case "low":
-                u = float(np.arccos(1 - part))
-            case "high":
-                u = float(np.arcsin(part))
+        middle, half = self.wave or (0.0, 1.0)
+        u = value if self.wave is None else float(np.arccos(np.clip((middle - value) / half, -1.0, 1.0)))
         return min(max(u, self.span[0]), self.span[1])
+
+    @property
+    def reached(self) -> tuple[float, float]:
+        """The least and the greatest value that the page shows [rad, m]."""
+        return (self.low, self.high) if self.round else (self.value(self.span[0]), self.value(self.span[1]))
 
     def even(self, count: int) -> np.ndarray:
         """So many places, from end to end; round and round without the last, which is the first again."""

@@ -12,24 +12,29 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.plain import Plain
 from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.handouts.stages import rows
 from graphkin.outputs.letters import lettered
 from graphkin.outputs.typesetting import signs
+from graphkin.page.lettered import signs_of
 from graphkin.page.tracks import Tracks
 from graphkin.planning import Method
+from graphkin.planning.drawn_position import shown
 from graphkin.say import names
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation
-from graphkin.say.explained import derivation
+from graphkin.say.explained import drawn_acts
 from graphkin.say.numbers import noted, noted_letter
 from graphkin.say.numbers import number as printed
+from graphkin.say.reading import Reading
+from graphkin.say.solution_goal import solution_goal
 from graphkin.sheet.lettering import Label, formula
 
 _ANY = re.compile("[\ue100-\uf8ff]")
-Signs = list[list[object]]
+Signs = list[list[Plain]]
 Words = list[Signs]  # the words of a block: one line, or the cells of an equation's three lines one after another
 
 
@@ -65,7 +70,8 @@ class StepWords:
     def at(self, plot: Plot, lang: Lang) -> dict[int, list[Spoken]]:
         """The entries of each step at a position."""
         with noted() as numbers:
-            entries = list(derivation(self.method, plot, self.scales, lang))
+            reading = Reading(*shown(self.method, plot), self.scales, lang)
+            entries = drawn_acts(solution_goal(reading, True), as_planned=True)
             return {step: [self._spoken(each, lang, numbers) for each in own] for step, own in by_step(entries)}
 
     def _spoken(self, entry: Entry, lang: Lang, numbers: Sequence[float]) -> Spoken:
@@ -90,11 +96,10 @@ class StepWords:
 
     def _signs(self, label: Label) -> Signs:
         found: Signs = []
-        for sign in signs(label):
-            base, low, high = ("".join(run.text for run in runs) for runs in sign.runs)
-            entry: list[object] = [base, int(sign.base is not None and sign.base.italic), low, high]
+        for sign in signs_of(label):
+            base, _, low, high = [*sign, "", "", ""][:4]
             vector = self.vectors.get(f"{base}_{low}^{high}") if low else None
-            found.append([*entry, vector] if vector else entry if low or high else entry[: 1 + bool(entry[1])])
+            found.append([*sign, vector] if vector else sign)
         return found
 
 

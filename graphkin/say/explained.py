@@ -197,18 +197,7 @@ def derivation(
     """The solution as data; `as_planned`: every act of the polygons, though a driver at rest may make them easier."""
     reading = Reading(*shown(method, plot), scales, lang, ruler, apart=as_planned)
     goal = solution_goal(reading, everything, only)
-    posed = by_pose(reading.method, reading.plot)
-    drawn = reading if posed is None else Reading(*posed, scales, lang, ruler)
-    body = list(PositionReader(drawn, reading, goal.levers, angles=goal.angles).entries())
-    # then its instant centres where they are asked for, and the polygons that are needed
-    parts: list[Callable[..., Iterator[Entry]]]
-    parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
-    if not as_planned and (centres := goal.centred) is not None:
-        from graphkin.say.centre_velocities import shorter_road
-
-        parts.insert(1 if centres.from_velocities and parts else 0, partial(shorter_road, goal))
-    for count, part in enumerate(parts, start=2):
-        body += part(number=count)
+    body = drawn_acts(goal, as_planned)
     acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
     steps = {act.number for act in acts if act.numbered}
     yield from problem_data(reading)
@@ -220,6 +209,23 @@ def derivation(
     if ruler is not None:
         exactly = replace(reading, plot=ruler.right, ruler=None)
         yield from deviations(answers, solution_goal(exactly, everything, only))
+
+
+def drawn_acts(goal: SolutionGoal, as_planned: bool = False) -> list[Entry]:
+    """What is drawn: the position, then instant centres where they are asked for, and the polygons that are needed."""
+    reading = goal.reading
+    posed = by_pose(reading.method, reading.plot)
+    drawn = reading if posed is None else Reading(*posed, reading.scales, reading.lang, reading.ruler)
+    body = list(PositionReader(drawn, reading, goal.levers, angles=goal.angles).entries())
+    parts: list[Callable[..., Iterator[Entry]]]
+    parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
+    if not as_planned and (centres := goal.centred) is not None:
+        from graphkin.say.centre_velocities import shorter_road
+
+        parts.insert(1 if centres.from_velocities and parts else 0, partial(shorter_road, goal))
+    for count, part in enumerate(parts, start=2):
+        body += part(number=count)
+    return body
 
 
 def vector_equations(

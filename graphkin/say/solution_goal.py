@@ -136,8 +136,8 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     questions = {text: read(mechanism, text) for text in mechanism.ask}
     questions = {text: one for text, one in questions.items() if one is None or plane_of(one) in ("position", *planes)}
     answerable = [one for one in questions.values() if one is not None]
-    shown = asked_parts(reading.method, answerable, reading.steady, planes)
-    if everything or not shown:
+    shown = {} if everything else asked_parts(reading.method, answerable, reading.steady, planes)
+    if not shown:
         placed = (one for one in answerable if isinstance(one, Centre) or plane_of(one) == "position")
         # omega and alpha of every link that is not driven, v and a of every point that moves and is no aid
         rotations = [Rotation("omega" if plane == "velocity" else "alpha", mechanism.called(link), link)

@@ -35,6 +35,19 @@ _PIXEL = """([plane, x, y, seen]) => {
   const { x: right, y: down } = place(x, y);
   return [right, down];
 }"""
+_BUTTON = """tool => {
+  const { left, top, width, height } = document.querySelector(`[data-tool="${tool}"]`).getBoundingClientRect();
+  return [left + width / 2, top + height / 2];
+}"""
+_FILL = """fields => {
+  for (const [key, text] of Object.entries(fields)) {
+    const field = document.querySelector(`[data-field="${key}"]`);
+    if (!field.checkVisibility()) throw new Error(`${key} is not shown`);
+    field.value = text;
+    if (field.value !== text) throw new Error(`${key} cannot be ${text}`);
+    for (const kind of ["input", "change"]) field.dispatchEvent(new Event(kind, { bubbles: true }));
+  }
+}"""
 
 
 @dataclass
@@ -52,10 +65,9 @@ class Student:
     # --- hands
 
     def tool(self, tool: str, /, **fields: str) -> None:
-        self.page.locator(f'[data-tool="{tool}"]').click()
-        for key, text in fields.items():
-            box = self.page.locator(f'[data-field="{key}"]')
-            box.select_option(text) if key in ("kind", "line") else box.fill(text)
+        """The tool is pointed at, what it is set to is typed."""
+        self.page.mouse.click(*self.page.evaluate(_BUTTON, tool))
+        self.page.evaluate(_FILL, fields)
 
     def pixel(self, plane: Plane, at: complex, seen: complex | None = None) -> tuple[float, float]:
         """Where a place of a paper is on the screen; the window shows it, or another that is to be `seen`."""

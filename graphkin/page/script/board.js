@@ -4,12 +4,11 @@ import { buildForms, emptyFields } from "./board_forms.js";
 import {
   erase, nameStep, papers, setTool, showFields, takeBack, takeLine, tell, tool, toolField,
 } from "./board_hand.js";
-import { letterRuns, nameWords } from "./board_letters.js";
-import { BOARD, onWork, paperOf, recallWork, takeUp, work } from "./board_state.js";
-import { letteredPoints, stepsOf } from "./board_steps.js";
+import { BOARD, lettersOf, onWork, paperOf, recallWork, takeUp, work } from "./board_state.js";
+import { letteredPoints, lineWords, stepsOf, stepWords } from "./board_steps.js";
 import { allLines } from "./board_tools.js";
-import { lineWords, stepWords } from "./board_words.js";
 import { button, byId, html } from "./dom.js";
+import { nameWords } from "./signs.js";
 import { svg } from "./svg.js";
 import { fillWords, inEachLanguage, language, say, setLanguage } from "./words.js";
 
@@ -34,7 +33,7 @@ function showSteps() {
     button({ class: `offer ${kind}`, "data-offer": name }, () => {
       toolField("name").value = name;
       nameStep(name);
-    }, nameWords(letterRuns(name)))));
+    }, nameWords(lettersOf(name)))));
 }
 
 /** @param {string} key */

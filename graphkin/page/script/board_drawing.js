@@ -1,13 +1,13 @@
 /** Steps as elements of a drawing, with the classes and data of drawing files; on the board and in the file. */
 import { acrossPaper, angleOf, apart, laidOff, nearestOn, toEdge } from "./board_geometry.js";
-import { nameOnDrawing, nameWidth } from "./board_letters.js";
 import { belongsTo, letterAt, letteredPoints, shapeOf, spotOf, stepsOf } from "./board_steps.js";
-import { BOARD, work } from "./board_state.js";
+import { BOARD, lettersOf, work } from "./board_state.js";
 import { setAttributes } from "./dom.js";
 import { LETTER_FONT, svg } from "./svg.js";
 
 /** @import { Spot } from "./board_geometry.js" */
 /** @import { Step } from "./board_state.js" */
+/** @import { Sign } from "./signs.js" */
 
 /** Colours of a plane's arrows, as on the sheets. */
 export const PLANE_COLOURS = { position: "#1a1a1a", velocity: "#0b4f9c", acceleration: "#a3200d" };
@@ -27,7 +27,7 @@ export function decimals(size) {
 }
 
 /** @param {Pen} pen @param {Spot} from @param {Spot} to */
-export function lineEnds(pen, from, to) {
+function lineEnds(pen, from, to) {
   const [a, b] = [onDrawing(pen, from), onDrawing(pen, to)];
   return { x1: decimals(a.x), y1: decimals(a.y), x2: decimals(b.x), y2: decimals(b.y) };
 }
@@ -53,7 +53,7 @@ function ownPoints(plane) {
 }
 
 /** @param {Step} step @param {Pen} pen */
-export function auxiliaryLine(step, pen) {
+function auxiliaryLine(step, pen) {
   const number = work.steps.indexOf(step) + 1 || "";
   const paint = { stroke: "#5a6470", "stroke-width": decimals(pen.pixel), fill: "none" };
   const data = { class: "construction", "data-plane": step.plane, "data-step": number };
@@ -80,7 +80,7 @@ function endsWithin(step, box) {
 
 /** An arrow from tail to head, and its head apart: the line alone is what is measured. @param {Step} step
  * @param {Pen} pen @returns {SVGElement[]} */
-export function arrow(step, pen) {
+function arrow(step, pen) {
   const colour = PLANE_COLOURS[/** @type {keyof typeof PLANE_COLOURS} */ (step.plane)];
   const [tail, head] = step.at.map(spotOf);
   const line = svg("line", {
@@ -97,6 +97,22 @@ export function arrow(step, pen) {
   const corners = [head, laidOff(foot, angle - 90, 0.3 * size), laidOff(foot, angle + 90, 0.3 * size)];
   const points = corners.map((corner) => Object.values(onDrawing(pen, corner)).map(decimals).join(",")).join(" ");
   return [line, svg("polygon", { class: "tip", points, fill: colour })];
+}
+
+/** A step that is pointed at, or would be drawn. @param {Step} step @param {Pen} pen @returns {SVGElement[]} */
+export function litStep(step, pen) {
+  const { x, y } = spotOf(step.at[0]);
+  if (!shapeOf(step)) return [svg("circle", { class: "lit", cx: x, cy: -y, r: 5 * pen.pixel })];
+  const marks = step.tool === "vector" ? arrow(step, pen) : [auxiliaryLine(step, pen)];
+  for (const mark of marks) mark.setAttribute("class", "lit");
+  return marks;
+}
+
+/** What is read off between two places. @param {Spot} from @param {Spot} to @param {string} words @param {Pen} pen */
+export function litReading(from, to, words, pen) {
+  const at = { x: to.x + 10 * pen.pixel, y: -to.y - 10 * pen.pixel, "font-size": 14 * pen.pixel };
+  return [svg("line", { class: "lit", ...lineEnds(pen, from, to), "stroke-width": pen.pixel }),
+    svg("text", { class: "reading", ...at }, words)];
 }
 
 /** @param {string} plane @param {string} name @param {Spot} spot @param {Pen} pen */
@@ -116,20 +132,21 @@ function labels(plane, pen) {
   const shapes = stepsOf(plane).map(shapeOf).filter((shape) => shape !== null);
   /** @type {Spot[]} */
   const taken = letteredPoints(plane).map(({ spot }) => spot);
-  /** @type {Map<string | Step, {name: string, about: Spot, off: number}>} by place, or of an arrow */
+  /** @type {Map<string | Step, {signs: Sign[], about: Spot, off: number}>} by place, or of an arrow */
   const asked = new Map();
   for (const { name, spot } of ownPoints(plane)) {
     const place = `${spot.x.toFixed(1)} ${spot.y.toFixed(1)}`;
     const there = asked.get(place);
-    asked.set(place, { name: there ? `${there.name}, ${name}` : name, about: there?.about ?? spot, off: 0.95 });
+    const signs = /** @type {Sign[]} */ ([...(there ? [...there.signs, [", "]] : []), ...lettersOf(name)]);
+    asked.set(place, { signs, about: there?.about ?? spot, off: 0.95 });
   }
   for (const step of stepsOf(plane)) {
     if (step.tool !== "vector" || !step.name) continue;
     const [tail, head] = step.at.map(spotOf);
-    asked.set(step, { name: step.name, about: { x: (tail.x + head.x) / 2, y: (tail.y + head.y) / 2 }, off: 1.1 });
+    asked.set(step, { signs: lettersOf(step.name), about: { x: (tail.x + head.x) / 2, y: (tail.y + head.y) / 2 }, off: 1.1 });
   }
-  return [...asked.values()].map(({ name, about, off }) => {
-    const [wide, high] = [nameWidth(name) * pen.letters, 0.7 * pen.letters];
+  return [...asked.values()].map(({ signs, about, off }) => {
+    const [wide, high] = [widthOf(signs) * pen.letters, 0.7 * pen.letters];
     let best = about;
     let most = -Infinity;
     for (let k = 0; k < 16; k++) {
@@ -144,8 +161,32 @@ function labels(plane, pen) {
     }
     taken.push(...SPREAD.map((part) => ({ x: best.x + part * wide, y: best.y })));
     const corner = onDrawing(pen, { x: best.x - wide / 2, y: best.y - high / 2 });
-    const drawn = nameOnDrawing(name, corner, pen.letters);
+    const drawn = lettersOnDrawing(signs, corner, pen.letters);
     setAttributes(drawn, { fill: "#111111", "font-family": LETTER_FONT });
     return drawn;
   });
+}
+
+/** About how wide signs are, in parts of their height. @param {Sign[]} signs */
+function widthOf(signs) {
+  return signs.reduce((sum, [base, , low = "", high = ""]) => sum + 0.5 * base.length + 0.36 * (low + high).length, 0);
+}
+
+/** Signs on a drawing, so high. @param {Sign[]} signs @param {Spot} at the left end of their base line, y down
+ * @param {number} size */
+function lettersOnDrawing(signs, at, size) {
+  const drawn = svg("text", { x: at.x.toFixed(3), y: at.y.toFixed(3), "font-size": size.toFixed(3), class: "letters" });
+  let drop = 0;
+  const add = (/** @type {string} */ text, /** @type {number} */ goal, /** @type {boolean} */ leans) => {
+    const shift = goal === drop ? {} : { dy: ((goal - drop) * size).toFixed(3) };
+    const small = goal ? { "font-size": (0.7 * size).toFixed(3) } : {};
+    if (text) drawn.append(svg("tspan", { ...small, ...shift, ...(leans ? { "font-style": "italic" } : {}) }, text));
+    if (text) drop = goal;
+  };
+  for (const [base, leans, low = "", high = ""] of signs) {
+    add(base, 0, Boolean(leans));
+    add(high, -0.38, true);
+    add(low, 0.28, false);
+  }
+  return drawn;
 }

@@ -1,8 +1,8 @@
 /** What is filled in: scales, the rows of the vector equations, the boxes of the answers. */
-import { nameWords } from "./board_letters.js";
 import { byId, choice, html } from "./dom.js";
 import { BOARD, keepWork, onWork, work } from "./board_state.js";
 import { numberIn } from "./numbers.js";
+import { nameWords } from "./signs.js";
 import { labelled, say } from "./words.js";
 
 /** @import { AnswerBox, Choice, FilledTerm, GivenEquation } from "./board_state.js" */

@@ -1,7 +1,7 @@
 /** The state of a student's work: what is drawn, in its order, and what is filled in; kept in the browser. */
 import { heldData } from "./dom.js";
 
-/** @import { LetterRun } from "./board_letters.js" */
+/** @import { Sign } from "./signs.js" */
 /** @typedef {{kind: string, line?: string, angle?: number}} StepDirection */
 /** One act of the pencil. `at` are places [mm from the pole, y up]; `point` is where a set square lay.
  * @typedef {{plane: string, tool: string, at: [number, number][], name?: string, line?: string, point?: [number,
@@ -12,9 +12,9 @@ import { heldData } from "./dom.js";
 /** @typedef {{student: string, scales: Record<string, number | null>, answers: Record<string, Answer>,
  * equations: FilledEquation[], steps: Step[]}} Work */
 /** @typedef {{token: string, text: string}} Choice */
-/** @typedef {{term: string, words: LetterRun[]}} GivenTerm */
-/** @typedef {{plane: string, equation: number, front: LetterRun[], sides: GivenTerm[][]}} GivenEquation */
-/** @typedef {{key: string, words: LetterRun[], units: string[], sense: string}} AnswerBox */
+/** @typedef {{term: string, words: Sign[]}} GivenTerm */
+/** @typedef {{plane: string, equation: number, front: Sign[], sides: GivenTerm[][]}} GivenEquation */
+/** @typedef {{key: string, words: Sign[], units: string[], sense: string}} AnswerBox */
 /** A line of the mechanism; where it lies on its paper, of one that is given there; and whether it is drawn there.
  * @typedef {{name: string, angle: number | null, at: [[number, number], [number, number]] | null,
  * drawn: boolean}} GivenLine */
@@ -29,10 +29,15 @@ import { heldData } from "./dom.js";
 /** What the page holds.
  * @typedef {{key: string, name: string, title: {en: string, zh: string}, problem: Record<string, unknown>,
  * papers: GivenPaper[], given: GivenMechanism, equations: GivenEquation[], choices: Record<string,
- * {directions: Choice[], magnitudes: Choice[]}>, answers: AnswerBox[]}} HeldBoard */
+ * {directions: Choice[], magnitudes: Choice[]}>, answers: AnswerBox[], letters: Record<string, Sign[]>}} HeldBoard */
 
 /** @type {HeldBoard} */
 export const BOARD = heldData("board");
+
+/** The signs of a name; the student's own stands as it is. @param {string} name @returns {Sign[]} */
+export function lettersOf(name) {
+  return BOARD.letters[name] ?? [[name.replaceAll("'", "′"), 1]];
+}
 
 /** @returns {Work} */
 function emptyWork() {

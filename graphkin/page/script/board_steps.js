@@ -1,6 +1,7 @@
-/** What the steps of a drawing are on paper: shapes, lettered points, places to which a pencil is drawn. */
-import { apart, crossings, nearestOn } from "./board_geometry.js";
+/** What the steps of a drawing are on paper: shapes, lettered points, places to which a pencil is drawn; and in words. */
+import { angleOf, apart, crossings, nearestOn } from "./board_geometry.js";
 import { BOARD, paperOf, work } from "./board_state.js";
+import { say } from "./words.js";
 
 /** @import { Segment, Shape, Spot } from "./board_geometry.js" */
 /** @import { Step } from "./board_state.js" */
@@ -63,7 +64,7 @@ function givenShapes(plane) {
 
 /** All places of a paper to which a pencil is drawn: points, ends of what is drawn, crossings. Nothing else is.
  * @param {string} plane @returns {Snap[]} */
-export function snapPlaces(plane) {
+function snapPlaces(plane) {
   /** @type {Snap[]} */
   const places = letteredPoints(plane).map(({ name, spot }) => ({ spot, kind: "point", name }));
   /** @type {Shape[]} */
@@ -79,6 +80,13 @@ export function snapPlaces(plane) {
     shapes.push(shape);
   }
   return places;
+}
+
+/** The next of the points, ends and crossings. @param {string} plane @param {Spot} spot @param {number} by */
+export function nextPlace(plane, spot, by) {
+  const places = snapPlaces(plane).map((place) => place.spot);
+  const here = places.findIndex((place) => apart(place, spot) < SAME_PLACE);
+  return places[(here + by + places.length) % places.length];
 }
 
 /** Where a pencil that comes so near is set: on a point, an end or a crossing, else on a line, else where it is.
@@ -146,4 +154,25 @@ export function belongsTo(plane, name) {
   if (plane === "position") return name;
   if (name === paperOf(plane).pole) return "pole";
   return paperOf(plane).of[name] || name.charAt(0).toUpperCase() + name.slice(1).replaceAll("'", "");
+}
+
+/** The letter of a place, or where it is. @param {string} plane @param {Spot} spot */
+export function placeWords(plane, spot) {
+  return letterAt(plane, spot) || `(${spot.x.toFixed(1)}, ${spot.y.toFixed(1)})`;
+}
+
+/** @param {string} name */
+export function lineWords(name) {
+  return name.startsWith("step ") ? say("line of step", { number: name.slice(5) }) : name;
+}
+
+/** A step as a sentence. @param {Step} step */
+export function stepWords(step) {
+  const [from, to] = step.at.map(spotOf);
+  const place = (/** @type {Spot} */ spot) => placeWords(step.plane, spot);
+  return say(`step ${step.tool}`, {
+    from: place(from), to: to ? place(to) : "", through: step.point ? place(spotOf(step.point)) : "",
+    line: step.line ?? "", name: step.name ?? "?", length: to ? apart(from, to).toFixed(1) : "",
+    angle: (step.angle ?? (to ? angleOf(from, to) : 0)).toFixed(1),
+  });
 }

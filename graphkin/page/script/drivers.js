@@ -1,7 +1,7 @@
 /** What is dragged: a bar for each driver, its crank pin on the mechanism, keys; and the motion that runs by itself. */
-import { endsOf, knotEnds, onTheWay, parameterAt, valueAt } from "./axes.js";
 import { button, html, setAttributes, takeEvent } from "./dom.js";
 import { within } from "./numbers.js";
+import { knotEnds, onTheWay, parameterAt, valueAt } from "./state.js";
 import { dragged, svg } from "./svg.js";
 import { inEachLanguage, labelled, say, spoken } from "./words.js";
 
@@ -20,7 +20,7 @@ export class DriverControl {
     this.number = number;
     this.axis = shown.mechanism.axes[number];
     this.go = go;
-    const [low, high] = endsOf(this.axis).map((end) => end * this.axis.factor);
+    const [low, high] = this.axis.ends.map((end) => end * this.axis.factor);
     this.bar = html("input", {
       type: "range", min: low, max: high, step: "any", "data-driver": this.axis.name, id: `bar-${number}`,
     });

@@ -1,9 +1,14 @@
 /** Layers over the playing mechanism: instant centres, curves, centrodes; and diagrams with a cursor beside it. */
 import { html, setAttributes, tickBox } from "./dom.js";
+import { quantityAt } from "./panels.js";
+import { measured, signNodes } from "./signs.js";
+import { parameterAt } from "./state.js";
 import { svg } from "./svg.js";
+import { Tracks } from "./tracks.js";
 import { inEachLanguage, say, typeset } from "./words.js";
 
 /** @import { Changing } from "./tracks.js" */
+/** @import { Shown, ValueData } from "./state.js" */
 /** @typedef {{name: string, x: Changing, y: Changing, w: Changing, mask?: number, frame: boolean}} Centre */
 /** @typedef {{name: string, label: string, pieces: string[]}} Curve */
 /** @typedef {{link: string, name: string, fixed: string[], moving: string[], x: Changing, y: Changing, cos: Changing,
@@ -13,12 +18,13 @@ import { inEachLanguage, say, typeset } from "./words.js";
  * move: () => void}} Switch */
 
 const LAYER_FAR = 1e-4; // a centre with so small a w is far off
+const DIAGRAM_SAMPLES = 240;
 
 /** Switches, and what they show. */
 export class LayersPart {
-  /** @param {Layers} layers @param {import("./diagram.js").DiagramPart[]} diagrams
-   * @param {import("./figure.js").PlaneFigure} figure of the mechanism @param {import("./state.js").Shown} page */
-  constructor(layers, diagrams, figure, page) {
+  /** @param {Layers | undefined} layers @param {import("./figure.js").PlaneFigure} figure of the mechanism
+   * @param {Shown} page */
+  constructor(layers, figure, page) {
     this.tracks = page.tracks;
     this.element = html("div", { class: "overlays" });
     /** @type {Switch[]} */
@@ -26,10 +32,10 @@ export class LayersPart {
     this.group = svg("g", { class: "layers-drawn" });
     this.figures = html("div", { class: "diagrams" });
     figure.figure.append(this.group);
-    if (layers.centres.length) this.addCentres(layers.centres);
-    for (const curve of layers.curves) this.addCurve(curve);
-    for (const centrode of layers.centrodes) this.addCentrode(centrode);
-    if (diagrams.length) this.addDiagrams(diagrams);
+    if (layers?.centres.length) this.addCentres(layers.centres);
+    for (const curve of layers?.curves ?? []) this.addCurve(curve);
+    for (const centrode of layers?.centrodes ?? []) this.addCentrode(centrode);
+    if (page.mechanism.values.length) this.addDiagrams(page);
     inEachLanguage(() => this.draw());
     page.onMove.push(() => this.move());
   }
@@ -92,9 +98,59 @@ export class LayersPart {
     });
   }
 
-  /** @param {import("./diagram.js").DiagramPart[]} diagrams */
-  addDiagrams(diagrams) {
+  /** @param {Shown} page */
+  addDiagrams(page) {
+    const tracks = new Tracks(page.mechanism.axes, page.mechanism.tracks, page.mechanism.masks);
+    const diagrams = page.mechanism.values.map((value) => diagramOf(value, page, tracks));
     const group = html("div", { "data-shown": "diagrams" }, ...diagrams.map(({ element }) => element));
-    this.add("diagrams", "", () => typeset(say("layers.diagrams")), group, () => diagrams.forEach((one) => one.move()));
+    this.add("diagrams", "", () => typeset(say("layers.diagrams")), group, () => diagrams.forEach(({ move }) => move()));
   }
+}
+
+/** A quantity over the first driver's way, with a cursor at the position shown. @param {ValueData} quantity
+ * @param {Shown} page @param {Tracks} tracks its own */
+function diagramOf(quantity, page, tracks) {
+  const { drawing, x: [left, wide], y: [foot, high] } = quantity.diagram;
+  const [axis, ...others] = page.mechanism.axes;
+  const value = html("output");
+  const curve = svg("path", { class: "diagram-curve" });
+  const cursor = svg("line", { class: "diagram-cursor", y1: 3, y2: 44 });
+  const dot = svg("circle", { class: "diagram-dot", r: 1.2 });
+  const [picture] = /** @type {SVGSVGElement[]} */ (typeset(drawing));
+  picture.append(curve, cursor, dot);
+  const caption = html("figcaption", {}, ...signNodes(quantity.sign), " = ", value);
+  const x = (/** @type {number} */ place) => (left + wide * place * axis.factor).toFixed(2);
+  const y = (/** @type {number} */ number) => (foot + high * number).toFixed(2);
+  const at = (/** @type {number} */ place) => {
+    const [, ...rest] = page.parameters();
+    tracks.moveTo([parameterAt(axis, place), ...rest]);
+    return tracks.isAround(quantity.mask) ? quantityAt(quantity, tracks) : NaN;
+  };
+  const draw = () => {
+    const [first, last] = axis.ends;
+    const step = (last - first) / DIAGRAM_SAMPLES;
+    let path = "";
+    for (let k = 0, on = false; k <= DIAGRAM_SAMPLES; k++) {
+      const place = first + step * k;
+      const number = at(k < DIAGRAM_SAMPLES ? place : place - 1e-6 * step); // the end of a turn is not its beginning
+      if (Number.isFinite(number)) path += `${on ? "L" : "M"}${x(place)} ${y(number)}`;
+      on = Number.isFinite(number);
+    }
+    curve.setAttribute("d", path);
+  };
+  let drawn = "";
+  return {
+    element: html("figure", { class: "diagram", "data-diagram": quantity.name }, caption, picture),
+    move() {
+      const held = `at ${others.map((_, k) => page.values[k + 1])}`;
+      if (held !== drawn) draw();
+      drawn = held;
+      const [place] = page.values;
+      const number = at(place);
+      const there = Number.isFinite(number);
+      value.textContent = there ? measured(number, quantity.unit) : "–";
+      setAttributes(cursor, { x1: x(place), x2: x(place) });
+      setAttributes(dot, { cx: x(place), cy: there ? y(number) : 0, display: there ? null : "none" });
+    },
+  };
 }

@@ -2,12 +2,11 @@
 import { button, byId, heldData, html, setAttributes, tickBox } from "./dom.js";
 import { DriverControl, Run } from "./drivers.js";
 import { PlaneFigure } from "./figure.js";
-import { onHash, readHash, writeHash } from "./hash.js";
-import { ResultsPanel, arrowSize } from "./results.js";
-import { addParts } from "./player_parts.js";
+import { LayersPart } from "./layers.js";
+import { arrowSize, ResultsPanel, StepsPanel } from "./panels.js";
+import { QuizPart } from "./quiz.js";
 import { plainText, signNodes } from "./signs.js";
 import { Shown } from "./state.js";
-import { StepsPanel } from "./steps.js";
 import { fillWords, inEachLanguage, language, say, setLanguage, spoken } from "./words.js";
 
 /** @import { Mechanism } from "./state.js" */
@@ -33,7 +32,7 @@ export class Player {
     this.element = html("div", { class: "player" },
       this.figuresElement(), html("div", { class: "panels" }, ...panels), this.bars());
     this.quizzing = false;
-    addParts(this);
+    this.addParts();
     fillWords(this.element);
     this.pointing();
     this.light(null);
@@ -56,6 +55,35 @@ export class Player {
       tickBox({ "data-toggle": layer, checked: true }, true, (shown) => this.showLayer(layer, shown),
         html("span", { "data-word": `page.layer ${layer}` })));
     return html("section", { class: "panel layers" }, html("h2", { "data-word": "page.layers" }), ...boxes);
+  }
+
+  /** What lies over the motion, and the quiz. */
+  addParts() {
+    const { overlays, quiz } = this.shown.mechanism;
+    const part = new LayersPart(overlays, this.figures[0], this.shown);
+    this.element.querySelector(".panel.layers")?.append(part.element);
+    this.element.querySelector(".figures")?.append(part.figures);
+    if (!quiz?.questions.length) return;
+    const asked = html("div", { class: "panel" }, new QuizPart(quiz, this).element);
+    this.element.querySelector(".panels")?.append(asked);
+  }
+
+  /** Its acts up to one at the position of the quiz; all, as the page was, at the end. @param {number | null} act */
+  showUpTo(act) {
+    this.quizzing = act !== null;
+    this.element.classList.toggle("quizzing", this.quizzing);
+    this.run?.stop();
+    if (act === null) return this.goStep(this.shown.step);
+    this.shown.values = [...this.shown.mechanism.quiz?.at ?? []];
+    this.move();
+    // the mechanism is given; half of the first act is nothing of it
+    for (const each of this.figures) each.showStep(each.plane.plane === "position" ? 0 : act || 0.5);
+    return undefined;
+  }
+
+  /** @param {string} plane */
+  drawing(plane) {
+    return this.figures.find((each) => each.plane.plane === plane)?.drawing ?? this.figures[0].drawing;
   }
 
   /** @param {string} layer @param {boolean} shown */
@@ -152,9 +180,10 @@ export class Player {
 
 /** @type {Player | null} */
 let player = null;
+let written = ""; // as the hash
 
-/** @param {Map<string, string>} entries */
-function goToHash(entries) {
+function goToHash() {
+  const entries = new URLSearchParams(location.hash.slice(1));
   const lang = entries.get("lang");
   if (lang && lang !== language()) setLanguage(lang);
   const chosen = MECHANISMS.find((each) => each.name === entries.get("show")) ?? player?.shown.mechanism ?? MECHANISMS[0];
@@ -169,16 +198,24 @@ function goToHash(entries) {
   now.goStep(Number(entries.get("step") ?? 0));
 }
 
+/** The hash, `#AB=60&step=7&lang=zh`, is what the page shows, without a new entry in the browser's history. A frame
+ * without an address of its own keeps none. */
 function keepHash() {
   if (!player) return;
-  const entries = new Map();
+  const entries = new URLSearchParams();
   if (MECHANISMS.length > 1) entries.set("show", player.shown.mechanism.name);
   for (const driver of player.drivers) {
     entries.set(driver.axis.name, String(Math.round(driver.value * driver.axis.factor * 1e4) / 1e4));
   }
   if (player.shown.step) entries.set("step", String(player.shown.step));
   entries.set("lang", language());
-  writeHash(entries);
+  written = `#${entries}`;
+  if (written === location.hash || location.protocol === "about:") return;
+  try {
+    history.replaceState(null, "", written);
+  } catch {
+    // too many changes in a second: the next one is written
+  }
 }
 
 /** @param {Mechanism} mechanism */
@@ -231,7 +268,7 @@ function startPage() {
   const printer = button({ "data-action": "print", "data-word": "page.print" }, () => print());
   const head = html("header", { class: "top" }, html("h1", { id: "title" }), switcher, printer);
   document.body.prepend(head, ...(MECHANISMS.length > 1 ? [contentsElement()] : []), html("main", { id: "page" }));
-  goToHash(readHash());
+  goToHash();
   fillWords(document);
   inEachLanguage(() => {
     if (!player) return;
@@ -240,7 +277,9 @@ function startPage() {
     player.steps.show();
     player.light(null);
   });
-  onHash(goToHash);
+  addEventListener("hashchange", () => {
+    if (location.hash !== written) goToHash();
+  });
   addEventListener("keydown", onKey);
 }
 

@@ -1,7 +1,7 @@
 /** Questions on the drawn position, one after another. Only answers are compared here: all of them come with the page. */
-import { button, choice, html } from "./dom.js";
-import { TurnedDirection } from "./quiz_direction.js";
-import { judgeAngle, judgeValue } from "./quiz_judge.js";
+import { button, choice, html, setAttributes, takeEvent } from "./dom.js";
+import { directionOf, modulo, numberIn } from "./numbers.js";
+import { dragged, svg } from "./svg.js";
 import { inEachLanguage, say, spoken, typeset } from "./words.js";
 
 /** @import { Both } from "./words.js" */
@@ -12,31 +12,35 @@ import { inEachLanguage, say, spoken, typeset } from "./words.js";
 /** `at`: the drivers' values [rad, m]; `tolerance`: of a direction [deg].
  * @typedef {{questions: Question[], mistakes: Both[], at: number[], tolerance: number, units: {name: string,
  * kind: string, times: number}[]}} Quiz */
-/** What the page shows of the drawn position. `showUpTo`: its acts up to one; all, as the page was, at the end; `look`:
- * bring a plane into view; `place`: of a point of a plane.
- * @typedef {{showUpTo: (act: number | null) => void, drawing: (plane: string) => SVGSVGElement | null,
- * look: (plane: string) => void, place: (plane: string, name: string) => {x: number, y: number} | null}} QuizHost */
+/** @typedef {{verdict: "right" | "wrong" | "unread", words: string, off?: number, mistakes?: number[]}} Judged */
+
+const QUIZ_NEAR = 0.005; // an answer is a mistake's that differs from it by so small a part, or by what paper allows
+const QUIZ_REACH = 70; // of a line to both sides [mm]
+const QUIZ_ARROW = 30; // the length of an arrow [mm]
+const QUIZ_HANDLE = 22; // the distance of the handle from the point [mm]
+/** @type {Record<string, number>} the degrees that a key turns it */
+const QUIZ_KEYS = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
 
 /** The quiz as a part of the page. */
 export class QuizPart {
-  /** @param {Quiz} quiz @param {QuizHost} host */
-  constructor(quiz, host) {
+  /** @param {Quiz} quiz @param {import("./player.js").Player} player */
+  constructor(quiz, player) {
     this.quiz = quiz;
-    this.host = host;
+    this.player = player;
     this.element = html("section", { class: "quiz", "data-quiz": "off" });
     this.number = -1; // of the question that is asked
     this.tries = 0;
     this.done = false;
     this.score = 0; // questions that were answered right at once
-    /** @type {TurnedDirection | null} */
+    /** @type {SVGElement | null} */
     this.direction = null;
     inEachLanguage(() => this.draw());
   }
 
   ask() {
     const question = this.quiz.questions[this.number];
-    this.host.showUpTo(question.kind === "value" ? question.act : question.act - 1);
-    this.host.look(question.plane);
+    this.player.showUpTo(question.kind === "value" ? question.act : question.act - 1);
+    this.player.drawing(question.plane).parentElement?.scrollIntoView({ block: "nearest", inline: "start" });
     this.tries = 0;
     this.done = false;
     this.draw();
@@ -92,8 +96,13 @@ export class QuizPart {
   directionForm(question) {
     const angle = html("input", { type: "number", step: "any", value: "0", "data-quiz-angle": true });
     const label = typeset(say("quiz.handle", { name: question.name })).map((node) => node.textContent).join("");
-    const drawing = this.host.drawing(question.plane), at = this.host.place(question.plane, question.point ?? "");
-    if (drawing && at) this.direction = new TurnedDirection(question, drawing, at, angle, label);
+    const drawing = this.player.drawing(question.plane);
+    const point = drawing.querySelector(`circle.point[data-name="${CSS.escape(question.point ?? "")}"]`);
+    if (point) {
+      const at = { x: Number(point.getAttribute("cx")), y: Number(point.getAttribute("cy")) };
+      this.direction = turnedDirection(question, at, angle, label);
+      drawing.append(this.direction);
+    }
     return html("form", {}, html("label", {}, say("quiz.angle"), " ", angle, " °"), " ", quizSubmit());
   }
 
@@ -119,7 +128,7 @@ export class QuizPart {
     this.done = true;
     const answer = question.words ? spoken(question.words) : quizValueInWords(question);
     verdict.append(html("p", { "data-quiz-answer": true }, ...typeset(answer)));
-    this.host.showUpTo(question.act);
+    this.player.showUpTo(question.act);
   }
 
   /** @param {Question} question @param {HTMLElement} verdict */
@@ -141,7 +150,7 @@ export class QuizPart {
   /** @param {number} number */
   leave(number) {
     this.number = number;
-    this.host.showUpTo(null);
+    this.player.showUpTo(null);
     this.draw();
   }
 }
@@ -169,4 +178,98 @@ function quizValueInWords(question) {
   const sense = question.sense === "turn" ? `, ${say(question.right > 0 ? "quiz.ccw" : "quiz.cw")}` : "";
   const shown = `${Number(size.toPrecision(4))}`.replace("-", "−");
   return say("quiz.answer", { answer: `${question.name} = ${shown}${unit}${sense}` });
+}
+
+/** A line or an arrow over a drawing that the student turns about its point. @param {Question} question
+ * @param {{x: number, y: number}} at the place of its point @param {HTMLInputElement} field shows the angle, and takes it
+ * @param {string} label for a screen reader @returns {SVGElement} */
+function turnedDirection(question, at, field, label) {
+  const turn = question.kind === "line" ? 180 : 360;
+  const lines = [svg("line", { class: "quiz-wide" }), svg("line", { class: "quiz-line" })];
+  const head = svg("path", { class: "quiz-head", d: turn === 180 ? "" : `M${QUIZ_ARROW} 0l-4 1.2v-2.4Z` });
+  const handle = svg("circle", {
+    class: "quiz-handle", r: 3, tabindex: 0, role: "slider", "aria-label": label, "aria-valuemin": 0, "aria-valuemax": turn,
+  });
+  const show = (/** @type {number} */ angle) => {
+    const along = { x: Math.cos((angle * Math.PI) / 180), y: -Math.sin((angle * Math.PI) / 180) };
+    const [from, to] = turn === 180 ? [-QUIZ_REACH, QUIZ_REACH] : [0, QUIZ_ARROW];
+    const ends = { x1: at.x + from * along.x, y1: at.y + from * along.y, x2: at.x + to * along.x, y2: at.y + to * along.y };
+    for (const line of lines) setAttributes(line, ends);
+    const grip = { cx: at.x + QUIZ_HANDLE * along.x, cy: at.y + QUIZ_HANDLE * along.y };
+    setAttributes(handle, { ...grip, "aria-valuenow": angle, "aria-valuetext": `${angle}°` });
+    head.setAttribute("transform", `translate(${at.x} ${at.y}) rotate(${-angle})`);
+  };
+  const turnTo = (/** @type {number} */ angle) => {
+    const within = Math.round(modulo(angle, turn) * 10) / 10;
+    field.value = String(within >= turn ? 0 : within);
+    field.dispatchEvent(new Event("input", { bubbles: true }));
+  };
+  const group = svg("g", { class: "quiz-direction", "data-quiz-direction": question.kind }, ...lines, head, handle);
+  dragged(group, handle, true, ({ x, y }) => turnTo(directionOf(x - at.x, at.y - y)));
+  handle.addEventListener("keydown", (event) => {
+    const way = QUIZ_KEYS[event.key];
+    if (!way) return;
+    takeEvent(event);
+    turnTo(Number(field.value) + way);
+  });
+  field.addEventListener("input", () => {
+    const typed = numberIn(field.value);
+    if (typed !== null) show(typed);
+  });
+  field.value = String(Math.abs(((question.right + 20) % 90) - 20) < 10 ? 45 : 0); // not where the answer is
+  show(Number(field.value));
+  return group;
+}
+
+// --- answers beside the right one and those that mistakes give
+
+/** @param {Quiz} quiz @param {Question} question @param {HTMLFormElement} form @returns {Judged} */
+function judgeAngle(quiz, question, form) {
+  const given = numberIn(quizField(form, "[data-quiz-angle]"));
+  if (given === null) return { verdict: "unread", words: "not a number" };
+  const off = (/** @type {number} */ value) => anglesApart(given, value, question.kind === "line" ? 180 : 360);
+  const judged = judgedBy(off, question, quiz.tolerance, () => quiz.tolerance);
+  if (judged.words !== "wrong") return judged;
+  const close = off(question.right) <= 3 * quiz.tolerance;
+  return { verdict: "wrong", words: close ? "close" : "wrong", off: Math.round(off(question.right) * 10) / 10 };
+}
+
+/** @param {Quiz} quiz @param {Question} question @param {HTMLFormElement} form @returns {Judged} */
+function judgeValue(quiz, question, form) {
+  const number = numberIn(quizField(form, "[data-quiz-number]"));
+  if (number === null) return { verdict: "unread", words: "not a number" };
+  const unit = quiz.units.find(({ name }) => name === quizField(form, "[data-quiz-unit]"));
+  if (!unit && question.unit) return { verdict: "unread", words: "no unit" };
+  if (unit && unit.kind !== question.dimension) return { verdict: "wrong", words: "other unit" };
+  const sense = quizField(form, "[data-quiz-sense]");
+  if (question.sense === "turn" && !sense) return { verdict: "unread", words: "no sense" };
+  const signed = number * (unit?.times ?? 1);
+  const size = question.sense === "" || sense ? Math.abs(signed) : signed;
+  const given = sense === "cw" ? -size : size;
+  const { right, tolerance = 0, turn = 0 } = question;
+  const off = (/** @type {number} */ value) => (turn ? anglesApart(given, value, turn) : Math.abs(given - value));
+  return judgedBy(off, question, tolerance, (value) =>
+    Math.max(QUIZ_NEAR * Math.abs(value), right ? tolerance * Math.abs(value / right) : tolerance));
+}
+
+/** An answer that is off by so much of a value: right, that of the nearest mistakes if it is near enough, or wrong.
+ * @param {(value: number) => number} off @param {Question} question @param {number} tolerance
+ * @param {(value: number) => number} allowed off a mistake's value @returns {Judged} */
+function judgedBy(off, { right, wrong }, tolerance, allowed) {
+  if (off(right) <= tolerance) return { verdict: "right", words: "right" };
+  const near = wrong.filter(([value]) => off(value) <= allowed(value)).sort(([one], [other]) => off(one) - off(other));
+  const mistakes = near[0]?.[1] ?? [];
+  return { verdict: "wrong", words: mistakes.length ? "mistake" : "wrong", mistakes };
+}
+
+/** @param {number} one @param {number} other @param {number} turn @returns {number} */
+function anglesApart(one, other, turn) {
+  const off = Math.abs(one - other) % turn;
+  return Math.min(off, turn - off);
+}
+
+/** @param {HTMLFormElement} form @param {string} which @returns {string} */
+function quizField(form, which) {
+  const field = form.querySelector(which);
+  return field instanceof HTMLInputElement || field instanceof HTMLSelectElement ? field.value : "";
 }

@@ -44,3 +44,8 @@ export function signNodes(signs, filled = (text) => text) {
 export function plainText(signs) {
   return signs.map(([base, , low, high]) => base + (high ? `^${high}` : "") + (low ? `_${low}` : "")).join("");
 }
+
+/** A name in a line of words. @param {Sign[]} signs */
+export function nameWords(signs) {
+  return html("span", { class: "name" }, ...signNodes(signs));
+}

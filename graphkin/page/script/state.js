@@ -1,14 +1,14 @@
 /** The state of the page: which mechanism, where its drivers are, which step; who shows it follows its changes. */
-import { parameterAt } from "./axes.js";
+import { modulo, within } from "./numbers.js";
 import { Tracks } from "./tracks.js";
 
 /** @import { Sign } from "./signs.js" */
 /** @import { Changing } from "./tracks.js" */
 /** @import { Both } from "./words.js" */
 /** @typedef {{value: number} & Both} PathEvent a dead point or a change point at a driver's value */
-/** A driver and its knots.
- * @typedef {{name: string, unit: string, factor: number, low: number, high: number,
- * ends: "line" | "low" | "high" | "both", round: boolean, u: number[], period: number, start: number, rate: number,
+/** A driver and its knots; `ends` of what the page shows; `wave`: at u its value is the first - the second cos u.
+ * @typedef {{name: string, unit: string, factor: number, low: number, high: number, ends: [number, number],
+ * wave: [number, number] | null, round: boolean, u: number[], period: number, start: number, rate: number,
  * events: PathEvent[], handle?: [Changing, Changing]}} Axis */
 /** A mark of a figure.
  * @typedef {{kind: "line" | "body" | "circle" | "arc" | "text" | "vector" | "point", numbers: Changing[],
@@ -19,7 +19,8 @@ import { Tracks } from "./tracks.js";
  * height: number, origin: [number, number], rows: Row[], mask?: number, cells?: number | null}} PlaneData */
 /** @typedef {{kind: string, words: Sign[][], numbers?: number[], sizes?: number[], turns?: number[], mask?: number}} Template */
 /** @typedef {{step: number, plane: string, en: Template[][], zh: Template[][]}} StepData */
-/** @typedef {{name: string, sign: Sign[], unit: string, value: Changing, mask?: number, rise?: number, size?: boolean}} ValueData */
+/** @typedef {{name: string, sign: Sign[], unit: string, value: Changing, mask?: number, rise?: number,
+ * size?: boolean, diagram: {drawing: string, x: [number, number], y: [number, number]}}} ValueData */
 /** @typedef {{name: string, title: Both, axes: Axis[], planes: PlaneData[], paints: Record<string, string>[],
  * wordKnots: number[][], quiz?: import("./quiz.js").Quiz, overlays?: import("./layers.js").Layers, steps: StepData[],
  * values: ValueData[], layers: string[], tracks: (string | [number, string])[], masks: string[]}} Mechanism */
@@ -43,4 +44,31 @@ export class Shown {
   parameters() {
     return this.mechanism.axes.map((axis, k) => parameterAt(axis, this.values[k]));
   }
+}
+
+/** The parameter of a driver's value, within the knots. @param {Axis} axis @param {number} value */
+export function parameterAt(axis, value) {
+  if (axis.round) return axis.low + modulo(value - axis.low, axis.high - axis.low);
+  const [middle, half] = axis.wave ?? [0, 1];
+  return within(axis.wave ? Math.acos(within((middle - value) / half, -1, 1)) : value, ...knotEnds(axis));
+}
+
+/** @param {Axis} axis @returns {[number, number]} */
+export function knotEnds({ u }) {
+  return [u[0], u[u.length - 1]];
+}
+
+/** @param {Axis} axis @param {number} u */
+export function valueAt({ wave }, u) {
+  return wave ? wave[0] - wave[1] * Math.cos(u) : u;
+}
+
+/** A value on the driver's way: round and round, or between its ends. @param {Axis} axis @param {number} value */
+export function onTheWay(axis, value) {
+  const [low, high] = axis.ends;
+  const turn = 2 * Math.PI;
+  if (axis.unit !== "°") return within(value, low, high);
+  if (axis.high - axis.low > turn - 1e-9) return within(axis.low + modulo(value - axis.low, turn), low, high);
+  const shifted = value + turn * Math.round(((low + high) / 2 - value) / turn);
+  return within(shifted >= low && shifted <= high ? shifted : value, low, high);
 }
