@@ -54,7 +54,8 @@ def known_arrow(polygon: PolygonReading, step: kinds.LayOff) -> Iterator[Entry]:
         yield Sentence(polygon.reading.say("derivation.only normal", alpha=alpha, **words))
     size_of = size_calculation(polygon, step.term, (step.term,))
     yield size_of
-    yield polygon.sentence(step, _lay_off(polygon, step), " = ".join([size_of.name, *size_of.formulas]))
+    row = " = ".join([size_of.name, *size_of.formulas]) if size_of.formulas else ""  # what is given needs no equation
+    yield polygon.sentence(step, _lay_off(polygon, step), row)
 
 
 def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import compress, pairwise
+from itertools import compress, pairwise, takewhile
 
 import numpy as np
 
@@ -143,7 +143,9 @@ class _DetailDrawing:
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
         named = [want for want in whole.wanted if view.shown.names(want)]
         arrows = {want.of for want in named if want.of}
-        pole = [mark.at for mark in figure.marks if isinstance(mark, PointMark) and mark.of == "pole"][:1]
+        pole, seen = ([mark.at for mark in each.marks if isinstance(mark, PointMark) and mark.of == "pole"][:1]
+                      for each in (figure, whole))  # fmt: skip
+        named = [_alone(want) if want.start in seen and not want.of else want for want in named]
         stay = [not (want.of in arrows if want.of else view.part.names(want) and want.start not in pole)
                 for want in figure.wanted]  # fmt: skip
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
@@ -160,6 +162,12 @@ class _DetailDrawing:
         burdens = np.concatenate([self.burdens[stay], inside, [0.0]])
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
         return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), burdens=burdens)
+
+
+def _alone(want: LabelRequest) -> LabelRequest:
+    """A label with the first of its names alone: of the pole, where all of them stand already."""
+    first = tuple(takewhile(lambda run: run.text != ", ", want.label))
+    return replace(want, label=first, parts=())
 
 
 def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> dict[_DetailCircle, float]:

@@ -202,12 +202,12 @@ _SIGN = (
 _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = rf"(?:(?<=[⊥∥→·∆])|(?<=× )|(?<=[A-Z]/))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
 _NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z′]*\d)(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
-_NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*(?:(?<=′)\d+′*)?")
+_NODE = re.compile(r"[a-z]\d*(?:_\d+|,\d+(?=′))?′*(?:(?<=′)\d+′*)?")
 _WITH_WORD = r"[A-Za-z]\d*′+_[^\W\d_]\w*′*|(?:[a-z](?=_[a-z])|[b-km-ru-z])_[^\W\d_]\w*′+"  # b′_lever″, n_lever′, n_OA′
 _WORDED = rf"(?<![A-Za-z])(?:[a-z]\d*′+)*(?:{_WITH_WORD})+(?:[a-z]\d*′+)*"
 _EACH = re.compile(rf"{_WITH_WORD}|[a-z]\d*′+")
 _STRETCH = (
-    r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+(?:\d+′*)?|[a-z]\d+′*)+(?![A-Za-z²³])"
+    r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+(?:\d+′*)?|[a-z]\d+(?:_\d+)?′*)+(?![A-Za-z\d²³])"
     r"|(?<=[·∆])(?:[a-z]\d*)+(?![A-Za-z_])|(?<=[∥⊥])[xy]\b|(?<![A-Za-z/])(?<!\d )[a-z]\d*[a-z]\d*(?= = )"
     r"|(?<== )[a-z]\d*[a-z]\d*(?= ×)"
 )

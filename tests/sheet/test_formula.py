@@ -23,6 +23,8 @@ def _set(text: str) -> str:
         ("Measured: pe = 70.49 mm", "Measured: *pe* = 70.49 mm"),
         ("dc = db3 × CD/BD = 71.87 mm", "*dc* = *db*[3] × *CD*/*BD* = 71.87 mm"),
         ("△ek1d is similar to △EKD, both", "∆*ek*[1]*d* is similar to ∆*EKD*, both"),
+        ("∆sk11f ∽ ∆SKF", "∆*sk*[11]*f* ∽ ∆*SKF*"),
+        ("∆z2′ a1′ u1_3′ ∽ ∆Z2A1U1", "∆*z*[2]′ *a*[1]′ *u*[1,3]′ ∽ ∆*Z*[2]*A*[1]*U*[1]"),
         ("25.4 mm = 1 in", "25.4 mm = 1 in"),
         ("由 p 作矢量 ⊥DE，得 w。", "由 *p* 作矢量 ⊥*DE*，得 *w*。"),
         ("so a and d4 lie on p", "so *a* and *d*[4] lie on *p*"),
