@@ -80,7 +80,7 @@ class HandoutTable:
 
 @frozen
 class GridRoom:
-    """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]; in words
+    """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]; words:
     what is drawn there."""
 
     words: str

@@ -25,7 +25,7 @@ from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import finest, written
 
-_HIGH, _LOW, _ROW = 196.0, 70.0, 7.5  # of a page but for a problem's entries and answers, and of an answer [mm]
+_HIGH, _LOW, _ROW = 203.5, 70.0, 7.5  # of a page but for a problem's name, entries and answers, and of a name [mm]
 _ENTRY, _LINE, _WIDE, _LETTERS = 6.4, 4.9, 170.0, 3.7  # of an entry, of each further line of it; a page's width [mm]
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
@@ -189,7 +189,8 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
     notes = [] if there else [say("handouts.elsewhere", problem.lang)]
     texts = [each.text for each in problem.posed if isinstance(each, entry.Sentence | entry.Heading)]
     further = sum(int(width(formula(text), _LETTERS) / _WIDE) for text in texts)
-    least = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - _ROW * len(problem.asked.wanted))
+    rows = len(problem.asked.wanted) + (not problem.whose)
+    least = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - _ROW * rows)
     if (high := figure.sheet.paper.height) > least:
         scale = finest(complex(0, high * problem.scales["position"]), complex(1, least))
         machine = replace(method.mechanism, scales={**method.mechanism.scales, "length": scale})
