@@ -71,11 +71,13 @@ class HandoutPicture:
 
 @frozen
 class HandoutTable:
-    """Rows under their heads; an empty label is room to write; `under`: the width of gridded paper above it [mm]."""
+    """Rows under their heads; an empty label is room to write, unless all is `printed`; `under`: the width of gridded
+    paper above it [mm]."""
 
     heads: tuple[Label, ...]
     rows: tuple[tuple[Label, ...], ...]
     under: float = 0.0
+    printed: bool = False
 
 
 @frozen

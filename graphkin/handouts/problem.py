@@ -200,7 +200,7 @@ def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
     if rows:
         heads = ("quantity", "drawn", "analysed", "allowed", "unit")
         yield HandoutHeading(plain(say("handouts.beside", problem.lang)))
-        yield HandoutTable(tuple(plain(say(f"handouts.{head}", problem.lang)) for head in heads), tuple(rows))
+        yield HandoutTable(tuple(plain(say(f"handouts.{head}", problem.lang)) for head in heads), tuple(rows), printed=True)
 
 
 def common_mistakes(problem: HandoutProblem) -> Iterator[Block]:
