@@ -10,11 +10,11 @@ from graphkin.planning.method import Method
 
 
 def imaged_gears(method: Method) -> Iterator[tuple[Wheel, str, str]]:
-    """Every gear that turns, once, with its circle's name, and the polygon's point of its centre; wheels that only roll
-    have none. `g` is another letter where the mechanism has a point G."""
+    """Every gear once, with its circle's name, and the polygon's point of its centre; wheels that only roll have none.
+    `g` is another letter where the mechanism has a point G."""
     letter = next((c for c in "gwzu" if c.upper() not in method.mechanism.points), "g")
     for wheel in wheels_of(method.mechanism):
-        if wheel.gear and wheel.link != FRAME and (centre := _centre(method, wheel)) is not None:
+        if wheel.gear and (centre := _centre(method, wheel)) is not None:
             called = method.mechanism.called(wheel.link)
             yield wheel, letter + ("" if called.isdigit() else "@") + called, centre
 
@@ -22,7 +22,7 @@ def imaged_gears(method: Method) -> Iterator[tuple[Wheel, str, str]]:
 def _centre(method: Method, wheel: Wheel) -> str | None:
     """The polygon's point of a gear's centre; those of fixed points are the pole's."""
     owners = method.mechanism.owners.get(wheel.centre, ())
-    if FRAME in owners:
+    if FRAME in owners or wheel.link == FRAME:
         return method.velocity.pole
     nodes = method.velocity.nodes.items()
     at_centre = [(name, node.site) for name, node in nodes if node.site and node.site.point == wheel.centre]

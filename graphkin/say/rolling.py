@@ -313,9 +313,14 @@ def same_velocities(polygon: PolygonReading, part: Step | Equation) -> Iterator[
 
 
 def gear_circles(polygon: PolygonReading) -> Iterator[Entry]:
-    """The circles in a velocity polygon that are the images of gears."""
-    say, named = polygon.reading.say, [(name, centre) for _, name, centre in imaged_gears(polygon.reading.method)]
-    circles = [say("contacts.gear image", name=names.point(name), centre=names.point(node)) for name, node in named]
+    """The circles in a velocity polygon that are the images of gears; the point that is that of one at rest."""
+    say, circles = polygon.reading.say, list[str]()
+    for wheel, name, node in imaged_gears(polygon.reading.method):
+        words = {"name": names.point(name), "centre": names.point(node)}
+        if wheel.link == FRAME:
+            yield Sentence(say("contacts.gear at rest", **words))
+        else:
+            circles.append(say("contacts.gear image", **words))
     if circles:
         which = int(len(circles) > 1)
         yield Sentence(say("contacts.gear images", circles=polygon.reading.listed(circles), which=which))
