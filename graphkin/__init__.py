@@ -62,8 +62,8 @@ __version__ = "0.2.0"
 
 ORDER = (
     "base", "errors", "construction", "model", "files", "planning", "running", "analytic", "proof", "studies", "check",
-    "submissions", "marking", "photo", "results", "say", "sheet", "outputs", "equations", "api", "homework", "handouts", "page",
-    "cli",
+    "submissions", "marking", "photo", "results", "say", "sheet", "outputs", "equations", "api", "homework", "handouts",
+    "page", "cli",
 )  # fmt: skip
 
 _HOMES = {

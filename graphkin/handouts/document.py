@@ -71,16 +71,18 @@ class HandoutPicture:
 
 @frozen
 class HandoutTable:
-    """Rows under their heads; an empty label is room to write; `under`: the width of gridded paper above it [mm]."""
+    """Rows under their heads; an empty label is room to write, unless all is `printed`; `under`: the width of gridded
+    paper above it [mm]."""
 
     heads: tuple[Label, ...]
     rows: tuple[tuple[Label, ...], ...]
     under: float = 0.0
+    printed: bool = False
 
 
 @frozen
 class GridRoom:
-    """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]; in words
+    """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]; words:
     what is drawn there."""
 
     words: str

@@ -108,7 +108,7 @@ def block_html(block: Block) -> str:
             return f'<figure><div role="img" aria-label="{escape(words)}">{inline(sheet)}</div>{caption}</figure>'
         case document.GridRoom():
             return f"<figure>{room_svg(block)}</figure>"
-        case document.HandoutTable(heads, rows, _):
+        case document.HandoutTable(heads, rows):
             body = "".join(_row("td", map(html_words, row)) for row in rows)
             return f'<table class="filled">{_row("th", map(html_words, heads))}{body}</table>'
         case document.NewPage(front):

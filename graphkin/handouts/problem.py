@@ -151,8 +151,10 @@ class HandoutProblem:
         return self._sections[-1]
 
     def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
-        """The parts as far as whole equations and what is said of their arrows go, the last with the next equation."""
-        seen = 0
+        """The parts as far as whole equations and what is said of their arrows go, the last with the next equation.
+        Of a single equation none is done."""
+        every = [each for section in self.parts for each in section.entries if isinstance(each, entry.VectorEquation)]
+        equations, seen = equations if len(every) > 1 else 0, 0
         for section in self.parts:
             for k, each in enumerate(section.entries):
                 if isinstance(each, entry.VectorEquation):
@@ -200,7 +202,8 @@ def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
     if rows:
         heads = ("quantity", "drawn", "analysed", "allowed", "unit")
         yield HandoutHeading(plain(say("handouts.beside", problem.lang)))
-        yield HandoutTable(tuple(plain(say(f"handouts.{head}", problem.lang)) for head in heads), tuple(rows))
+        labels = tuple(plain(say(f"handouts.{head}", problem.lang)) for head in heads)
+        yield HandoutTable(labels, tuple(rows), printed=True)
 
 
 def common_mistakes(problem: HandoutProblem) -> Iterator[Block]:

@@ -21,11 +21,12 @@ from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain, width
+from graphkin.sheet.marks import Text
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import finest, written
 
-_HIGH, _LOW, _ROW = 196.0, 70.0, 7.5  # of a page but for a problem's entries and answers, and of an answer [mm]
+_HIGH, _LOW, _ROW = 203.5, 70.0, 7.5  # of a page but for a problem's name, entries and answers, and of a name [mm]
 _ENTRY, _LINE, _WIDE, _LETTERS = 6.4, 4.9, 170.0, 3.7  # of an entry, of each further line of it; a page's width [mm]
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
@@ -189,7 +190,8 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
     notes = [] if there else [say("handouts.elsewhere", problem.lang)]
     texts = [each.text for each in problem.posed if isinstance(each, entry.Sentence | entry.Heading)]
     further = sum(int(width(formula(text), _LETTERS) / _WIDE) for text in texts)
-    least = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - _ROW * len(problem.asked.wanted))
+    rows = len(problem.asked.wanted) + (not problem.whose)
+    least = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - _ROW * rows)
     if (high := figure.sheet.paper.height) > least:
         scale = finest(complex(0, high * problem.scales["position"]), complex(1, least))
         machine = replace(method.mechanism, scales={**method.mechanism.scales, "length": scale})
@@ -214,7 +216,7 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last = max([last, *(act.page for act in acts if act is not None)])
         figures += section.plane is not None
-        yield from _section(problem, replace(section, entries=entries), figures)
+        yield from _section(problem, replace(section, entries=entries), figures if section.plane else 2 - whole)
         if section.plane is not None and not (whole and section.plane == "position"):
             yield _figure(problem, section.plane, "construction", last)
         if following is not None:
@@ -233,7 +235,7 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
     figures = 0
     for section in problem.parts:
         figures += section.plane is not None
-        yield from _section(problem, section, figures)
+        yield from _section(problem, section, figures if section.plane else 1)  # centres are found in the mechanism
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction")
     yield from _section(problem, problem.answers)
@@ -244,7 +246,7 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
 def _section(problem: HandoutProblem, section: Section, figure: int = 0) -> Iterator[Block]:
     """A section under its heading, which names the figure that goes with it."""
     lang = problem.lang
-    reference = say("handouts.with figure", lang, figure=problem.figure(figure)) if section.plane else ""
+    reference = say("handouts.with figure", lang, figure=problem.figure(figure)) if figure else ""
     yield document.HandoutHeading(plain(section.heading + reference))
     yield from blocks_of(section.entries, lang, problem.points)
 
@@ -281,8 +283,11 @@ def rows(equation: entry.VectorEquation, lang: Lang, points: Collection[str]) ->
 def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | None = None) -> document.HandoutPicture:
     """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
     drawing, lang = problem.drawing if style == "given" else problem.told, problem.lang
-    drawn = mechanism_sheet(drawing.method, drawing.plot, lang=lang, only=plane, style=style, tight=True,
-                            equations=False)  # fmt: skip
+    draw = partial(mechanism_sheet, drawing.method, drawing.plot, lang=lang, only=plane, style=style, tight=True)
+    drawn, acts = draw(equations=False), [act for act in drawing.method.acts if act.plane == plane and act.numbered]
+    labels = [mark.label for mark in drawn.marks if isinstance(mark, Text)]
+    if style == "construction" and not all(plain(str(act.number)) in labels for act in acts):
+        drawn = draw()  # a number that has no room stands with the equations
     if last is not None:
         drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"

@@ -279,7 +279,7 @@ def _table(table: document.HandoutTable, wide: float) -> str:
     least = [width(head, _LETTERS) + _INSET for head in table.heads]
     wraps = any(width(cell, _LETTERS) + _INSET > room / len(least) for row in table.rows for cell in row)
     columns = ", ".join("1fr" if each < room / len(least) else f"{mm(each)}mm" for each in least)
-    rows = "auto" if wraps else f"{mm(_ROW)}mm"
+    rows = "auto" if wraps else f"{mm(_ROW - 1.8 * table.printed)}mm"
     shape = f"columns: ({columns}), rows: {rows}, align: center + horizon, stroke: 0.18mm"
     place = "center" if table.under else "left"
     return f"align({place}, block(width: {mm(room)}mm, table({shape}, table.header({first}), {', '.join(cells)})))"

@@ -112,12 +112,6 @@ class PolygonReading:
         return {part.tip: part.term for part in self.parts if isinstance(part, kinds.LayOff)}
 
     @cached_property
-    def levers(self) -> dict[tuple[str, str], kinds.Measure]:
-        """The measurement of a rotation that each arrow gives, or would give if it were told."""
-        steps = (*self.construction.steps, *self.parts)
-        return {(s.tail, s.head): s for s in steps if isinstance(s, kinds.Measure) and s.lever[0]}
-
-    @cached_property
     def first_lever(self) -> kinds.Measure | None:
         """The first rotation that is told."""
         return next((step for step in self.parts if isinstance(step, kinds.Measure) and step.lever[0]), None)

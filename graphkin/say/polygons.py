@@ -16,7 +16,7 @@ from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading, aside
-from graphkin.say.rolling import checked, contacted, rolling, same_velocities, steady
+from graphkin.say.rolling import checked, contacted, gear_circles, rolling, same_velocities, steady
 from graphkin.say.simultaneous import solved_together
 
 
@@ -51,6 +51,7 @@ def polygon_entries(reading: Reading, plane: Plane, parts: tuple[Step | Equation
                 raise AssertionError("lines cross inside an equation")
             case _:
                 assert_never(part)
+    yield from gear_circles(polygon) if plane == "velocity" else ()
 
 
 def _renamed(polygon: PolygonReading) -> Iterator[Entry]:

@@ -212,12 +212,23 @@ class PositionReader(Tangents):
                 pair = reading.method.structure.slides[slide]
                 if pair.guide == FRAME and pair.line.origin == locus.through:
                     return reading.say("derivation.take guide", guide=reading.path(slide))
+                ends = reading.points_along(slide) if pair.guide != FRAME else None
+                if ends is not None and {*ends} <= self._before(locus) - {locus.through}:
+                    words = {"through": reading.place(locus.through), "ends": names.pair(*ends)}
+                    return reading.say("derivation.line beside", **words)
             case terms.Along() | terms.Across() | terms.AcrossGuide() | terms.Quarter():
                 pass
             case _:
                 assert_never(locus.direction)
         at = heading(degrees(complex(reading.plot.direction(locus.direction))), reading.lang)
         return reading.say("derivation.line parallel", through=reading.place(locus.through), direction=at)
+
+    def _before(self, ray: kinds.Ray) -> set[str]:
+        """The points that are drawn before a line crosses another."""
+        steps = self.reading.method.position.steps
+        meets = ((k, step) for k, step in enumerate(steps) if isinstance(step, kinds.Meet))
+        crossed = next((k for k, step in meets if ray in (step.first, step.second)), 0)
+        return {point for step in steps[:crossed] for point in made(step)}
 
     def _open(self) -> Iterator[tuple[int, Driver]]:
         """The driven angles that the file leaves to a pose."""

@@ -9,6 +9,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Drawn, Equation, InStep, Measure, Plane, Roll, Simultaneous, Step, Touch, slide_key
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.planning.equivalent import Contact
+from graphkin.planning.gear_images import imaged_gears
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
@@ -309,3 +310,17 @@ def same_velocities(polygon: PolygonReading, part: Step | Equation) -> Iterator[
             key = "contacts.no velocity" if other == FRAME else "contacts.same velocity"
             words = {"first": reading.link(wheel), "second": reading.link(other), "point": letter}
             yield Sentence(reading.say(key, of=of, other=same, node=names.point(node), **words))
+
+
+def gear_circles(polygon: PolygonReading) -> Iterator[Entry]:
+    """The circles in a velocity polygon that are the images of gears; the point that is that of one at rest."""
+    say, circles = polygon.reading.say, list[str]()
+    for wheel, name, node in imaged_gears(polygon.reading.method):
+        words = {"name": names.point(name), "centre": names.point(node)}
+        if wheel.link == FRAME:
+            yield Sentence(say("contacts.gear at rest", **words))
+        else:
+            circles.append(say("contacts.gear image", **words))
+    if circles:
+        which = int(len(circles) > 1)
+        yield Sentence(say("contacts.gear images", circles=polygon.reading.listed(circles), which=which))

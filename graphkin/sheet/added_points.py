@@ -75,9 +75,14 @@ def _asked(method: Method, plot: Plot) -> dict[str, complex]:
     return {**places, "": 0j} if any(map(abs, places.values())) else places
 
 
+def drawn_when(method: Method) -> int | None:
+    """The act after which asked centres are found: the mechanism is drawn then."""
+    return max((act.page for act in method.acts if act.plane == "position"), default=None)
+
+
 def asked_centres(method: Method, skeleton: Skeleton, plot: Plot, drawn: list[complex]) -> Figure:
     """Asked centres, and the axes at the origin in which their places are told; those on a joint by their letters."""
-    figure, last = Figure(), max((act.page for act in method.acts), default=None)
+    figure, last = Figure(), drawn_when(method)
     points = [skeleton.at(point) for point in (*skeleton.points, *method.special) if point in plot.position]
     pivots = [skeleton.at(driver.vector[0]) for driver in method.mechanism.drivers if driver.vector is not None]
     for name, at in ((name, skeleton.window(place)) for name, place in _asked(method, plot).items() if place in drawn):

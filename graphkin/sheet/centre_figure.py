@@ -20,6 +20,7 @@ from graphkin.construction.drafting import Far, Stage
 from graphkin.model.pairs import Cam, Rod
 from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
+from graphkin.sheet.added_points import drawn_when
 from graphkin.sheet.boxes import xy
 from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
@@ -155,8 +156,8 @@ def asked_lines(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Fig
     names = {name for name in (found.name(*one.links) for one in asked) if told(name)}
     low, high = corners([skeleton.window(at) for at in drawn])
     room = Room(low.real, low.imag, high.real, high.imag).inset(-_BEYOND, -_BEYOND, -_BEYOND)
-    found, last = replace(found, centring=shortest(found, names)), max((act.page for act in method.acts), default=None)
-    return centre_lines(OnPaper(found, skeleton.window, room)).numbered(last)
+    found = replace(found, centring=shortest(found, names))
+    return centre_lines(OnPaper(found, skeleton.window, room)).numbered(drawn_when(method))
 
 
 def _fresh(line: Stroke, drawn: Sequence[Stroke]) -> Iterator[Stroke]:

@@ -12,6 +12,7 @@ import numpy as np
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
+from graphkin.model.wheels import wheels_of
 from graphkin.planning import Method
 from graphkin.say.reading import driven_slides
 from graphkin.sheet import symbols
@@ -20,7 +21,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import between, joined, link_label, quantity_label, vector_label
 from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton, crossing
-from graphkin.sheet.wheels import circles, follower, wheels_of
+from graphkin.sheet.wheels import circles, follower
 from graphkin.sheet.window import Figure
 
 _REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0

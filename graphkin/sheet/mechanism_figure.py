@@ -12,6 +12,7 @@ from graphkin.base.geometry import place
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, RollingContact, Slide
+from graphkin.model.wheels import wheels_of
 from graphkin.planning import Method
 from graphkin.planning.method import births
 from graphkin.sheet import symbols, wheels
@@ -226,7 +227,7 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
         start, end = max(bars, key=lambda bar: abs(bar[1] - bar[0]))
         end, gap = (end, 1.2) if tube is None else (_tube_end(skeleton, tube), 3.4)
         yield LabelRequest(label, start, end, gap=gap, step=step)
-    elif places and not any(wheel.link == link for wheel in wheels.wheels_of(skeleton.mechanism)):
+    elif places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
         yield LabelRequest(label, places[0], gap=4.0, step=step)
 
 

@@ -16,13 +16,13 @@ from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.planning.at_rest import relabelled
+from graphkin.planning.gear_images import imaged_gears
 from graphkin.planning.method import rate_found
 from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, vector_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
-from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
 
 _UNITS = {"velocity": "m/s", "acceleration": "m/s²"}
@@ -45,30 +45,15 @@ class GearImage:
 
 
 def gear_images(method: Method, plot: Plot) -> list[GearImage]:
-    """Every gear once; wheels that only roll have none. `g` is another letter where the mechanism has a point G."""
-    letter = next((c for c in "gwzu" if c.upper() not in method.mechanism.points), "g")
+    """Every gear that the polygon shows, once."""
     start = next((act.page for act in method.acts if act.plane == "velocity"), None)
     images: list[GearImage] = []
-    for wheel in wheels_of(method.mechanism):
-        centre = _centre(method, wheel) if wheel.gear else None
-        if centre is None or centre not in plot.velocity:
-            continue
-        radius = abs(geometry.number(plot.omega[wheel.link])) * wheel.radius
-        label = point_label(f"{letter}@{method.mechanism.called(wheel.link)}")
-        at, step = geometry.place(plot.velocity[centre]), rate_found(method, "velocity", wheel.link) or start
-        images.append(GearImage(label, at, radius, centre, step))
+    for wheel, name, centre in imaged_gears(method):
+        if centre in plot.velocity:
+            radius, at = abs(geometry.number(plot.omega[wheel.link])) * wheel.radius, plot.velocity[centre]
+            step = rate_found(method, "velocity", wheel.link) or start
+            images.append(GearImage(point_label(name), geometry.place(at), radius, centre, step))
     return images
-
-
-def _centre(method: Method, wheel: Wheel) -> str | None:
-    """The polygon's point of a gear's centre; those of fixed points are the pole's."""
-    owners = method.mechanism.owners.get(wheel.centre, ())
-    if FRAME in owners or wheel.link == FRAME:
-        return method.velocity.pole
-    nodes = method.velocity.nodes.items()
-    at_centre = [(name, node.site) for name, node in nodes if node.site and node.site.point == wheel.centre]
-    at_centre.sort(key=lambda entry: entry[1] is None or entry[1].link != wheel.link)
-    return next((name for name, site in at_centre if site is not None and site.link in owners), None)
 
 
 def gear_circles(images: Sequence[GearImage], window: Window, others: Sequence[tuple[Place, Place]]) -> Figure:

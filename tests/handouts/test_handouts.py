@@ -26,7 +26,7 @@ from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.typst import pdf
 from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
-from graphkin.sheet.marks import VectorMark
+from graphkin.sheet.marks import Text, VectorMark
 
 STAGES = ("problem", "blank", "half", "solution")
 pypdf = pytest.importorskip("pypdf")
@@ -135,6 +135,25 @@ def test_a_half_worked_solution_stops_between_equations(upto):
     whole = [block for block in rows if None not in block.columns]
     assert len(whole) == min(upto, 2)
     assert len(rows) - len(whole) == (upto < 2)
+
+
+def test_of_a_single_equation_none_is_done():
+    rows = [block for block in handout([graphkin.load("ex3-4")], "half", "en").blocks if isinstance(block, TermRows)]
+    assert [None in block.columns for block in rows] == [True]
+
+
+def test_figures_show_what_the_text_tells():
+    """Steps of the text are numbered without holes, and the drawing bears the same numbers; all positions are said."""
+    blocks = handout([graphkin.load("p3-22")], "solution", "en").blocks
+    told = [int(block.act) for block in blocks if isinstance(block, Paragraph) and block.act]
+    assert told == [*range(1, len(told) + 1)]
+    polygons = [block.sheet for block in blocks if isinstance(block, HandoutPicture)][1:]
+    texts = {"".join(run.text for run in mark.label) for sheet in polygons for mark in sheet.marks if isinstance(mark, Text)}
+    drawn = {int(text) for text in texts if text.isdigit()}
+    assert len(told) - 4 < len(drawn)  # one without room stands nowhere
+    assert drawn <= {*told}
+    given = handout([graphkin.load("curved-slot")], "problem", "en").blocks
+    assert sum(isinstance(block, Paragraph) and block.words[0].text.startswith("#") for block in given) == 4
 
 
 def test_a_book_has_its_contents_and_its_answers():

@@ -20,13 +20,13 @@ from graphkin.files.schema import File
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import named
 from graphkin.model.pairs import PAIRS, Pair, Revolute
+from graphkin.model.wheels import UNDER_LINKS
 from graphkin.planning import plan
 from graphkin.say.centre_steps import NORMALS
 from graphkin.say.equivalents import EQUIVALENTS
 from graphkin.say.structure import KINDS, structure_lines
 from graphkin.say.sweeps import remarks
 from graphkin.sheet.mechanism_figure import BEFORE_LINKS, OVER_LINKS
-from graphkin.sheet.wheels import UNDER_LINKS
 from graphkin.studies.assur import structure
 from graphkin.studies.sweeps import course
 

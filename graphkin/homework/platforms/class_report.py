@@ -3,13 +3,13 @@ and as a figure."""
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from decimal import Decimal
 from functools import partial
 from html import escape
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
@@ -34,8 +34,10 @@ from graphkin.sheet.lettering import formula, is_wide
 from graphkin.submissions.office import Seen
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
+    from matplotlib.offsetbox import TextArea
 
     from graphkin.outputs.diagram.page import DiagramPage
 
@@ -227,7 +229,7 @@ _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
 _TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 8.0, 45.0
 _MOST = 25  # mistakes and steps that are shown; tables have the rest
 _LONGEST = 38
-_SIMPLE = re.compile(r"(?:[-A-Za-z0-9 _,.:;()/′θωαᵏⁿʳᵗ]|_\{[A-Za-z0-9_,]+\})+")
+_OFF, _SPACE = 6.0, 2.0  # of names from their rows, and between their lines [pt]
 _VERDICTS = (
     ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),
     ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"), ("not read", "#bbbbbb", "oo"),
@@ -280,7 +282,8 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
                   label=say(f"verdicts.verdict {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
-    _name_rows(axes, [in_letters(line_name(step.name, lang), [step.name]) for step in steps], lang)
+    _name_rows(axes, [in_letters(line_name(step.name, lang), [step.name]) for step in steps])
+    _count_students(axes, lang)
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
                 borderaxespad=0.2, handlelength=1.4, columnspacing=1.0)  # fmt: skip
 
@@ -294,7 +297,8 @@ def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
     axes.barh(range(len(mistakes)), [count for _, count in mistakes], color="#bbbbbb", edgecolor="black", linewidth=0.6)
     likeliest = replace(report, mistakes=tuple((replace(one, names=one.names[:1]), n) for one, n in mistakes))
     more = ["" if len(one.names) == 1 else " / .." for one, _ in mistakes]
-    _name_rows(axes, [text + end for (text, _), end in zip(mistake_counts(likeliest, lang), more, strict=True)], lang)
+    _name_rows(axes, [text + end for (text, _), end in zip(mistake_counts(likeliest, lang), more, strict=True)])
+    _count_students(axes, lang)
 
 
 def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
@@ -310,22 +314,39 @@ def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
     _count_in_wholes(axes.yaxis)
 
 
+def _count_students(axes: Axes, lang: Lang) -> None:
+    axes.set_xlabel(say("class_report.students", lang), fontsize=8)
+    _count_in_wholes(axes.xaxis)
+
+
 def _write_instead(axes: Axes, *texts: str) -> None:
     """Words in place of a diagram of nothing."""
     axes.set_axis_off()
     axes.text(0.0, 1.0, "\n".join(texts), fontsize=8, va="top", parse_math=False, transform=axes.transAxes)
 
 
-def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:
-    """Names beside the bars, the first above: as formulas, but for Chinese ones, beside which matplotlib sets none."""
-    texts = [
-        "\n".join(in_diagrams(formula(line)) if _SIMPLE.fullmatch(line) else line.replace("$", r"\$") for line in lines)
-        for lines in (_shortened(writable(name)).split("\n") for name in names)
-    ]
-    axes.set_yticks(range(len(names)), texts, fontsize=8, multialignment="right")
+def _name_rows(axes: Axes, names: list[str]) -> None:
+    """Names beside the bars, the first above, their symbols as formulas."""
+    from matplotlib.offsetbox import AnnotationBbox, HPacker, VPacker
+
+    axes.set_yticks(range(len(names)), [""] * len(names))
+    for row, name in enumerate(names):
+        lines = _shortened(writable(name)).split("\n")
+        packed: list[Artist] = [HPacker(children=[*_pieces(line)], align="baseline", pad=0, sep=0) for line in lines]
+        box = VPacker(children=packed, align="right", pad=0, sep=_SPACE)
+        axes.add_artist(AnnotationBbox(box, (0, row), (-_OFF, 0), ("axes fraction", "data"), "offset points",
+                                       box_alignment=(1.0, 0.5), frameon=False, pad=0))  # fmt: skip
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
-    axes.set_xlabel(say("class_report.students", lang), fontsize=8)
-    _count_in_wholes(axes.xaxis)
+
+
+def _pieces(line: str) -> Iterator[TextArea]:
+    """Words and formulas by themselves: beside Chinese letters matplotlib sets none."""
+    from matplotlib.offsetbox import TextArea
+
+    for symbols, runs in groupby(formula(line), lambda run: run.italic or run.place != "base"):
+        label = tuple(runs)
+        text = in_diagrams(label) if symbols else "".join(run.text for run in label)
+        yield TextArea(text, textprops={"fontsize": 8, "parse_math": symbols})
 
 
 def _shortened(name: str) -> str:

@@ -45,6 +45,7 @@ PHRASES: Phrases = {
                                  "由 {start} 沿{guide}（{heading}）取 {length}，得 {tip}。"),
     "derivation.circle": ("draw the circle about {about} with radius {length}", "以 {about} 为圆心、{length} 为半径作弧"),
     "derivation.take guide": ("take {guide}", "取{guide}"),
+    "derivation.line beside": ("draw the line through {through} ∥{ends}", "过 {through} 作 ∥{ends} 的直线"),
     "derivation.line parallel": ("draw the line through {through} {direction}", "过 {through} 作{direction} 的直线"),
     "derivation.meet circles": ("{first}; {second}. They cross at {point}{where}.",
                                 "{first}；{second}；两者交于 {point}{where}。"),
