@@ -49,7 +49,7 @@ from graphkin.sheet.results import label_of
 from graphkin.sheet.window import PLANES
 from graphkin.studies.sweeps import Course, asked, drawable
 
-_WORD_KNOTS = 18  # along each of several drivers
+_WORD_KNOTS = 14  # along each of several drivers
 _TOLD = 120  # places of a turn, or between the ends of a way, at which sentences are told
 Data = dict[str, object]
 
@@ -136,7 +136,8 @@ class _Played:
         figures, knots, colours = self.knots.figures, self.knots, Colours("accent", False)
         window, room, layer = figures.window(plane), figures.room(plane), Layer("mechanism", (), plane)
         drawn = []
-        for row in rows(figures.lettered(plane, knots.plots), leaps=len(knots.axes) == 1):
+        in_a_row = len(knots.axes) == 1
+        for row in rows(figures.lettered(plane, knots.plots, in_a_row), leaps=in_a_row):
             paint = paints.setdefault(colours.paint(layer, row.mark), len(paints))
             drawn.append({**self._row(row), "paint": paint})
         data: Data = {
