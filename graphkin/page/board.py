@@ -144,7 +144,7 @@ def _given_figure(problem: HandoutProblem) -> GivenFigure:
     """The problem's figure as it is handed out; its points and its sides, where it is drawn where the problem is."""
     picture, name = figure_of(problem), formula(HEADINGS[problem.lang]["position"])
     sheet = picture.sheet.redrawn(lambda mark: None if isinstance(mark, Text) and mark.label == name else mark)
-    picture, mechanism = replace(picture, sheet=sheet), problem.drawing.mechanism  # the page names it in either language
+    picture, mechanism = replace(picture, sheet=sheet), problem.drawing.mechanism  # the page names it
     marks = [mark for layer in sheet.layers for mark in layer.marks]
     at = {mark.name: mark.at for mark in marks if isinstance(mark, PointMark) and mark.plane == "position"}
     first = next((point for point in mechanism.named(FRAME) if point in at), "")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from itertools import product
 from typing import assert_never
 
@@ -81,6 +82,11 @@ class _Played:
     def method(self) -> Method:
         return self.knots.reach.method
 
+    @cached_property
+    def _layers(self) -> set[str]:
+        """Those that the rows are in."""
+        return set()
+
     def data(self) -> Data:
         machine = self.method.mechanism
         paints: dict[tuple[tuple[str, str], ...], int] = {}
@@ -91,7 +97,7 @@ class _Played:
         return {
             "name": machine.name, "title": {lang: machine.headline(lang) for lang in LANGUAGES}, "axes": axes,
             "planes": planes, "paints": [dict(paint) for paint in paints], "wordKnots": words, "steps": steps,
-            "values": values, "layers": OWN, **self._parts(), "tracks": self.tracks.texts, "masks": self.tracks.masks,
+            "values": values, "layers": [layer for layer in OWN if layer in self._layers], **self._parts(), "tracks": self.tracks.texts, "masks": self.tracks.masks,
         }  # fmt: skip
 
     def _parts(self) -> Data:
@@ -152,7 +158,7 @@ class _Played:
     def _row(self, row: Row) -> Data:
         mark = row.mark
         data: Data = {"kind": _kind(row), "numbers": [self.tracks.place(column) for column in row.numbers.T]}
-        layer = layer_of(mark)
+        self._layers.add(layer := layer_of(mark))
         more = {"step": mark.step, "layer": layer or None, "mask": self.tracks.mask(row.there)}
         data |= {key: value for key, value in more.items() if value is not None}
         match mark:
