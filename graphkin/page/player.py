@@ -97,7 +97,8 @@ class _Played:
         return {
             "name": machine.name, "title": {lang: machine.headline(lang) for lang in LANGUAGES}, "axes": axes,
             "planes": planes, "paints": [dict(paint) for paint in paints], "wordKnots": words, "steps": steps,
-            "values": values, "layers": [layer for layer in OWN if layer in self._layers], **self._parts(), "tracks": self.tracks.texts, "masks": self.tracks.masks,
+            "values": values, "layers": [layer for layer in OWN if layer in self._layers], **self._parts(),
+            "tracks": self.tracks.texts, "masks": self.tracks.masks,
         }  # fmt: skip
 
     def _parts(self) -> Data:

@@ -136,6 +136,41 @@ def test_the_first_wrong_step(tmp_path, name, hand, said):
     assert step_line(one.step, "en") == said
 
 
+class OnThePaper(BoardStudent):
+    """Draws the mechanism's points, and where BC meets AD its instant centre 13, on its own paper first; one elsewhere."""
+
+    astray = ""
+
+    def data(self):
+        whole = super().data()
+        places = {name: complex(at) for name, at in self.right.position.items()}
+        a, b, c, d = (places[name] for name in "ABCD")
+        places["P13"] = a + (d - a) * ((b - a) * (c - b).conjugate()).imag / ((d - a) * (c - b).conjugate()).imag
+        at = {name: (there - a) / 0.001 + 3 * (name == self.astray) for name, there in places.items()}
+        drawn = [{"plane": "position", "tool": "point", "at": [[there.real, there.imag]], "name": name} for name, there in at.items()]
+        whole["steps"] = [{**step, "step": k} for k, step in enumerate([*drawn, *self.steps], 1)]
+        whole["scales"] = {**self.scales, "position": 0.001}
+        return whole
+
+
+@pytest.mark.parametrize("astray", ["", "C", "P13"])
+def test_points_of_the_mechanism_are_looked_at(tmp_path, astray):
+    student = OnThePaper(loads(_CENTRE))
+    student.astray = astray
+    step = marked(tmp_path, student).step
+    assert (step.plane, step.kind, step.what) == ("position", "place", astray) if astray else step is None
+    assert not astray or step_line(step, "en").endswith("is not where it belongs on the mechanism")
+
+
+_CENTRE = """
+ask = ["P13", "omega 3"]
+frame = {A = [0, 0], D = [60, 0]}
+links = {1 = {AB = 20}, 2 = {BC = 50}, 3 = {DC = 40}}
+driver = [{vector = "AB", angle = 70, omega = 10}]
+sketch = {C = [50, 38]}
+"""
+
+
 class OtherOrder(BoardStudent):
     """Draws the Coriolis term first and the known acceleration from its end, without a letter between."""
 

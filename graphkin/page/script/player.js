@@ -1,6 +1,6 @@
 /** The page: figures, bars, steps and results of the mechanism that is shown; language, hash, contents. */
 import { button, byId, heldData, html, setAttributes, tickBox } from "./dom.js";
-import { DriverControl, Run } from "./drivers.js";
+import { DriverControl, runOf } from "./drivers.js";
 import { PlaneFigure } from "./figure.js";
 import { LayersPart } from "./layers.js";
 import { arrowSize, ResultsPanel, StepsPanel } from "./panels.js";
@@ -24,7 +24,7 @@ export class Player {
     this.results = new ResultsPanel(this.shown);
     this.drivers = mechanism.axes.map((_, k) => new DriverControl(this.shown, k, (values) => this.goTo(values)));
     const first = this.drivers[0];
-    this.run = first ? new Run(first) : null;
+    this.run = first ? runOf(first) : null;
     this.told = html("p", { class: "told", role: "status" });
     this.asked = 0;
     this.figures[0].drawing.append(...this.drivers.flatMap(({ handle }) => handle ?? []));
@@ -94,7 +94,7 @@ export class Player {
 
   bars() {
     const help = html("p", { class: "keys", "data-word": "page.keys" });
-    const controls = [...(this.run ? [this.run.button] : []), ...this.drivers.map((driver) => driver.element)];
+    const controls = [...(this.run ? [this.run.control] : []), ...this.drivers.map((driver) => driver.element)];
     return html("div", { class: "bars" }, ...controls, help);
   }
 
