@@ -64,7 +64,7 @@ def first_wrong_step(
 
 
 def _misplaced(method: Method, plot: Plot, board: BoardWork) -> Iterator[StepDeparture]:
-    """The points and instant centres that lie elsewhere on the mechanism's paper, which has its first fixed point at 0."""
+    """The points and instant centres that lie elsewhere on the mechanism's paper, whose 0 is its first fixed point."""
     scale, mechanism = board.scales.get("position"), method.mechanism
     first = next(iter(mechanism.named(FRAME)), None)
     if not scale or first is None:
