@@ -3,7 +3,7 @@ import { button, byId, heldData, html, setAttributes, tickBox } from "./dom.js";
 import { DriverControl, runOf } from "./drivers.js";
 import { PlaneFigure } from "./figure.js";
 import { LayersPart } from "./layers.js";
-import { arrowSize, ResultsPanel, StepsPanel } from "./panels.js";
+import { arrowSize, resultsOf, StepsPanel } from "./panels.js";
 import { QuizPart } from "./quiz.js";
 import { plainText, signNodes } from "./signs.js";
 import { Shown } from "./state.js";
@@ -21,7 +21,7 @@ export class Player {
     this.shown = new Shown(mechanism);
     this.figures = mechanism.planes.map((plane) => new PlaneFigure(this.shown, plane, say(`page.${plane.plane}`)));
     this.steps = new StepsPanel(this.shown, (step) => this.goStep(step));
-    this.results = new ResultsPanel(this.shown);
+    this.results = resultsOf(this.shown);
     this.drivers = mechanism.axes.map((_, k) => new DriverControl(this.shown, k, (values) => this.goTo(values)));
     const first = this.drivers[0];
     this.run = first ? runOf(first) : null;
