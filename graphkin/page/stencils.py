@@ -1,4 +1,4 @@
-"""Values between knots: Lagrange's polynomials through so many knots along each driver, or as there are in a row.
+"""Values between knots: Lagrange's polynomials through six knots along each driver, or as many as there are in a row.
 
 The script does the same (`tracks.js`); what is held here to be near enough is what the page draws.
 """
@@ -12,8 +12,7 @@ import numpy as np
 
 from graphkin.base.value import frozen
 
-_MOST = {2: 10}  # by the number of drivers; more knots a polynomial need a coarser grid
-_USUAL = 6
+MOST = 6
 Mask = np.ndarray  # True at the knots that count, in the shape of the grid
 
 
@@ -57,7 +56,7 @@ def stencil(
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """The numbers (m,) of the knots that give the value at a place of a grid, and their weights; None: none give it;
     fewer: than usual along each driver."""
-    for count in range(_MOST.get(len(knots), _USUAL) - fewer, 0, -2):
+    for count in range(MOST - fewer, 0, -2):
         counts = [min(count, len(axis.u)) for axis in knots]
         for windows in product(*(axis.windows(u, few) for axis, u, few in zip(knots, us, counts, strict=True))):
             places = np.ix_(*(np.array(window) % len(axis.u) for axis, window in zip(knots, windows, strict=True)))

@@ -1,5 +1,5 @@
 /** Tracks unpacked, as `tracks.py` packs them, and their values at the place where the drivers are: between knots, as
- * `stencils.py` has them, by Lagrange's polynomials through so many along each driver. */
+ * `stencils.py` has them, by Lagrange's polynomials through six along each driver. */
 import { modulo } from "./numbers.js";
 
 /** @typedef {number | [number]} Changing a number, or the number of a track */
@@ -169,7 +169,7 @@ function* ways([some, ...others]) {
 /** The knots that give the value at a place, and their weights; where none do, the nearest alone. @param {Knots[]} axes
  * @param {number[]} us @param {Uint8Array | null} mask at which knots it is there @returns {Stencil} */
 function stencilAt(axes, us, mask) {
-  for (let count = axes.length === 2 ? 10 : 6; count > 0; count -= 2) {
+  for (let count = 6; count > 0; count -= 2) {
     const counts = axes.map((axis) => Math.min(count, axis.u.length));
     const firsts = axes.map((axis, k) => windowsAbout(axis, us[k], counts[k]));
     for (const window of ways(firsts)) {
