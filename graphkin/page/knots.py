@@ -22,7 +22,7 @@ from graphkin.sheet.window import PLANES
 
 NEAR = 0.007  # what is drawn between knots lies so near to where it belongs [mm]
 _EVEN, _SPREAD = 90, 60  # knots of a turn to begin with; positions that tell how large figures are
-_OF_ONE, _OF_SEVERAL = 700, 750  # knots at most; of several drivers those that the mechanism gets to
+_OF_ONE, _OF_SEVERAL = 700, 650  # knots at most; of several drivers those that the mechanism gets to
 _OF_GRID, _TRIED, _FINER, _ORDER = (10, 24), 30, (1.05, 1.8), 1 / 5
 """Knots of a turn to begin with, of three drivers and of two; places at which a grid is tried; so many more then, as
 what is off goes with the fifth power of their number."""
@@ -58,6 +58,15 @@ class PageKnots:
         fits = self.figures.motion.fits
         return {plane: np.array([plot is not None and fits(plane, plot) for plot in self.plots]) for plane in PLANES}
 
+    @cached_property
+    def _between(self) -> dict[Places, Plot | None]:
+        return {}
+
+    def plot(self, us: Sequence[float]) -> Plot | None:
+        """The position between knots, which is asked for with each plane."""
+        if (at := tuple(us)) not in self._between:
+            self._between[at] = self.reach.plot(us)
+        return self._between[at]
 
     @cached_property
     def names(self) -> dict[Plane, list[str]]:
@@ -211,7 +220,7 @@ def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int
               for own in parts]  # fmt: skip
     if inside and _is_sure(knots, plane, shown, places[0]):
         return True
-    plots = [(us, knots.reach.plot(us)) for us in places]
+    plots = [(us, knots.plot(us)) for us in places]
     there = all(plot is not None and fits(plane, plot) for _, plot in plots)
     return there and all(plot is None or _off(knots, us, plane, plot) <= 2 * NEAR for us, plot in plots)
 
