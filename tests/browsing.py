@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, BrowserContext, Page, Request
+    from playwright.sync_api import Browser, ConsoleMessage, Page, Request
 
+Listener = Callable[[Any], None]
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chromium-headless-shell")
 _QUIET = ("--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
           "--disable-component-update", "--disable-sync", "--hide-scrollbars")  # fmt: skip
@@ -46,30 +47,47 @@ def chromium() -> Iterator[Browser]:
 
 @dataclass
 class Browsing:
-    """Opens pages, and keeps what they do wrong in `faults`."""
+    """Opens pages, and keeps what they do wrong in `faults`; `windows`: free ones of each kind, which are taken again."""
 
     browser: Browser
+    windows: dict[str, list[Page]] = field(default_factory=dict)
     faults: list[str] = field(default_factory=list)
-    contexts: list[BrowserContext] = field(default_factory=list)
+    opened: list[tuple[str, Page, dict[str, Listener]]] = field(default_factory=list)
 
     def open(self, path: Path, fragment: str = "", **context: object) -> Page:
         """A page in a window of its own: `viewport={"width": .., "height": ..}`, `has_touch`, `reduced_motion`, `locale`.."""
-        self.contexts.append(self.browser.new_context(**context))
-        page = self.contexts[-1].new_page()
-        own = path.resolve().as_uri()
-        page.on("pageerror", lambda error: self.faults.append(f"error: {error}"))
-        page.on("console", lambda message: self.faults.append(f"{message.type}: {message.text}") if message.type in ("error", "warning") else None)
-        page.on("request", lambda request: self._ask(request, own))
+        kind, own = repr(sorted(context.items())), path.resolve().as_uri()
+        free = self.windows.setdefault(kind, [])
+        page = free.pop() if free else self.browser.new_context(**context).new_page()
+        listeners: dict[str, Listener] = {
+            "pageerror": lambda error: self.faults.append(f"error: {error}"),
+            "console": self._hear, "request": lambda request: self._ask(request, own),
+        }  # fmt: skip
+        for event, listener in listeners.items():
+            page.on(event, listener)
+        self.opened.append((kind, page, listeners))
         page.goto(own + fragment)
         return page
+
+    def _hear(self, message: ConsoleMessage) -> None:
+        if message.type in ("error", "warning"):
+            self.faults.append(f"{message.type}: {message.text}")
 
     def _ask(self, request: Request, own: str) -> None:
         if request.url.split("#")[0] != own and not request.url.startswith(("data:", "blob:")):
             self.faults.append(f"request: {request.url}")
 
     def close(self) -> None:
-        for context in self.contexts:
-            context.close()
+        """Each window is free again, and as it was: nothing kept, the pointer in its corner, on the screen."""
+        for kind, page, listeners in self.opened:
+            page.evaluate("localStorage.clear()")
+            page.mouse.move(0, 0)
+            page.emulate_media(media="null")
+            for event, listener in listeners.items():
+                page.remove_listener(event, listener)
+            page.goto("about:blank")
+            self.windows[kind].append(page)
+        self.opened.clear()
 
 
 def axe(page: Page) -> list[str]:

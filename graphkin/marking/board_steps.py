@@ -1,6 +1,7 @@
 """The first step of a student's drawing that leaves the right way, by replaying the steps against the construction.
 
-Each point of the mechanism is held against what follows from the student's own points before it. Where one lies
+On the mechanism's own paper each lettered point is held against where it belongs. In a polygon each point of the
+mechanism is held against what follows from the student's own points before it. Where one lies
 elsewhere, the steps that led there are looked at in their order: the arrows of its equation, the lines that cross in
 it. Lines that lead nowhere, and corners drawn in another order that close the polygon all the same, are right.
 """
@@ -21,8 +22,10 @@ from graphkin.marking.follow_through import replay_with
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.read_off import OwnPoints
 from graphkin.marking.records import StepDeparture
-from graphkin.model.quantities import Moving, Quantity, Rotation
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import Centre, Moving, Quantity, Rotation, centre_of
 from graphkin.planning import Method
+from graphkin.proof.readings import readings
 from graphkin.submissions.submission import BoardStep, BoardWork
 
 _NEAR, _PART = 1.0, 0.015  # a point may be off by so many millimetres and by this part of the arrows behind it
@@ -37,7 +40,7 @@ def first_wrong_step(
     method: Method, plot: Plot, arrows: ArrowPlaces, board: BoardWork, written: Mapping[Quantity, float],
     choices: Sequence[EquationChoices],
 ) -> StepDeparture | None:  # fmt: skip
-    """The first wrong step of both polygons, in the student's order; None where all that is drawn is right.
+    """The first wrong step, in the student's order; None where all that is drawn is right.
 
     written   own rotations as they stand beside the drawing; choices: the equations, for the words of directions
     """
@@ -51,13 +54,35 @@ def first_wrong_step(
     for rate, value in own.rates():
         if math.isfinite(value) and rate in by_link:
             read[by_link[rate]] = value
-    faults = []
+    faults = [next(_misplaced(method, plot, board), None)]
     for construction in planes:
         before = vectors if construction.plane == "acceleration" else {}
         ways: list[dict[Quantity, complex | float]] = [{}, {**before, **read}, {**before, **read, **written}]
         plots = [replay_with(method, plot, way, arrows).plot for way in ways]
         faults += [_Paper(construction, board, plots, choices).first_fault()]
     return min((fault for fault in faults if fault is not None), key=lambda fault: fault.step, default=None)
+
+
+def _misplaced(method: Method, plot: Plot, board: BoardWork) -> Iterator[StepDeparture]:
+    """The points and instant centres that lie elsewhere on the mechanism's paper, whose 0 is its first fixed point."""
+    scale, mechanism = board.scales.get("position"), method.mechanism
+    first = next(iter(mechanism.named(FRAME)), None)
+    if not scale or first is None:
+        return
+    motions, origin = readings(method, plot), place(plot.position[first])
+    for step in board.steps:
+        if step.plane != "position" or step.tool != "point" or not step.at:
+            continue
+        links = centre_of(mechanism, step.name)
+        if step.name in plot.position:
+            there = plot.position[step.name]
+        elif links is not None:
+            there = Centre("P", step.name[1:], links).place(motions)
+        else:
+            continue
+        right = (place(there) - origin) / scale
+        if cmath.isfinite(right) and abs(step.at[0] - right) > _NEAR + 2 * _PART * abs(right):
+            yield StepDeparture(step.number, "position", "place", step.name)
 
 
 def _points(construction: Construction, board: BoardWork) -> dict[str, complex]:

@@ -113,7 +113,7 @@ class StepDeparture:
 
     step   its number; plane: where it was drawn
     kind   "through", "direction" or "line" of a line; "length", "reversed", "turned", "tail" or "ends" of an
-           arrow; "tip", "crossing" or "image" of a point
+           arrow; "tip", "crossing" or "image" of a point, "place" of one of the mechanism
     what   the arrow or the point it draws; of a line its direction as a token, of one drawn in another direction the
            point that it goes through
     drawn, right   what was taken, "" where that has no name, and what is right: a point, a direction as a token or an

@@ -38,7 +38,8 @@ from graphkin.say import names
 from graphkin.say.catalogue import LANGUAGES, for_scripts, say
 from graphkin.say.problems import positions
 from graphkin.sheet.lettering import formula, plain
-from graphkin.sheet.marks import PointMark, Stroke
+from graphkin.sheet.marks import PointMark, Stroke, Text
+from graphkin.sheet.page import HEADINGS
 
 _SUBJECT = "board."
 _HALF = (140.0, 110.0)  # of a polygon's paper, about its pole [mm]
@@ -141,8 +142,9 @@ def _told(problem: HandoutProblem, figure: GivenFigure) -> str:
 
 def _given_figure(problem: HandoutProblem) -> GivenFigure:
     """The problem's figure as it is handed out; its points and its sides, where it is drawn where the problem is."""
-    picture = figure_of(problem)
-    sheet, mechanism = picture.sheet, problem.drawing.mechanism
+    picture, name = figure_of(problem), formula(HEADINGS[problem.lang]["position"])
+    sheet = picture.sheet.redrawn(lambda mark: None if isinstance(mark, Text) and mark.label == name else mark)
+    picture, mechanism = replace(picture, sheet=sheet), problem.drawing.mechanism  # the page names it
     marks = [mark for layer in sheet.layers for mark in layer.marks]
     at = {mark.name: mark.at for mark in marks if isinstance(mark, PointMark) and mark.plane == "position"}
     first = next((point for point in mechanism.named(FRAME) if point in at), "")

@@ -30,8 +30,7 @@ _ROOMS: Mapping[Plane, Room] = {
 }  # fmt: skip
 _TYPICAL = 1.6
 """A page has room for polygons up to so many times the size of half of them; for larger ones it zooms out."""
-_ALIKE, _LOOKED_AT = 720, 150
-"""Of more positions than this, as of several drivers, letters are tried on so many."""
+_LOOKED_AT = 150  # positions of a grid of several drivers, at which letters are tried
 _PENCIL = ("construction", "measured")
 
 
@@ -141,9 +140,7 @@ class PageFigures:
                             if tail != head]  # fmt: skip
         return every
 
-    def lettered(self, plane: Plane, plots: Sequence[Plot | None]) -> list[list[Mark]]:
-        """The figure at each position, with its letters; of very many, with each where it suits some of them."""
+    def lettered(self, plane: Plane, plots: Sequence[Plot | None], in_a_row: bool) -> list[list[Mark]]:
+        """The figure at each position, with its letters; of a grid with each on the side that suits some of them."""
         figures, room = [self.figure(plane, plot) for plot in plots], self.room(plane)
-        if len(figures) > _ALIKE:
-            return lettered(figures, room, step=len(figures) // _LOOKED_AT)
-        return lettered(figures, room)
+        return lettered(figures, room, step=None if in_a_row else max(1, len(figures) // _LOOKED_AT))

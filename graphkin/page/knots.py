@@ -22,12 +22,12 @@ from graphkin.sheet.window import PLANES
 
 NEAR = 0.007  # what is drawn between knots lies so near to where it belongs [mm]
 _EVEN, _SPREAD = 90, 60  # knots of a turn to begin with; positions that tell how large figures are
-_OF_ONE, _OF_SEVERAL = 700, 2600  # knots at most
-_OF_GRID, _TRIED, _FINER = (10, 24), 30, (1.15, 2.5)
+_OF_ONE, _OF_SEVERAL = 700, 650  # knots at most; of several drivers those that the mechanism gets to
+_OF_GRID, _TRIED, _FINER, _ORDER = (10, 24), 30, (1.05, 1.8), 1 / 5
 """Knots of a turn to begin with, of three drivers and of two; places at which a grid is tried; so many more then, as
 what is off goes with the fifth power of their number."""
 _MOST_OF_ALL, _DOUBT = 0.8, 0.02
-"""This part of a grid is as near as it should be; where polynomials of six and of four knots differ by more [mm], as at
+"""This part of a grid is as near as it should be; where polynomials of two knots fewer differ by more [mm], as at
 its rim where dead points are, the middle of a cell is looked at, and the cell is not shown if that is not near."""
 _HALVED = 5  # so often a cell is halved at most
 Places = tuple[float, ...]
@@ -58,6 +58,15 @@ class PageKnots:
         fits = self.figures.motion.fits
         return {plane: np.array([plot is not None and fits(plane, plot) for plot in self.plots]) for plane in PLANES}
 
+    @cached_property
+    def _between(self) -> dict[Places, Plot | None]:
+        return {}
+
+    def plot(self, us: Sequence[float]) -> Plot | None:
+        """The position between knots, which is asked for with each plane."""
+        if (at := tuple(us)) not in self._between:
+            self._between[at] = self.reach.plot(us)
+        return self._between[at]
 
     @cached_property
     def names(self) -> dict[Plane, list[str]]:
@@ -145,18 +154,19 @@ def _failures(
 
 
 def _of_several(reach: Reach) -> PageKnots:
-    """A grid, refined along the driver along which most of it is least near."""
+    """A grid, refined along each driver as what is drawn between knots is off, while there is room for more."""
     usual = _OF_GRID[len(reach.axes) == 2] if len(reach.axes) <= 3 else 6
-    counts = [max(7, round(usual * min(1.5, axis.turns))) for axis in reach.axes]
+    counts = np.array([max(7, round(usual * min(1.5, axis.turns))) for axis in reach.axes])
     while True:
-        axes = tuple(knots_along(axis, count) for axis, count in zip(reach.axes, counts, strict=True))
+        axes = tuple(knots_along(axis, int(count)) for axis, count in zip(reach.axes, counts, strict=True))
         plots = [reach.plot(us) for us in product(*(map(float, axis.u) for axis in axes))]
         knots = PageKnots(reach, _figures(reach, plots), axes, plots)
-        off = [_off_along(knots, k) for k in range(len(axes))]
-        worst = int(np.argmax(off))
-        times = float(np.clip((off[worst] / NEAR) ** 0.2, *_FINER))
-        finer = [round(times * count) if k == worst else count for k, count in enumerate(counts)]
-        if off[worst] <= NEAR or np.prod(finer) > _OF_SEVERAL:
+        off = np.array([_off_along(knots, k) for k in range(len(axes))])
+        times = np.clip((off / NEAR) ** _ORDER, *_FINER)
+        room = max(1.0, _OF_SEVERAL / sum(plot is not None for plot in plots))
+        times **= min(1.0, float(np.log(room) / np.log(times.prod())))
+        finer = np.round(times * counts).astype(int)
+        if off.max() <= NEAR or (finer == counts).all():
             return knots
         counts = finer
 
@@ -199,11 +209,26 @@ def cells_shown(knots: PageKnots, plane: Plane) -> np.ndarray:
 
 
 def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int]) -> bool:
-    """True of a cell in the middle of which what is drawn is near to where it belongs."""
-    us = [float(axis.u[k]) + axis.step / 2 for k, axis in zip(at, knots.axes, strict=True)]
-    hows = [stencil(knots.axes, us, shown, most) for most in (6, 4)]
-    places = [how[1] @ knots.points[plane][how[0]] for how in hows if how is not None]
-    if np.abs(places[0] - places[-1]).max() <= _DOUBT * knots.figures.window(plane).scale:
+    """True of a cell in the middle of which what is drawn is near to where it belongs; at the rim of what is shown,
+    beyond which it may have no end, in its quarters, too."""
+    axes, fits = knots.axes, knots.figures.motion.fits
+    around = [[k + n if axis.period else min(max(k + n, 0), len(axis.u) - 1) for n in range(-2, 4)]
+              for k, axis in zip(at, axes, strict=True)]  # fmt: skip
+    inside = shown[np.ix_(*(np.array(own) % len(axis.u) for own, axis in zip(around, axes, strict=True)))].all()
+    parts = [(0.5,) * len(axes), *(() if inside else product((0.25, 0.75), repeat=len(axes)))]
+    places = [[float(axis.u[k]) + part * axis.step for k, part, axis in zip(at, own, axes, strict=True)]
+              for own in parts]  # fmt: skip
+    if inside and _is_sure(knots, plane, shown, places[0]):
         return True
-    plot = knots.reach.plot(us)
-    return plot is not None and knots.figures.motion.fits(plane, plot) and _off(knots, us, plane, plot) <= 2 * NEAR
+    plots = [(us, knots.plot(us)) for us in places]
+    there = all(plot is not None and fits(plane, plot) for _, plot in plots)
+    return there and all(plot is None or _off(knots, us, plane, plot) <= 2 * NEAR for us, plot in plots)
+
+
+def _is_sure(knots: PageKnots, plane: Plane, shown: np.ndarray, us: Sequence[float]) -> bool:
+    """True where polynomials of fewer knots are nearly the same."""
+    whole, less = (stencil(knots.axes, us, shown, fewer) for fewer in (0, 2))
+    if whole is None or less is None or whole[0].size == less[0].size:  # the same, which says nothing
+        return False
+    one, other = (weights @ knots.points[plane][numbers] for numbers, weights in (whole, less))
+    return bool(np.abs(one - other).max() <= _DOUBT * knots.figures.window(plane).scale)

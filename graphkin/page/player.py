@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from itertools import product
 from typing import assert_never
 
@@ -49,7 +50,7 @@ from graphkin.sheet.results import label_of
 from graphkin.sheet.window import PLANES
 from graphkin.studies.sweeps import Course, asked, drawable
 
-_WORD_KNOTS = 18  # along each of several drivers
+_WORD_KNOTS = 14  # along each of several drivers
 _TOLD = 120  # places of a turn, or between the ends of a way, at which sentences are told
 Data = dict[str, object]
 
@@ -81,6 +82,11 @@ class _Played:
     def method(self) -> Method:
         return self.knots.reach.method
 
+    @cached_property
+    def _layers(self) -> set[str]:
+        """Those that the rows are in."""
+        return set()
+
     def data(self) -> Data:
         machine = self.method.mechanism
         paints: dict[tuple[tuple[str, str], ...], int] = {}
@@ -91,7 +97,8 @@ class _Played:
         return {
             "name": machine.name, "title": {lang: machine.headline(lang) for lang in LANGUAGES}, "axes": axes,
             "planes": planes, "paints": [dict(paint) for paint in paints], "wordKnots": words, "steps": steps,
-            "values": values, "layers": OWN, **self._parts(), "tracks": self.tracks.texts, "masks": self.tracks.masks,
+            "values": values, "layers": [layer for layer in OWN if layer in self._layers], **self._parts(),
+            "tracks": self.tracks.texts, "masks": self.tracks.masks,
         }  # fmt: skip
 
     def _parts(self) -> Data:
@@ -136,7 +143,8 @@ class _Played:
         figures, knots, colours = self.knots.figures, self.knots, Colours("accent", False)
         window, room, layer = figures.window(plane), figures.room(plane), Layer("mechanism", (), plane)
         drawn = []
-        for row in rows(figures.lettered(plane, knots.plots), leaps=len(knots.axes) == 1):
+        in_a_row = len(knots.axes) == 1
+        for row in rows(figures.lettered(plane, knots.plots, in_a_row), leaps=in_a_row):
             paint = paints.setdefault(colours.paint(layer, row.mark), len(paints))
             drawn.append({**self._row(row), "paint": paint})
         data: Data = {
@@ -151,7 +159,7 @@ class _Played:
     def _row(self, row: Row) -> Data:
         mark = row.mark
         data: Data = {"kind": _kind(row), "numbers": [self.tracks.place(column) for column in row.numbers.T]}
-        layer = layer_of(mark)
+        self._layers.add(layer := layer_of(mark))
         more = {"step": mark.step, "layer": layer or None, "mask": self.tracks.mask(row.there)}
         data |= {key: value for key, value in more.items() if value is not None}
         match mark:

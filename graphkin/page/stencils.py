@@ -1,6 +1,6 @@
 """Values between knots: Lagrange's polynomials through six knots along each driver, or as many as there are in a row.
 
-The script does the same (`stencils.js`); what is held here to be near enough is what the page draws.
+The script does the same (`tracks.js`); what is held here to be near enough is what the page draws.
 """
 
 from __future__ import annotations
@@ -52,10 +52,11 @@ class Knots:
 
 
 def stencil(
-    knots: Sequence[Knots], us: Sequence[float], mask: Mask, most: int = MOST
+    knots: Sequence[Knots], us: Sequence[float], mask: Mask, fewer: int = 0
 ) -> tuple[np.ndarray, np.ndarray] | None:
-    """The numbers (m,) of the knots that give the value at a place of a grid, and their weights; None: none give it."""
-    for count in range(most, 0, -2):
+    """The numbers (m,) of the knots that give the value at a place of a grid, and their weights; None: none give it;
+    fewer: than usual along each driver."""
+    for count in range(MOST - fewer, 0, -2):
         counts = [min(count, len(axis.u)) for axis in knots]
         for windows in product(*(axis.windows(u, few) for axis, u, few in zip(knots, us, counts, strict=True))):
             places = np.ix_(*(np.array(window) % len(axis.u) for axis, window in zip(knots, windows, strict=True)))

@@ -29,20 +29,20 @@ Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 
 def mechanism_figure(
-    skeleton: Skeleton, method: Method, drawn: list[complex] | None = None, others: Sequence[Skeleton] = (),
+    skeleton: Skeleton, method: Method, drawn: list[complex] | None = None, ground: Figure | None = None,
     driving: Figure | None = None, bare: bool = False,
 ) -> Figure:  # fmt: skip
     """Wheels and ground first, then links, blocks over their guides, hinges over links, arrows last.
 
     drawn    the places that the figure has room for [m]; without them there are no special points
-    others   all positions of which it is one: the ground is the same in each
+    ground   what stands still, where it is one of several positions
     driving  the drivers' arrows, where others have them, too
     bare     without lower-pair equivalents, which a solution finds
     """
     special = Figure() if drawn is None else specials(method, skeleton, drawn)
     if drawn is not None and isinstance(skeleton.plot, Plot):
         special += asked_centres(method, skeleton, skeleton.plot, drawn)
-    ground, driving = grounds(*(others or [skeleton])), driving or drives(skeleton, method)
+    ground, driving = ground or grounds(skeleton), driving or drives(skeleton, method)
     turning, bodies, touching = wheels.wheels(skeleton), _bodies(skeleton), contacts(method, skeleton)
     marks = special.marks + turning.marks + ground.marks + bodies.marks + _hinges(skeleton) + touching.marks
     dashed = Figure() if bare else wheels.equivalents(skeleton)
@@ -255,7 +255,7 @@ def plain_mechanism(method: Method, plot: Plot, window: Window, others: Sequence
     """The mechanism's own figure with its points as circles; others: all positions of which it is one."""
     born = births(method, "position")
     here, *every = (Skeleton(method.mechanism, each, window, born) for each in (plot, *others))
-    figure = mechanism_figure(here, method, shown_places(method, plot), every)
+    figure = mechanism_figure(here, method, shown_places(method, plot), grounds(*(every or [here])))
     return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
 
 

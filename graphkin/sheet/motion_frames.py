@@ -27,7 +27,7 @@ from graphkin.running import replay_all
 from graphkin.running.path import along, stride
 from graphkin.say.catalogue import say
 from graphkin.sheet.boxes import xy
-from graphkin.sheet.fixed_link import drives
+from graphkin.sheet.fixed_link import drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import lay_out
 from graphkin.sheet.lettering import LABEL, Label, joined, number, plain, point_label, quantity_label, width
@@ -222,16 +222,21 @@ class MotionFigures:
             letters = [(joined([*map(point_label, group)]), places[group[0]]) for group in named if group]
             wanted = [LabelRequest(label, at, gap=0.5, away=at - middle) for label, at in letters]
             return Figure(polygon_figure(polygon).marks, wanted)
-        here, others = Skeleton(self.method.mechanism, plot, window, born), self._others(window)
+        here, (first, ground) = Skeleton(self.method.mechanism, plot, window, born), self._ground(window)
         owners, drivers = self.method.mechanism.owners, self.method.drivers  # arrows at the frame stand
         stand = all(driver.vector is not None and FRAME in owners[driver.vector[0]] for driver in drivers)
-        return mechanism_figure(here, self.method, None, others, drives(others[0] if stand else here, self.method))
+        return mechanism_figure(here, self.method, None, ground, drives(first if stand else here, self.method))
 
     @cached_property
-    def _others(self) -> Callable[[Window], list[Skeleton]]:
-        """Positions all along the motion, each drawn through one window."""
+    def _ground(self) -> Callable[[Window], tuple[Skeleton, Figure]]:
+        """The first position drawn through a window, and what stands still all along the motion."""
         born, some = births(self.method, "position"), self.plots[:: max(1, len(self.plots) // 24)]
-        return cache(lambda window: [Skeleton(self.method.mechanism, plot, window, born) for plot in some])
+
+        def drawn(window: Window) -> tuple[Skeleton, Figure]:
+            every = [Skeleton(self.method.mechanism, plot, window, born) for plot in some]
+            return every[0], grounds(*every)
+
+        return cache(drawn)
 
     @cached_property
     def as_one(self) -> dict[Plane, list[tuple[str, ...]]]:

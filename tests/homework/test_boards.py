@@ -68,10 +68,12 @@ def test_right_boards_have_full_marks(tmp_path, name):
     assert all(line.given == line.right and line.points == 1 for line in equations)
 
 
-@pytest.mark.parametrize("family", ["gears_on_four_bar", "rack", "crosshead", "wheel_on_wheel", "rolling_line"])
+@pytest.mark.parametrize("family", ["gears_on_four_bar", "rack", "coupler_track", "wheel_on_wheel", "rolling_line"])
 def test_right_boards_of_random_mechanisms(tmp_path, family):
     machine = loads(rolling_machines.FAMILIES[family](3))
-    assert_right(marked(tmp_path, BoardStudent(machine)))
+    one = marked(tmp_path, BoardStudent(machine))
+    assert_right(one)
+    assert one.score == 1
 
 
 # --- mistakes: named by the numbers, and by the first step that leaves the right way
@@ -132,6 +134,41 @@ def test_the_first_wrong_step(tmp_path, name, hand, said):
     one = marked(tmp_path, BoardStudent(library(name), hand))
     assert one.step is not None
     assert step_line(one.step, "en") == said
+
+
+class OnThePaper(BoardStudent):
+    """Draws the mechanism's points, and where BC meets AD its instant centre 13, on its own paper first; one elsewhere."""
+
+    astray = ""
+
+    def data(self):
+        whole = super().data()
+        places = {name: complex(at) for name, at in self.right.position.items()}
+        a, b, c, d = (places[name] for name in "ABCD")
+        places["P13"] = a + (d - a) * ((b - a) * (c - b).conjugate()).imag / ((d - a) * (c - b).conjugate()).imag
+        at = {name: (there - a) / 0.001 + 3 * (name == self.astray) for name, there in places.items()}
+        drawn = [{"plane": "position", "tool": "point", "at": [[there.real, there.imag]], "name": name} for name, there in at.items()]
+        whole["steps"] = [{**step, "step": k} for k, step in enumerate([*drawn, *self.steps], 1)]
+        whole["scales"] = {**self.scales, "position": 0.001}
+        return whole
+
+
+@pytest.mark.parametrize("astray", ["", "C", "P13"])
+def test_points_of_the_mechanism_are_looked_at(tmp_path, astray):
+    student = OnThePaper(loads(_CENTRE))
+    student.astray = astray
+    step = marked(tmp_path, student).step
+    assert (step.plane, step.kind, step.what) == ("position", "place", astray) if astray else step is None
+    assert not astray or step_line(step, "en").endswith("is not where it belongs on the mechanism")
+
+
+_CENTRE = """
+ask = ["P13", "omega 3"]
+frame = {A = [0, 0], D = [60, 0]}
+links = {1 = {AB = 20}, 2 = {BC = 50}, 3 = {DC = 40}}
+driver = [{vector = "AB", angle = 70, omega = 10}]
+sketch = {C = [50, 38]}
+"""
 
 
 class OtherOrder(BoardStudent):

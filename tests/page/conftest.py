@@ -14,7 +14,7 @@ from graphkin import api
 from graphkin.page import player
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser
+    from playwright.sync_api import Browser, Page
 
 
 @pytest.fixture(scope="module")
@@ -23,10 +23,16 @@ def browser() -> Iterator[Browser]:
         yield browser
 
 
+@pytest.fixture(scope="module")
+def windows(browser: Browser) -> dict[str, list[Page]]:
+    """The browser's windows that no test holds."""
+    return {}
+
+
 @pytest.fixture
-def browsing(browser: Browser) -> Iterator[Browsing]:
+def browsing(browser: Browser, windows: dict[str, list[Page]]) -> Iterator[Browsing]:
     """Opens pages; the test fails if one of them wrote an error or asked for anything."""
-    browsing = Browsing(browser)
+    browsing = Browsing(browser, windows)
     yield browsing
     browsing.close()
     assert not browsing.faults

@@ -275,6 +275,7 @@ def test_languages_and_screen_readers(browsing: Browsing, pages):
     page.locator('[data-action="language"]').click()
     assert page.locator('[data-tool="perpendicular"]').text_content() == "垂线"
     assert page.locator(".told:visible h1").text_content() == drawn_problem(load("ex3-7"), "zh").title
+    assert "Mechanism" not in page.locator("#figure").text_content()  # the page's own heading says it
     assert axe(page) == []
 
 
@@ -289,6 +290,31 @@ def test_on_a_phone(browsing: Browsing, pages):
     (line,) = steps_of(page)
     assert line["at"][0] == [0, 0]  # a finger near the pole means the pole
     assert abs(line["at"][1][0] - 84) < 1
+
+
+def test_two_fingers_move_the_paper_and_draw_nothing(browsing: Browsing, pages):
+    page = browsing.open(pages("ex3-1"), viewport=PHONE, has_touch=True)
+    paper = page.locator('svg[data-plane="velocity"]')
+    paper.scroll_into_view_if_needed()
+    box, fingers = paper.bounding_box(), page.context.new_cdp_session(page)
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def touch(kind: str, *places: tuple[float, float]) -> float:
+        at = [{"x": x + aside, "y": y + down, "id": k} for k, (aside, down) in enumerate(places)]
+        fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": at})
+        return float(paper.get_attribute("viewBox").split()[2])
+
+    whole = touch("touchStart", (-20, 0))
+    assert touch("touchStart", (-20, 0), (20, 0)) == whole
+    near = touch("touchMove", (-60, 0), (60, 0))
+    assert near == pytest.approx(whole / 3, rel=0.02)  # as the fingers part
+    touch("touchMove", (-60, 30), (60, 30))
+    touch("touchEnd")
+    assert paper.locator(".drawn .construction").count() == 0
+    assert touch("touchStart", (0, 0)) == near
+    touch("touchMove", (50, 20))
+    touch("touchEnd")
+    assert paper.locator(".drawn .construction").count() == 1  # one finger draws
 
 
 def test_printed_in_true_millimetres(browsing: Browsing, pages):

@@ -14,6 +14,8 @@ from shown_positions import fragment, off, shown
 
 import graphkin
 from graphkin import api
+from graphkin.files import loads
+from graphkin.page.saved import play
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 
@@ -122,6 +124,42 @@ def test_dead_points_at_both_ends_are_said(browsing: Browsing, page_of):
     page.evaluate("() => { location.hash = '#wall=-5000&lang=zh' }")
     page.wait_for_selector(".event:has-text('死点')")
     assert page.locator(".tick").count() == 2
+
+
+_PARALLELOGRAM = """
+ask = ["omega 4"]
+frame = {A = [0, 0], D = [60, 0]}
+links = {2 = {AB = 30}, 3 = {BC = 60}, 4 = {DC = 30}}
+driver = [{vector = "AB", angle = 70, omega = 10}]
+sketch = {C = [70, 28]}
+"""
+
+
+def test_change_points_are_said_and_passed(browsing: Browsing, tmp_path):
+    machine = loads(_PARALLELOGRAM)
+    (tmp_path / "page.html").write_text(play(api.plan(machine)).text, "utf-8")
+    page = browsing.open(tmp_path / "page.html", "#AB=180", viewport=WIDE)
+    assert page.inner_text(".event").startswith("Change point at AB = 180°: links 3 and 4 lie in line")
+    for degrees in (178, 182):  # link 4 goes on with the crank, it does not turn back
+        page.evaluate(_GO, f"#AB={degrees}&lang=en")
+        assert page.inner_text("[data-result='omega 4']") == "10 rad/s"
+        assert max(off(machine, (math.radians(degrees),), shown(page)).values()) < 0.02
+    page.evaluate(_GO, "#AB=90&lang=zh")
+    assert page.inner_text(".event") == ""
+
+
+def test_a_finger_drags_the_crank_pin(browsing: Browsing, page_of):
+    phone = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
+    page = browsing.open(page_of("ex3-7"), "#AB=30", **phone)
+    pivot, pin = centre(page, ".point[data-name='A']"), centre(page, ".handle[data-driver='AB']")
+    arm = math.dist(pivot, pin)
+    fingers = page.context.new_cdp_session(page)
+    for kind, angle in [("touchStart", 30), *(("touchMove", angle) for angle in range(40, 121, 10)), ("touchEnd", None)]:
+        place = [] if angle is None else [{"x": pivot[0] + arm * math.cos(math.radians(angle)),
+                                           "y": pivot[1] - arm * math.sin(math.radians(angle))}]  # fmt: skip
+        fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": place})
+    page.wait_for_function("() => Math.abs(document.querySelector('input.value').value - 120) < 3")
+    assert page.evaluate("scrollY") == 0
 
 
 # --- steps --------------------------------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from graphkin import api
-from graphkin.page.knots import page_knots
+from graphkin.page.knots import cells_shown, page_knots
 from graphkin.page.reach import Axis, Reach
 from graphkin.page.rows import rows
 from graphkin.page.stencils import Knots, stencil
@@ -48,6 +48,22 @@ def test_what_is_drawn_between_knots_is_near_enough(name):
                     assert np.abs(weights @ row.numbers[numbers] - row.numbers[-1]).max() < 0.01, (plane, row.mark)
                     seen += 1
     assert seen > 150
+
+
+def test_cells_of_a_grid_are_shown_where_they_are_near_enough():
+    """Two drivers, each between dead points that go with the other: beyond the rim of what is shown there is nothing."""
+    knots, rng, seen = page_knots(Reach.of(api.plan(api.load("p3-14")))), random.Random(7), 0
+    axes, plane = knots.reach.axes, "velocity"
+    cells, shown = (every.reshape(knots.shape) for every in (cells_shown(knots, plane), knots.shown[plane]))
+    for _ in range(250):
+        us = [rng.uniform(*axis.span) for axis in axes]
+        if cells[tuple(axis.cell(u) for axis, u in zip(knots.axes, us, strict=True))]:
+            there = knots.reach.plot(us).points(plane)
+            numbers, weights = stencil(knots.axes, us, shown)
+            off = weights @ knots.points[plane][numbers] - [complex(there[name]) for name in knots.names[plane]]
+            assert np.abs(off).max() < 0.02 * knots.figures.window(plane).scale
+            seen += 1
+    assert seen > 60
 
 
 @pytest.mark.parametrize("ends", ["line", "low", "high", "both"])

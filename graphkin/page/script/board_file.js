@@ -16,26 +16,15 @@ const OVER = 6; // so far lines go beyond what they cross [mm]
 export function boardRecord() {
   return {
     kind: "graphkin board", format: 1, lang: language(), problem: { ...BOARD.problem, student: work.student },
-    scales: work.scales, equations: work.equations,
-    answers: Object.fromEntries(Object.entries(work.answers).map(([key, one]) => [key, inWords(key, one)])),
-    steps: work.steps.map((step, k) => ({ step: k + 1, ...step, ...said(step) })),
+    scales: work.scales, equations: work.equations, answers: work.answers,
+    steps: work.steps.map((step, k) => ({ step: k + 1, ...step, through: throughOf(step) })),
   };
 }
 
-/** An answer as it is written: the direction of a vector in degrees. @param {string} key
- * @param {import("./board_state.js").Answer} answer */
-function inWords(key, answer) {
-  const angle = BOARD.answers.find((box) => box.key === key)?.sense === "directed" && answer.sense.trim();
-  return angle && !angle.endsWith("°") ? { ...answer, sense: `${angle}°` } : answer;
-}
-
-/** The letters at the places of a step, as it stands now. @param {Step} step */
-function said({ plane, tool, at, point }) {
-  const [first, last, through] = [...at, ...(point ? [point] : [])].map((place) => letterAt(plane, spotOf(place)) || null);
-  const isSquared = tool === "parallel" || tool === "perpendicular";
-  if (isSquared || tool === "protractor") return { through: isSquared ? through ?? null : first };
-  if (tool === "point") return {};
-  return { from: first, to: last, ...(tool === "vector" ? { ends: [first, last] } : {}) };
+/** The letter of the point that a line without ends goes through. @param {Step} step */
+function throughOf({ plane, tool, at, point }) {
+  const place = tool === "protractor" ? at[0] : point;
+  return place ? letterAt(plane, spotOf(place)) || null : null;
 }
 
 /** The whole file. The figure stands at its own place, the polygons under it; no transform is on anything.
@@ -117,7 +106,6 @@ export function openBoard(text) {
       const { plane, tool, at, name, line, point, direction, length, angle } = step;
       return { plane, tool, at, name, line, point, direction, length, angle };
     });
-    for (const answer of Object.values(record.answers)) answer.sense = String(answer.sense).replace(/°$/, "");
     takeUp({ ...record, student: String(record.problem.student ?? ""), steps });
     return "opened";
   } catch {

@@ -7,10 +7,7 @@ import { labelled, say } from "./words.js";
 
 /** @import { AnswerBox, Choice, FilledTerm, GivenEquation } from "./board_state.js" */
 
-/** Fields are shown as the work is, whatever changed it. @type {(() => void)[]} */
-const fieldFillers = [];
-
-/** A field that holds a part of the work. @template {HTMLInputElement | HTMLSelectElement} F @param {F} field
+/** A field that holds a part of the work, whatever changes it. @template {HTMLInputElement | HTMLSelectElement} F @param {F} field
  * @param {() => string} read @param {(text: string) => void} store @returns {F} */
 function boundField(field, read, store) {
   field.addEventListener("input", () => {
@@ -20,7 +17,7 @@ function boundField(field, read, store) {
   const fill = () => {
     if (field.value !== read()) field.value = read();
   };
-  fieldFillers.push(fill);
+  onWork(fill);
   fill();
   return field;
 }
@@ -46,7 +43,6 @@ export function buildForms() {
   byId("answers").append(...BOARD.answers.map(answerRow));
   const student = byId("student");
   if (student instanceof HTMLInputElement) boundTo(student, "student", () => work);
-  onWork(() => fieldFillers.forEach((fill) => fill()));
 }
 
 /** @param {string} plane */

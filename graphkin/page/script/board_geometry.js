@@ -72,19 +72,11 @@ function isOnLine(line, spot) {
 
 /** @param {Segment} one @param {Segment} other */
 function linesCross(one, other) {
-  const [u, v] = [lineDifference(one), lineDifference(other)];
-  const size = Math.hypot(u.x, u.y) * Math.hypot(v.x, v.y);
-  const turn = u.x * v.y - u.y * v.x;
-  if (size === 0 || Math.abs(turn) < 1e-4 * size) return [];
-  const between = { x: other.from.x - one.from.x, y: other.from.y - one.from.y };
-  const part = (between.x * v.y - between.y * v.x) / turn;
-  const spot = { x: one.from.x + part * u.x, y: one.from.y + part * u.y };
+  const [angle, across] = [angleOf(one.from, one.to), angleOf(other.from, other.to)];
+  const sine = Math.sin(((across - angle) * Math.PI) / 180);
+  if (Math.abs(sine) < 1e-4) return [];
+  const spot = laidOff(one.from, angle, lengthAlong(one.from, other.from, across - 90) / sine);
   return isOnLine(one, spot) && isOnLine(other, spot) ? [spot] : [];
-}
-
-/** @param {Segment} line */
-function lineDifference(line) {
-  return { x: line.to.x - line.from.x, y: line.to.y - line.from.y };
 }
 
 /** @param {Segment} line @param {Circle} circle */

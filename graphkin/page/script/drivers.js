@@ -128,49 +128,37 @@ export class DriverControl {
   }
 }
 
-/** The motion that runs by itself: round, or there and back. */
-export class Run {
-  /** @param {DriverControl} driver */
-  constructor(driver) {
-    this.driver = driver;
-    this.frame = 0;
-    this.sense = driver.axis.rate < 0 ? -1 : 1;
-    this.button = button({ class: "run", "data-action": "run", "data-word": "page.play" }, () => this.toggle());
+/** The motion that runs by itself: round, or there and back. @param {DriverControl} driver */
+export function runOf(driver) {
+  const { axis } = driver;
+  const [low, last] = knotEnds(axis);
+  const high = axis.round ? low + axis.period : last;
+  let frame = 0;
+  let before = 0;
+  let sense = axis.rate < 0 ? -1 : 1;
+  const control = button({ class: "run", "data-action": "run", "data-word": "page.play" }, toggle);
+  const go = (/** @type {number} */ now) => {
+    const way = (Math.min(0.1, (now - before) / 1000) * (high - low)) / SECONDS;
+    const u = parameterAt(axis, driver.value) + sense * way;
+    before = now;
+    if (!axis.round && (u > high || u < low)) sense = -sense;
+    driver.set(valueAt(axis, axis.round ? u : within(u, low, high)));
+    frame = requestAnimationFrame(go);
+  };
+  function stop() {
+    cancelAnimationFrame(frame);
+    frame = 0;
+    label();
   }
-
-  toggle() {
-    if (this.frame) return this.stop();
-    let last = performance.now();
-    const go = (/** @type {number} */ now) => {
-      this.forward(Math.min(0.1, (now - last) / 1000));
-      last = now;
-      this.frame = requestAnimationFrame(go);
-    };
-    this.frame = requestAnimationFrame(go);
-    return this.label();
+  function toggle() {
+    if (frame) return stop();
+    before = performance.now();
+    frame = requestAnimationFrame(go);
+    return label();
   }
-
-  stop() {
-    cancelAnimationFrame(this.frame);
-    this.frame = 0;
-    this.label();
+  function label() {
+    control.setAttribute("data-word", frame ? "page.pause" : "page.play");
+    control.textContent = say(frame ? "page.pause" : "page.play");
   }
-
-  label() {
-    this.button.setAttribute("data-word", this.frame ? "page.pause" : "page.play");
-    this.button.textContent = say(this.frame ? "page.pause" : "page.play");
-  }
-
-  /** @param {number} seconds */
-  forward(seconds) {
-    const { axis } = this.driver;
-    const [low, last] = knotEnds(axis);
-    const high = axis.round ? low + axis.period : last;
-    let u = parameterAt(axis, this.driver.value) + (this.sense * seconds * (high - low)) / SECONDS;
-    if (!axis.round && (u > high || u < low)) {
-      this.sense = -this.sense;
-      u = within(u, low, high);
-    }
-    this.driver.set(valueAt(axis, u));
-  }
+  return { control, toggle, stop };
 }

@@ -14,8 +14,6 @@ import { inEachLanguage, say, typeset } from "./words.js";
 /** @typedef {{link: string, name: string, fixed: string[], moving: string[], x: Changing, y: Changing, cos: Changing,
  * sin: Changing}} Centrode */
 /** @typedef {{centres: Centre[], curves: Curve[], centrodes: Centrode[]}} Layers */
-/** @typedef {{kind: string, name: string, words: () => Node[], on: boolean, shown: Element,
- * move: () => void}} Switch */
 
 const LAYER_FAR = 1e-4; // a centre with so small a w is far off
 const DIAGRAM_SAMPLES = 240;
@@ -27,8 +25,8 @@ export class LayersPart {
   constructor(layers, figure, page) {
     this.tracks = page.tracks;
     this.element = html("div", { class: "overlays" });
-    /** @type {Switch[]} */
-    this.switches = [];
+    /** @type {(() => void)[]} */
+    this.moves = [];
     this.group = svg("g", { class: "layers-drawn" });
     this.figures = html("div", { class: "diagrams" });
     figure.figure.append(this.group);
@@ -36,30 +34,24 @@ export class LayersPart {
     for (const curve of layers?.curves ?? []) this.addCurve(curve);
     for (const centrode of layers?.centrodes ?? []) this.addCentrode(centrode);
     if (page.mechanism.values.length) this.addDiagrams(page);
-    inEachLanguage(() => this.draw());
-    page.onMove.push(() => this.move());
+    page.onMove.push(() => this.moves.forEach((move) => move()));
   }
 
-  draw() {
-    const boxes = this.switches.map((one) =>
-      tickBox({ "data-toggle": one.kind, "data-of": one.name || null }, one.on, (on) => {
-        one.on = on;
-        setAttributes(one.shown, { hidden: !on, display: on ? null : "none" });
-        this.move();
-      }, ...one.words()));
-    this.element.replaceChildren(...boxes);
-  }
-
-  move() {
-    for (const one of this.switches) if (one.on) one.move();
-  }
-
-  /** @param {string} kind @param {string} name @param {() => Node[]} words @param {Element} shown
-   * @param {() => void} [move] */
+  /** A switch and what it shows, which moves while it is on. @param {string} kind @param {string} name
+   * @param {() => Node[]} words @param {Element} shown @param {() => void} [move] */
   add(kind, name, words, shown, move = () => {}) {
+    let isOn = false;
+    const spoken = html("span");
+    const box = tickBox({ "data-toggle": kind, "data-of": name || null }, isOn, (on) => {
+      isOn = on;
+      setAttributes(shown, { hidden: !on, display: on ? null : "none" });
+      if (on) move();
+    }, spoken);
+    inEachLanguage(() => spoken.replaceChildren(...words()));
     setAttributes(shown, { hidden: true, display: "none" });
     (shown instanceof SVGElement ? this.group : this.figures).append(shown);
-    this.switches.push({ kind, name, words, on: false, shown, move });
+    this.element.append(box);
+    this.moves.push(() => isOn && move());
   }
 
   /** @param {Centre[]} centres */

@@ -101,25 +101,16 @@ function entryElement(template, numbers) {
 
 const UNITS = { velocity: "m/s", acceleration: "m/s²" };
 
-/** The list of results. */
-export class ResultsPanel {
-  /** @param {Shown} shown */
-  constructor(shown) {
-    this.shown = shown;
-    this.cells = shown.mechanism.values.map((value) => html("td", { "data-result": value.name }));
-    const rows = shown.mechanism.values.map((value, k) =>
-      html("tr", {}, html("th", { scope: "row" }, ...signNodes(value.sign)), this.cells[k]));
-    this.element = html("section", { class: "panel results", "aria-labelledby": "results-heading" },
-      html("h2", { id: "results-heading", "data-word": "page.values" }), html("table", {}, html("tbody", {}, ...rows)));
-  }
-
-  move() {
-    const { tracks, mechanism } = this.shown;
-    mechanism.values.forEach((value, k) => {
-      const text = tracks.isNear(value.mask) ? measured(quantityAt(value, tracks), value.unit) : "–";
-      if (this.cells[k].textContent !== text) this.cells[k].textContent = text;
-    });
-  }
+/** The list of results. @param {Shown} shown */
+export function resultsOf({ mechanism: { values }, tracks }) {
+  const cells = values.map((value) => html("td", { "data-result": value.name }));
+  const rows = values.map((value, k) => html("tr", {}, html("th", { scope: "row" }, ...signNodes(value.sign)), cells[k]));
+  const move = () => values.forEach((value, k) => {
+    const text = tracks.isNear(value.mask) ? measured(quantityAt(value, tracks), value.unit) : "–";
+    if (cells[k].textContent !== text) cells[k].textContent = text;
+  });
+  return { move, element: html("section", { class: "panel results", "aria-labelledby": "results-heading" },
+    html("h2", { id: "results-heading", "data-word": "page.values" }), html("table", {}, html("tbody", {}, ...rows))) };
 }
 
 /** A quantity where the tracks are; an angle that turns on and on rises each time the driver comes round.

@@ -1,9 +1,9 @@
 /** The page: figures, bars, steps and results of the mechanism that is shown; language, hash, contents. */
 import { button, byId, heldData, html, setAttributes, tickBox } from "./dom.js";
-import { DriverControl, Run } from "./drivers.js";
+import { DriverControl, runOf } from "./drivers.js";
 import { PlaneFigure } from "./figure.js";
 import { LayersPart } from "./layers.js";
-import { arrowSize, ResultsPanel, StepsPanel } from "./panels.js";
+import { arrowSize, resultsOf, StepsPanel } from "./panels.js";
 import { QuizPart } from "./quiz.js";
 import { plainText, signNodes } from "./signs.js";
 import { Shown } from "./state.js";
@@ -21,10 +21,10 @@ export class Player {
     this.shown = new Shown(mechanism);
     this.figures = mechanism.planes.map((plane) => new PlaneFigure(this.shown, plane, say(`page.${plane.plane}`)));
     this.steps = new StepsPanel(this.shown, (step) => this.goStep(step));
-    this.results = new ResultsPanel(this.shown);
+    this.results = resultsOf(this.shown);
     this.drivers = mechanism.axes.map((_, k) => new DriverControl(this.shown, k, (values) => this.goTo(values)));
     const first = this.drivers[0];
-    this.run = first ? new Run(first) : null;
+    this.run = first ? runOf(first) : null;
     this.told = html("p", { class: "told", role: "status" });
     this.asked = 0;
     this.figures[0].drawing.append(...this.drivers.flatMap(({ handle }) => handle ?? []));
@@ -94,7 +94,7 @@ export class Player {
 
   bars() {
     const help = html("p", { class: "keys", "data-word": "page.keys" });
-    const controls = [...(this.run ? [this.run.button] : []), ...this.drivers.map((driver) => driver.element)];
+    const controls = [...(this.run ? [this.run.control] : []), ...this.drivers.map((driver) => driver.element)];
     return html("div", { class: "bars" }, ...controls, help);
   }
 

@@ -39,4 +39,5 @@ export function dragged(grip, handle, atOnce, act) {
     if (atOnce) follow(event);
   });
   grip.addEventListener("pointermove", follow);
+  grip.addEventListener("touchstart", takeEvent, { passive: false }); // a finger on it scrolls nothing
 }

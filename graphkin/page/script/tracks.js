@@ -132,8 +132,6 @@ export class Tracks {
 /** @typedef {{u: number[], period: number}} Knots */
 /** @typedef {{numbers: number[], weights: number[]}} Stencil */
 
-const MOST = 6;
-
 /** The last knot that is not beyond u. @param {Knots} knots @param {number} u */
 function cellOf({ u: places, period }, u) {
   const beyond = places.findIndex((place) => place > u);
@@ -160,23 +158,25 @@ function weightsOf(knots, u, first, count) {
     .reduce((product, other) => (product * (u - other)) / (own - other), 1));
 }
 
-/** All ways to take one of each, joined. @template T, S @param {S[][]} each @param {T} start
- * @param {(before: T, one: S, axis: number) => T} join */
-function combined(each, start, join) {
-  return each.reduce((all, some, k) => all.flatMap((before) => some.map((one) => join(before, one, k))), [start]);
+/** All ways to take one of each. @param {number[][]} each @returns {Generator<number[]>} */
+function* ways([some, ...others]) {
+  for (const one of some ?? []) {
+    if (!others.length) yield [one];
+    else for (const rest of ways(others)) yield [one, ...rest];
+  }
 }
 
 /** The knots that give the value at a place, and their weights; where none do, the nearest alone. @param {Knots[]} axes
  * @param {number[]} us @param {Uint8Array | null} mask at which knots it is there @returns {Stencil} */
 function stencilAt(axes, us, mask) {
-  for (const count of [MOST, 4, 2]) {
+  for (let count = 6; count > 0; count -= 2) {
     const counts = axes.map((axis) => Math.min(count, axis.u.length));
     const firsts = axes.map((axis, k) => windowsAbout(axis, us[k], counts[k]));
-    for (const window of combined(firsts, /** @type {number[]} */ ([]), (before, first) => [...before, first])) {
+    for (const window of ways(firsts)) {
       const numbers = numbersOf(axes, window, counts);
       if (mask && numbers.some((number) => !mask[number])) continue;
       const weights = axes.map((axis, k) => weightsOf(axis, us[k], window[k], counts[k]));
-      return { numbers, weights: combined(weights, 1, (before, weight) => before * weight) };
+      return { numbers, weights: [...ways(weights)].map((each) => each.reduce((product, weight) => product * weight)) };
     }
   }
   return { numbers: [nearestKnot(axes, us)], weights: [1] };
@@ -185,7 +185,7 @@ function stencilAt(axes, us, mask) {
 /** The numbers of the knots in a window. @param {Knots[]} axes @param {number[]} firsts @param {number[]} counts */
 function numbersOf(axes, firsts, counts) {
   const own = axes.map(({ u }, k) => Array.from({ length: counts[k] }, (_, n) => modulo(firsts[k] + n, u.length)));
-  return combined(own, 0, (before, number, k) => before * axes[k].u.length + number);
+  return [...ways(own)].map((each) => each.reduce((before, number, k) => before * axes[k].u.length + number));
 }
 
 /** @param {Knots} axis @param {number} u */

@@ -71,6 +71,7 @@ PHRASES: Phrases = {
     "marks.step ends": ("{what} runs from {drawn} to {right}, and was drawn otherwise", "{what} 应由 {drawn} 指向 {right}"),
     "marks.step tip": ("{what} is not where its known arrow ends", "{what} 不在相应已知矢量的末端"),
     "marks.step crossing": ("{what} is not where its two lines meet", "{what} 不在两方向线的交点上"),
+    "marks.step place": ("{what} is not where it belongs on the mechanism", "{what} 在机构图上的位置不对"),
     "marks.step image": ("{what} is not where the image of its link has it", "{what} 的位置与影像不符"),
     # === verdicts: one word for each, everywhere
     "verdicts.verdict right": ("right", "正确"),
