@@ -22,7 +22,7 @@ from graphkin.sheet.window import PLANES
 
 NEAR = 0.007  # what is drawn between knots lies so near to where it belongs [mm]
 _EVEN, _SPREAD = 90, 60  # knots of a turn to begin with; positions that tell how large figures are
-_OF_ONE, _OF_SEVERAL = 700, 650  # knots at most; of several drivers those that the mechanism gets to
+_OF_ONE, _OF_SEVERAL = 700, 750  # knots at most; of several drivers those that the mechanism gets to
 _OF_GRID, _TRIED, _FINER, _ORDER = (10, 24), 30, (1.05, 1.8), 1 / 5
 """Knots of a turn to begin with, of three drivers and of two; places at which a grid is tried; so many more then, as
 what is off goes with the fifth power of their number."""
