@@ -1,10 +1,12 @@
-"""Plain data, as JSON can hold it, and a checksum over it."""
+"""Plain data, as JSON can hold it, values made of it, and a checksum over it."""
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
-from typing import TypeAlias, Union
+from dataclasses import fields
+from typing import Any, Literal, TypeAlias, Union, get_args, get_origin, get_type_hints
 
 try:  # as `random` does: all of hashlib, with OpenSSL, takes longer to load than a sheet takes to write
     from _sha256 import sha256  # type: ignore[import-not-found]
@@ -13,6 +15,41 @@ except ImportError:
 
 Plain: TypeAlias = Union[bool, int, float, str, "Sequence[Plain]", "Mapping[str, Plain]", None]
 """Data that JSON can hold, to be written; what is read is `object` until it is looked at."""
+_DIGITS = 4  # of a place
+
+
+def plain(value: Any) -> Any:
+    """A value class as plain data: its fields by name, places as pairs of numbers."""
+    if isinstance(value, complex):
+        return [round(value.real, _DIGITS) + 0.0, round(value.imag, _DIGITS) + 0.0]
+    if isinstance(value, Mapping):
+        return {key: plain(each) for key, each in value.items()}
+    if isinstance(value, tuple | list):
+        return [plain(each) for each in value]
+    if hasattr(value, "__dataclass_fields__"):
+        return {each.name: plain(getattr(value, each.name)) for each in fields(value)}
+    return value
+
+
+def built(kind: Any, data: Any) -> Any:
+    """A value of this kind from plain data. Raises KeyError, TypeError, ValueError where it does not hold one."""
+    origin, inner = get_origin(kind), get_args(kind)
+    if kind is complex:
+        x, y = (built(float, each) for each in data)
+        return complex(x, y)
+    if origin is Literal:
+        return inner[inner.index(data)]
+    if origin is tuple:
+        kinds = [inner[0]] * len(data) if ... in inner else inner
+        return tuple(built(each, one) for each, one in zip(kinds, data, strict=True))
+    if hasattr(origin, "keys"):
+        return {built(inner[0], key): built(inner[1], each) for key, each in data.items()}
+    if hasattr(kind, "__dataclass_fields__"):
+        hints = get_type_hints(kind)
+        return kind(**{each.name: built(hints[each.name], data[each.name]) for each in fields(kind)})
+    if not isinstance(data, (int, float) if kind is float else kind) or (kind is float and not math.isfinite(data)):
+        raise TypeError(f"{data!r} is no {kind.__name__}")
+    return data
 
 
 def seal(claims: Mapping[str, object]) -> str:

@@ -14,6 +14,7 @@ from graphkin.errors import Lang
 if TYPE_CHECKING:
     from graphkin.handouts import Handout, Stage
     from graphkin.model.mechanism import Mechanism
+    from graphkin.submissions import Student
 
 
 @click.command()
@@ -53,6 +54,7 @@ def handout(
     """
     from graphkin.handouts import in_languages, saving
     from graphkin.outputs import files
+    from graphkin.outputs.sheets_json import NAME
 
     problems, seed = _problems(mechanisms, seed, at)
     output = output or Path(f"{problems[0][0].name}.pdf")
@@ -74,16 +76,18 @@ def handout(
         with streams.waiting(len(books) == 1):
             made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose,
                                 duplex=duplex, number=number)  # fmt: skip
-        pages = _write(path, made, paper, font, scan, force)
+        pages = _write(path, made, paper, font, scan, force, output / NAME if folder else None)
         scan = None if scan is None else scan + pages  # sheet numbers go on from file to file, and those of problems
         number = number if number is None or any(whose) else number + 1
 
 
-def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[list[tuple[Mechanism, str]], str]:
+def _problems(
+    sources: tuple[str, ...], seed: str, at: DriverOptions
+) -> tuple[list[tuple[Mechanism, Student | None]], str]:
     """Each mechanism with whom it is for, those of a problem set in its order; and the set's seed."""
     from graphkin.handouts.problem_folder import is_set, students_of
 
-    problems: list[tuple[Mechanism, str]] = []
+    problems: list[tuple[Mechanism, Student | None]] = []
     for source in sources:
         if source and is_set(Path(source)):
             if at:
@@ -92,18 +96,22 @@ def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[l
             seed = seed or own
             problems += [(shared.read(str(path)), who) for who, path in students]
         else:
-            problems.append((shared.read_at(source, at), ""))
+            problems.append((shared.read_at(source, at), None))
     return problems, seed
 
 
-def _write(path: Path, made: Handout, paper: str, font: Path | None, scan: int | None, force: bool) -> int:
+def _write(
+    path: Path, made: Handout, paper: str, font: Path | None, scan: int | None, force: bool, sheets: Path | None
+) -> int:
     """Write a handout; the number of its pages of paper."""
     from graphkin.handouts.saving import SavedHandout
     from graphkin.handouts.typst import page_count
+    from graphkin.outputs.sheets_json import NAME
 
-    SavedHandout(**vars(made)).save(path, paper=paper, font=font, scan=scan, force=force)
+    SavedHandout(**vars(made)).save(path, paper=paper, font=font, scan=scan, force=force, sheets=sheets)
     count = page_count(path.read_bytes()) if path.suffix.lower() != ".html" else 0
     if scan is not None:
-        click.echo(f"#{scan}-{scan + count - 1} {path.name}", err=True)
+        listed = path.with_suffix(f".{NAME}") if sheets is None else sheets
+        click.echo(f"#{scan}-{scan + count - 1} {path.name}, {listed.name}", err=True)
     click.echo(str(path))
     return count

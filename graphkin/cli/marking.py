@@ -15,6 +15,7 @@ from graphkin.cli.shared import DriverOptions
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
+    from graphkin.homework.grading import Photographs, SetMarker
     from graphkin.homework.platforms import Reveal
     from graphkin.marking.records import Graded
 
@@ -49,6 +50,10 @@ relative_option = click.option("--relative", type=click.FloatRange(0, 1), metava
               help="The points of drawings without letters, in the file's order.")
 @click.option("--roster", type=click.Path(path_type=Path), metavar="FILE",
               help="A class list, CSV or XLSX: ids, names, e-mails, numbers of a platform; Moodle's worksheet.")
+@click.option("--sheets", type=click.Path(path_type=Path), metavar="FILE",
+              help="For photographs: the sheets.json of the paper, if it is not beside KEY or beside the pictures.")
+@click.option("--confirm", type=click.Path(path_type=Path), metavar="FILE.html",
+              help="For photographs: a page to look at them with what was found, and to correct that.")
 @click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read and mark.")
 @shared.force_option
 @shared.speaking
@@ -66,6 +71,10 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
     for each is called NAME.csv, NAME.zip, or a folder NAME. Reports and feedback then tell, too, which mistakes show in
     several problems of a student.
 
+    Photographs and scans of sheets that `handout --stage blank --scan` printed are measured (graphkin[photo]): JPEG,
+    PNG, PDF of any number of pages, in any order. The number on a sheet says whose it is. What is unsure is not
+    counted, and is first on the page of --confirm, which saves a file that is marked again in place of the pictures.
+
     Whose work it is says the folder of a platform, then the file's name, then a line in it; where these contradict each
     other, or the class list, nobody is marked. With --roster names count as well as ids.
 
@@ -78,6 +87,8 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
       graphkin grade key.json class.zip --json
       graphkin grade key.json class.zip -o results --format csv --format moodle --reveal hint
       graphkin grade keys/ handed-in/ -o results --format report --jobs 4
+      graphkin grade homework scan.pdf photos/ --confirm look.html
+      graphkin grade homework look.json -o results --format csv
     """
     _Grading(**options).mark(key, submissions)
 
@@ -136,6 +147,8 @@ class _Grading:
     turned: bool
     letters: str
     roster: Path | None
+    sheets: Path | None
+    confirm: Path | None
     jobs: int
     force: bool
     lang: Lang
@@ -154,15 +167,34 @@ class _Grading:
             raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
         pencils = grading.pencils_of(self.pencil, self.sigmas, self.relative)
         limits = grading.limits_of(self.turned, self.letters)
-        options = grading.MarkingOptions(limits, self.jobs, words=self.lang)
+        if self.confirm is not None and problems[0].name:
+            raise click.UsageError("--confirm is for one problem: name its key, and its pictures")
+        usual = grading.MarkingOptions(limits, self.jobs, words=self.lang)
         judges = [grading.judge_from(problem.key, pencils, self.roster) for problem in problems]
+        options = []
+        for problem, judge in zip(problems, judges, strict=True):
+            crop = self.confirm is not None
+            options.append(grading.with_photographs(usual, problem.key, judge, problem.paths, self.sheets, crop))
+        self._write_page(options[0].photographs, judges[0])
         if self.output is None:
-            for problem, judge in zip(problems, judges, strict=True):
-                self._print(problem.name, grading.grade(judge, problem.paths, limits, workers=self.jobs))
+            for problem, judge, own in zip(problems, judges, options, strict=True):
+                records = grading.grade(judge, problem.paths, limits, workers=self.jobs, seen=own.photographs)
+                self._print(problem.name, records)
             return
         files = ResultFiles(self.output, self.kinds, self.reveal, self.assignment, self.lang, self.force, self._printed)
         for said in files.written(problems, judges, options):
             click.echo(str(said), err=self.as_json or isinstance(said, str))
+
+    def _write_page(self, seen: Photographs | None, judge: SetMarker) -> None:
+        """The page on which photographs are looked at."""
+        from graphkin.page.confirm import write_page
+
+        if seen is None or self.confirm is None:
+            return
+        reasons = [one.reason for one in seen.failed if one.reason is not None]
+        called = {} if judge.roster is None else judge.roster.called
+        write_page(self.confirm, seen.readings, reasons, called, self.lang, self.force)
+        click.echo(str(self.confirm), err=True)
 
     def _print(self, problem: str, records: Iterable[Graded]) -> None:
         """Each as it comes."""

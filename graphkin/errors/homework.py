@@ -136,6 +136,7 @@ _MUCH: dict[str, dict[Lang, str]] = {
     "answers": {"en": "more than {most} answers", "zh": "答案多于 {most} 个"},
     "rows": {"en": "a table of more than {most} rows", "zh": "表格多于 {most} 行"},
     "columns": {"en": "a table of more than {most} columns", "zh": "表格多于 {most} 列"},
+    "pixels": {"en": "a picture of more than {most} million pixels", "zh": "图片超过 {most} 百万像素"},
 }
 
 
@@ -146,7 +147,7 @@ class TooMuch(LocatedError):
     zh = "{where}：{what}。请只提交答案或图本身。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        most = self.most / 2**20 if self.what in ("bytes", "archive") else self.most
+        most = self.most / {"bytes": 2**20, "archive": 2**20, "pixels": 1e6}.get(self.what, 1)
         return {**super()._words(lang), "what": _MUCH[self.what][lang].format(most=f"{most:g}")}
 
 
@@ -326,14 +327,14 @@ class LetterTwice(LocatedError):
     zh = "{where}：无法确定字母 {letter} 标注的是哪一点。请把它写在该点旁边，且只写一次。"
 
 
-_PLANES: WordTable = {
+PLANES: WordTable = {
     "position": ("position", "位置"),
     "velocity": ("velocity", "速度"),
     "acceleration": ("acceleration", "加速度"),
 }
 
 
-class NoScaleDrawn(LocatedError, plane=_PLANES):
+class NoScaleDrawn(LocatedError, plane=PLANES):
     """A polygon whose scale is neither stated nor to be had from its known first vector."""
 
     plane: str

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from graphkin.base.value import bulky, frozen
+from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label
@@ -14,11 +15,13 @@ Stage = Literal["problem", "blank", "half", "solution"]
 
 @frozen
 class HandoutHeading:
-    """A heading; level 1 is a problem's title. `said`: what the foot of its pages says of this problem alone."""
+    """A heading; level 1 is a problem's title. `said`: what the foot of its pages says of this problem alone;
+    `problem`: its place among the owners of a handout."""
 
     words: Label
     level: int = 2
     said: str = ""
+    problem: int | None = None
 
 
 @frozen
@@ -83,7 +86,7 @@ class HandoutTable:
 @frozen
 class GridRoom:
     """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]; words:
-    what is drawn there."""
+    what is drawn there, for the polygon of this plane at this scale [SI units per mm]."""
 
     words: str
     width: float
@@ -92,6 +95,8 @@ class GridRoom:
     name: Label
     direction: float
     mark: Label
+    plane: Plane
+    scale: float
 
 
 @frozen
@@ -133,11 +138,15 @@ Block = (
 
 @bulky
 class Handout:
-    """One or several problems, in one language or in both: each begins with a part of its own."""
+    """One or several problems, in one language or in both: each begins with a part of its own.
+
+    owners  of each problem the name of its mechanism, and the id of the student it is for, or ""
+    """
 
     title: str
     lang: Lang
     blocks: tuple[Block, ...]
+    owners: tuple[tuple[str, str], ...] = ()
 
     @property
     def parts(self) -> list[tuple[HandoutPart, list[Block]]]:

@@ -205,16 +205,12 @@ def _files_of(order: SetOrder, whole: Mapping[str, _Whole], variants: Sequence[V
         key, rates = key_for(mechanism, order.pencils), tuple[float, ...]()
         if own.id in counted:  # right work by pencil, what is asked handed in: parts judged wrong, and mistaken
             rates = alarms(Marker(key), [entry.text for entry in key.entries if entry.points])
-        page = html(handout([mechanism], "problem", order.lang, whose=[_called(own)]))
+        page = html(handout([mechanism], "problem", order.lang, whose=[own]))
         text = f"# {MARK}: {order.template.name}, {own.id}\n{mechanism.text}"
         for path, content in zip(order.files(order.names[own.id]), (page, text, key_text(key)), strict=True):
             _write(path, content, order.force)
         done.append(_Whole(own.id, variant.numbers, rates))
     return done
-
-
-def _called(student: Student) -> str:
-    return " ".join((student.id, *(text for _, text in student.names)))
 
 
 def _write_common(order: SetOrder, variants: Sequence[Variant], whole: Mapping[str, _Whole]) -> None:
@@ -246,14 +242,14 @@ def set_list(folder: Path) -> Path:
     return apart if apart.is_file() else folder / LIST
 
 
-def students_of(folder: Path) -> tuple[str, list[tuple[str, Path]]]:
-    """The seed of a written set, and each student with the mechanism file, in the order of the list: the id, and what
-    else the roster called the student. Raises NotASet."""
+def students_of(folder: Path) -> tuple[str, list[tuple[Student, Path]]]:
+    """The seed of a written set, and each student with the mechanism file, in the order of the list. Raises NotASet."""
     listed = set_list(folder)
     try:
         whole = json.loads(listed.read_text("utf-8"))
         seed, students = str(whole["seed"]), whole["students"].items()
-        files = [(" ".join((id, *map(str, each["names"].values()))), str(each["file"])) for id, each in students]
+        files = [(Student(id, tuple((head, str(text)) for head, text in each["names"].items())), str(each["file"]))
+                 for id, each in students]  # fmt: skip
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise NotASet(str(listed)) from None
     if any(Path(name).name != name or not listed.with_name(name).is_file() for _, name in files):
@@ -272,7 +268,7 @@ def problem_set(template: Template, variants: Iterable[Variant], judge: SetMarke
     for variant in variants:
         marker = judge.marker(variant.student.id)
         assert marker is not None, "the set has a key for each of its students"
-        problem = drawn_problem(variant.mechanism, lang, _called(variant.student))
+        problem = drawn_problem(variant.mechanism, lang, variant.student.called)
         picture = figure_of(problem)
         lines = [line.strip() for line in text_lines(problem.posed, lang)]
         lines += (picture.note,)

@@ -9,8 +9,8 @@ from graphkin.errors import Lang
 from graphkin.handouts.document import Handout, Stage
 from graphkin.handouts.markup import html
 from graphkin.handouts.stages import in_languages
-from graphkin.handouts.typst import pdf
-from graphkin.outputs import files
+from graphkin.handouts.typst import printed
+from graphkin.outputs import files, sheets_json
 
 MARKS = (b"graphkin handout",)
 
@@ -20,15 +20,24 @@ class SavedHandout(Handout):
 
     def save(
         self, path: str | Path, *, paper: str = "A4", font: Path | None = None, scan: int | None = None,
-        force: bool = False,
+        force: bool = False, sheets: Path | None = None,
     ) -> Path:  # fmt: skip
         """Write it on this paper; font: a file with the letters wanted; scan: the number of the first page that is to
-        be photographed. A .pdf needs graphkin[pdf]."""
+        be photographed: what is printed where is written beside it, into `x.sheets.json`, or `sheets`. A .pdf needs
+        graphkin[pdf]."""
         file = Path(path)
         if file.suffix.lower() not in (".pdf", ".html"):
             raise files.UnknownEnding(str(file), (".pdf", ".html"))
-        content = html(self, paper) if file.suffix.lower() == ".html" else pdf(self, paper, font, scan)
+        if file.suffix.lower() == ".html":
+            files.write(file, html(self, paper), force, MARKS)
+            return file
+        listed = sheets or file.with_suffix(f".{sheets_json.NAME}")
+        if scan is not None:
+            files.refuse(listed, force, sheets_json.MARKS)
+        content, pages = printed(self, paper, font, scan)
         files.write(file, content, force, MARKS)
+        if pages:
+            sheets_json.write_sheets(listed, pages, force)
         return file
 
     def _repr_html_(self) -> str:

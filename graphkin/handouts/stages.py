@@ -25,6 +25,7 @@ from graphkin.sheet.marks import Text
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import finest, written
+from graphkin.submissions import Student
 
 _HIGH, _LOW, _ROW = 203.5, 70.0, 7.5  # of a page but for a problem's name, entries and answers, and of a name [mm]
 _ENTRY, _LINE, _WIDE, _LETTERS = 6.4, 4.9, 170.0, 3.7  # of an entry, of each further line of it; a page's width [mm]
@@ -34,23 +35,24 @@ MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; o
 
 def handout(
     mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = "",
-    whose: Sequence[str] = (), duplex: bool = False, number: int | None = None,
+    whose: Sequence[Student | None] = (), duplex: bool = False, number: int | None = None,
 ) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
     upto     of a half-worked solution: so many whole equations are done
     answers  the answers of all at the end
     seed     of the set the problems belong to, as every page says it
-    whose    the student each problem is for, or "": it stands after the title
+    whose    the student each problem is for, if any: it stands after the title
     duplex   printed on both sides: each problem begins on the front of a sheet
     number   of the first problem; of several the first is 1 if left out. Students' own problems are one by number
 
     Raises what loading, planning and proving raise.
     """
-    owners = whose or [""] * len(mechanisms)
-    problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, owners, strict=True)]
+    owners = whose or [None] * len(mechanisms)
+    called = ["" if who is None else who.called for who in owners]
+    problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, called, strict=True)]
     numbers: Sequence[int] = [number or 0] * len(problems)
-    if not any(owners) and len(problems) > 1:
+    if not any(called) and len(problems) > 1:
         numbers = range(number or 1, (number or 1) + len(problems))
     contents = say("handouts.contents", lang) if len(problems) > _NO_LIST else ""
     blocks: list[Block] = []
@@ -60,7 +62,7 @@ def handout(
         own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
         said = " · ".join(filter(None, (problem.whose, own)))
         own_problem = replace(problem, before=before)
-        staged = [*_numbered(own_problem, stage, upto, own_number, said)]
+        staged = [*_numbered(own_problem, stage, upto, own_number, said, k)]
         before += 0 if problem.whose else sum(isinstance(block, document.HandoutPicture) for block in staged)
         blocks += staged
     if answers:
@@ -72,12 +74,14 @@ def handout(
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     words = say("handouts.seed", lang, seed=seed) if seed else ""
     foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, say("handouts.bar", lang))
-    return Handout(title, lang, (document.HandoutPart(lang, foot, contents), *blocks))
+    ids = ("" if who is None else who.id for who in owners)
+    whole = (document.HandoutPart(lang, foot, contents), *blocks)
+    return Handout(title, lang, whole, tuple(zip((machine.name for machine in mechanisms), ids, strict=True)))
 
 
 def in_languages(
     mechanisms: Sequence[Mechanism], stage: Stage, langs: Sequence[Lang], *, upto: int = 1, answers: bool = False,
-    seed: str = "", whose: Sequence[str] = (), duplex: bool = False, number: int | None = None,
+    seed: str = "", whose: Sequence[Student | None] = (), duplex: bool = False, number: int | None = None,
 ) -> Handout:  # fmt: skip
     """The handout in each of the languages, one after the other, each with its own feet."""
     made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex,
@@ -90,13 +94,16 @@ def in_languages(
     return replace(first, blocks=tuple(blocks))
 
 
-def _numbered(problem: HandoutProblem, stage: Stage, upto: int, number: int, said: str) -> Iterator[Block]:
+def _numbered(
+    problem: HandoutProblem, stage: Stage, upto: int, number: int, said: str, place: int
+) -> Iterator[Block]:
     """A problem at a stage, whose title bears its number, and whose figures are numbered."""
     figures = 0
     for block in _staged(problem, stage, upto):
         match block:
             case document.HandoutHeading(words, 1):
-                yield replace(block, words=(*plain(_titled("", problem.lang, number)), *words), said=said)
+                numbered = (*plain(_titled("", problem.lang, number)), *words)
+                yield replace(block, words=numbered, said=said, problem=place)
             case document.HandoutPicture():
                 figures += 1
                 yield replace(block, number=problem.figure(figures) + block.note)

@@ -8,17 +8,19 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
-from typing import assert_never
+from typing import Any, assert_never
 
 from graphkin.errors import NoChineseLetters, NoFont, NoLetter
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Handout, HandoutPart
-from graphkin.handouts.grid import DIGITS, MARKERS, SIZE, digits, edges, markers_svg, room_svg
+from graphkin.handouts.grid import markers_svg, room_svg
 from graphkin.handouts.paging import PagePart, page_parts, pages
 from graphkin.outputs.files import needed
 from graphkin.outputs.paged import unscaled
 from graphkin.outputs.svg import svg
 from graphkin.outputs.typesetting import mm, signs
+from graphkin.photo.markers import DIGITS, MARKERS, SIZE, digits, edges
+from graphkin.photo.sheets import PrintedSheet, SheetRoom
 from graphkin.sheet.lettering import Label, Run, width
 from graphkin.sheet.paper import PAPERS, Paper
 
@@ -35,6 +37,10 @@ _LETTERS, _INSET, _ROW = 3.7, 5.0, 7.5  # of a table: its letters, what a cell i
 _HEAVY = 600  # the weight of bold letters
 _LINE = 6.0  # of a list of problems [mm]
 _SLACK = 0.5  # of a page's height that is left over, as lengths are rounded [mm]
+_PLACED = """context {{
+  let at = here().position()
+  [#metadata((page: at.page, x: at.x.mm(), y: at.y.mm(), problem: {problem}))<printed>]
+}}"""
 Pictures = dict[str, str]  # drawings by the names by which a page asks for them
 PageRun = tuple[str, list[tuple[PagePart, str]]]  # what stands before some parts in a row, and their markup
 
@@ -108,7 +114,14 @@ _MARKER = """#let bits = ({bits})
 
 
 def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int | None = None) -> bytes:
-    """The PDF of a handout.
+    """The PDF of a handout; the rest is as `printed` has it."""
+    return printed(handout, paper, font, scan)[0]
+
+
+def printed(
+    handout: Handout, paper: str = "A4", font: Path | None = None, scan: int | None = None
+) -> tuple[bytes, list[PrintedSheet]]:
+    """The PDF of a handout, and what is on its pages where they are to be photographed.
 
     font  a font file to use; else the one the environment names, else the system's
     scan  the number of the first page of those that are to be photographed, each of which has the next one: markers
@@ -134,12 +147,33 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
         heights = iter(json.loads(compiler.query("<high>", field="value")))
         room = page.height - _TOP - _BOTTOM - _SLACK
         body = "".join(before + _paged(parts, [next(heights) for _ in parts], room) for before, parts in runs)
-        made: bytes = compiler.compile((head + body).encode(), format="pdf", timestamp=0, pdf_standards=["ua-1"])
+        whole = (head + body).encode()
+        made: bytes = compiler.compile(whole, format="pdf", timestamp=0, pdf_standards=["ua-1"])
+        asked = typst.Compiler(whole, font_paths=fonts, sys_inputs=pictures) if scan is not None else None
+        placed = [] if asked is None else json.loads(asked.query("<printed>", field="value"))
     except typst.TypstError as problem:
         if (letter := _MISSING.search(str(problem))) is None:
             raise
         raise NoLetter(letter[1]) from None
-    return unscaled(made)
+    return unscaled(made), [] if scan is None else [*_sheets(handout, page, scan, placed, page_count(made))]
+
+
+def _sheets(
+    handout: Handout, page: Paper, first: int, placed: list[dict[str, Any]], count: int
+) -> Iterator[PrintedSheet]:
+    """Each page, by the titles of problems and the gridded papers that typst has placed, in their order: of a problem
+    are the pages from its title to the next one's."""
+    owner, rooms = ("", ""), (block for block in handout.blocks if isinstance(block, document.GridRoom))
+    for number in range(1, count + 1):
+        own: list[SheetRoom] = []
+        for each in (each for each in placed if each["page"] == number):
+            if each["problem"] is not None:
+                owner = handout.owners[each["problem"]]
+                continue
+            grid, low = next(rooms), complex(each["x"], each["y"])
+            high = low + complex(grid.width, grid.height)
+            own.append(SheetRoom(grid.plane, 1, low + grid.pole, low, high, grid.scale))
+        yield PrintedSheet(first + number - 1, *owner, page.width, page.height, tuple(own))
 
 
 def _runs(number: int, part: HandoutPart, blocks: list[Block], pictures: Pictures, wide: float) -> Iterator[PageRun]:
@@ -230,9 +264,10 @@ def _side(scan: int | None) -> float:
 def _markup(block: Block, pictures: Pictures, wide: float) -> str:
     """A block in typst's markup; drawings are kept under the names by which it asks for them; wide: the page [mm]."""
     match block:
-        case document.HandoutHeading(words, level, said):  # with what feet and heads say from here on
+        case document.HandoutHeading(words, level, said, problem):  # with what feet and heads say from here on
             foot = f"#said.update({_string(said and ' · ' + said)})\n#metadata(none)<named>\n#named.update(\"\")\n"
             foot = foot if level == 1 else ""
+            foot += "" if problem is None else f"#{_PLACED.format(problem=problem)}\n"
             return f"{foot}#heading(level: {level})[{_words(words)}]\n"
         case document.NameLine(words):
             rules = "".join(f"[#{_string(word)}], line(length: 100%, stroke: 0.18mm), " for word in words)
@@ -251,7 +286,8 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
             return f"#figure({image}, caption: [#{_string(number)}], numbering: none, gap: 2mm)\n"
         case document.GridRoom():
             image = _image(pictures, room_svg(block), block.width, block.words)
-            return f"#align(center, {image})\n"
+            placed = f"place(top + left, {_PLACED.format(problem='none')})"
+            return f"#align(center, block(width: {mm(block.width)}mm, {{ {placed}; {image} }}))\n"
         case document.HandoutTable():
             return f"#block(breakable: false, width: 100%, {_table(block, wide)})\n"
         case document.NewPage() | document.HandoutPart():

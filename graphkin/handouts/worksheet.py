@@ -56,7 +56,8 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
     mark = point_label("x") if plane == "position" else plain(f"{round(math.degrees(direction), 1):g}°")
     words = HEADINGS[problem.lang][plane]
     name = pole or next(letter for letter in ("O", "O'", "O''") if letter not in machine.points)
-    return GridRoom(words, wide, tall, at, point_label(name), direction, mark)
+    scale = float(problem.scales[plane])
+    return GridRoom(words, wide, tall, at, point_label(name), direction, mark, plane, scale)
 
 
 def _placed(low: float, high: float, room: float, lot: float) -> float:

@@ -31,12 +31,12 @@ class ResultFiles:
     watch: Callable[[str, Iterator[str]], Iterable[str]] = lambda _, lines: lines
 
     def written(
-        self, problems: Sequence[Problem], judges: Sequence[SetMarker], options: MarkingOptions
+        self, problems: Sequence[Problem], judges: Sequence[SetMarker], options: Sequence[MarkingOptions]
     ) -> Iterator[Path | str]:
         """Each file, once it is written, and remarks."""
         files = [self.output / problem.name / MARKS if self.kinds else self.output for problem in problems]
-        for path, judge, problem in zip(files, judges, problems, strict=True):
-            yield from self._records(path, judge, problem, options)
+        for path, judge, problem, own in zip(files, judges, problems, options, strict=True):
+            yield from self._records(path, judge, problem, own)
         if self.kinds:
             yield from self._folders(files, judges, problems)
 
@@ -87,6 +87,7 @@ def grade_into(
     reveal: Reveal = "mistake", assignment: str = "graphkin", turned: bool = False, letters: str = "",
     pencil: str | None = None, sigmas: float | None = None, relative: float | None = None,
     roster: str | Path | None = None, workers: int = 0, lang: Lang = "en", force: bool = False,
+    sheets: str | Path | None = None,
 ) -> list[Path]:  # fmt: skip
     """Mark what is handed in and write a folder of results, as `graphkin grade -o` does; all files that are written.
 
@@ -96,6 +97,8 @@ def grade_into(
     pencils, listed = grading.pencils_of(pencil, sigmas, relative), None if roster is None else Path(roster)
     problems = grading.problems_of(str(key), [*map(str, [paths] if isinstance(paths, str | Path) else paths)])
     judges = [grading.judge_from(problem.key, pencils, listed) for problem in problems]
-    options = MarkingOptions(grading.limits_of(turned, letters), workers, words=lang)
+    usual, named = MarkingOptions(grading.limits_of(turned, letters), workers, words=lang), sheets and Path(sheets)
+    options = [grading.with_photographs(usual, problem.key, judge, problem.paths, named or None)
+               for problem, judge in zip(problems, judges, strict=True)]  # fmt: skip
     files = ResultFiles(Path(output), formats, reveal, assignment, lang, force)
     return [path for path in files.written(problems, judges, options) if isinstance(path, Path)]

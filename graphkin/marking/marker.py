@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -23,7 +24,7 @@ from graphkin.marking.diagnosis import SLIP, Diagnosis, Diagnostician
 from graphkin.marking.directions import WrittenDirections
 from graphkin.marking.drawing_order import DrawnAt, drawing_order
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
-from graphkin.marking.key_making import by_other_methods, make_key, pairs_of
+from graphkin.marking.key_making import allowed_anew, by_other_methods, make_key, pairs_of
 from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
 from graphkin.marking.records import Departure, Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
@@ -36,6 +37,7 @@ from graphkin.running import replay_all
 _HALF = 0.5  # what a value is worth whose sense or whose unit alone is wrong
 _LARGE = 1e30
 _FIRSTS = 200  # the pairs of so many first mistakes are kept
+_STEP = 0.05  # errors of photographs are rounded up to a multiple [mm]
 _FURTHER = 40  # so many quantities of a student beyond those of the key are marked at most
 
 
@@ -48,6 +50,7 @@ class Marker:
         self._further: dict[str, Quantity | None] = {}
         self._wider: Marker | None = None
         self._pairs: dict[Name | None, Hypotheses] = {}
+        self._blurred: dict[tuple[int, frozenset[str]], Marker] = {}
         self._lock = Lock()
 
     @cached_property
@@ -128,7 +131,23 @@ class Marker:
             return [*self._mark_here(works[:half]), *self._mark_here(works[half:])]
         with self._lock:  # threads that mark at once
             marker = self._widened(further[:_FURTHER])
+        if any(work.error for work in works):  # each as exactly as its photograph is
+            return [marker._of_photograph(work)._marks([work])[0] for work in works]
         return marker._marks(works)
+
+    def _of_photograph(self, work: StudentWork) -> Marker:
+        """A marker that allows for the error of what was measured on a photograph, too: it adds to the pencil's."""
+        steps, texts = math.ceil(work.error / _STEP), {text for text, one in work.numbers.items() if one.measured}
+        if (steps, frozenset(texts)) not in self._blurred:
+            if len(self._blurred) > _FIRSTS:
+                self._blurred.clear()
+            more = math.hypot(1, steps * _STEP / (self.key.marking.on_paper[0] or _STEP))
+            entries = [replace(entry, scatter=entry.scatter * more) if entry.text in texts else entry
+                       for entry in self.key.entries]  # fmt: skip
+            allowed = allowed_anew(entries, self.key.marking, self.method.mechanism.usual)
+            marker = Marker(replace(self.key, entries=allowed), self.method)
+            self._blurred[steps, frozenset(texts)] = marker
+        return self._blurred[steps, frozenset(texts)]
 
     @cached_property
     def _asked(self) -> tuple[KeyEntry, ...]:

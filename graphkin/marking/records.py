@@ -13,7 +13,7 @@ from graphkin.marking.diagnosis import SLIP, Diagnosis, Explanation, Trace, adde
 from graphkin.marking.key import Name
 from graphkin.model.mechanism import EQUATIONS
 from graphkin.model.quantities import at_position, position_of
-from graphkin.submissions.submission import BoardWork
+from graphkin.submissions.submission import BoardWork, MeasuredDrawing
 
 Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small", "not read"]
 """The last three count nothing either way: values that paper cannot tell, and one that only the teacher can read."""
@@ -44,12 +44,14 @@ class StudentWork:
 
     unread  answers in which no number was found, as they were written
     board   the equations and the steps of a drawing board
+    error   of what was measured on a photograph of paper [mm]
     """
 
     student: str
     numbers: Mapping[str, HandedNumber]
     unread: Mapping[str, str] = field(default_factory=dict)
     board: BoardWork | None = None
+    error: float = 0.0
 
 
 @frozen
@@ -177,6 +179,7 @@ class Graded:
               is to be tried again
     remarks   for the teacher alone: what should be looked at
     board     the equations and the steps of a drawing board
+    measured  what was measured on photographs of paper, as it lies there
     """
 
     student: str
@@ -189,6 +192,7 @@ class Graded:
     prints: tuple[str, ...] = ()
     remarks: tuple[GraphkinError, ...] = ()
     board: BoardWork | None = None
+    measured: MeasuredDrawing | None = None
 
 
 def by_position(work: StudentWork, count: int) -> list[StudentWork]:

@@ -12,12 +12,14 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any, get_args
 
-from graphkin.base.plain import Plain
+from graphkin.base.plain import Plain, built, plain
 from graphkin.construction import Plane
-from graphkin.errors import Lang
+from graphkin.errors import NOWHERE, Lang, UnsureDrawing
 from graphkin.marking.records import Graded, Marked
 from graphkin.outputs.files import beside
+from graphkin.photo.sheets import Unsure
 from graphkin.submissions.board import work_data
+from graphkin.submissions.submission import MeasuredDrawing
 
 FORMAT = 1
 KIND = "graphkin marks"
@@ -77,7 +79,30 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
             plane: {name: [_rounded(at.real), _rounded(at.imag)] for name, at in points.items()}
             for plane, points in graded.drawn.items()
         }
+    if graded.measured is not None:
+        whole |= measured_data(graded.measured)
     return whole | ({"fingerprints": list(graded.prints)} if graded.prints else {})
+
+
+def measured_data(measured: MeasuredDrawing) -> Json:
+    """What was measured on photographs [mm from the pole, y up], by how much it is off, and what of it is unsure."""
+    planes: dict[str, dict[str, Plain]] = {}
+    for (plane, letter), place in measured.points.items():
+        planes.setdefault(plane, {})[letter] = plain(place)
+    unsure: list[Plain] = [{"plane": each.plane, "reason": each.reason, "letters": list(each.letters)}
+                           for each in measured.unsure]  # fmt: skip
+    return {"measured": planes, "error": _rounded(measured.error), "unsure": unsure}
+
+
+def measured_of(record: Record) -> MeasuredDrawing | None:
+    """The same of a record; None where there is none. Raises TypeError, ValueError, AttributeError, KeyError."""
+    if "measured" not in record:
+        return None
+    planes = built(Mapping[Plane, Mapping[str, complex]], record["measured"])
+    points = {(plane, letter): place for plane, own in planes.items() for letter, place in own.items()}
+    unsure = ((built(Plane, each["plane"]), built(Unsure, each)) for each in record["unsure"])
+    doubts = tuple(UnsureDrawing(NOWHERE, plane, each.reason, each.letters) for plane, each in unsure)
+    return MeasuredDrawing(points, {}, error=built(float, record["error"]), unsure=doubts)
 
 
 def _of_board(graded: Graded, marked: Marked) -> Json:

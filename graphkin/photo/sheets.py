@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
+
+Reason = Literal["blank", "outside", "no ink", "short", "flat", "alike", "unexplained", "far", "twice", "lost"]
 
 
 @frozen
@@ -39,3 +43,17 @@ class PrintedSheet:
     width: float
     height: float
     rooms: tuple[SheetRoom, ...] = ()
+
+
+@frozen
+class Unsure:
+    """A reason why corners are not sure; those of the whole room, where it names none.
+
+    reason  "blank": hardly anything is drawn; "outside": a part of the room is not on the picture; "no ink": a stroke
+            is not there; "short": a line too short to tell its direction; "flat": lines that cross too flatly, or one
+            that ends nowhere; "alike": two constructions fit; "unexplained": long lines of no construction; "far":
+            where no construction has it; "twice": another picture shows it otherwise; "lost": no picture shows it
+    """
+
+    reason: Reason
+    letters: tuple[str, ...] = ()

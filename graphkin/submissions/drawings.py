@@ -72,8 +72,7 @@ def measured(
     if abs(cmath.phase(cmath.rect(1.0, turned.get("velocity", page) - page))) > math.pi - _STRAIGHT:
         turned["velocity"] = page  # half a turn of the velocities alone is the sense of a driver
     drawing = MeasuredDrawing(letters, scales, turned, where)
-    vectors = _drawn(picture, drawing, shapes, questions)
-    values = {name: HandedValue("", abs(vector), vector=vector) for name, vector in vectors.items()}
+    values = drawn_values(_drawn(picture, drawing, shapes, questions))
     values |= directions(picture, questions, limits)
     if not values and not texts and not letters:
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
@@ -104,6 +103,21 @@ def _written_on(
     return values, written.scales
 
 
+def drawn_values(vectors: Mapping[str, complex]) -> dict[str, HandedValue]:
+    """What is measured, by question, as it is handed in."""
+    return {name: HandedValue("", abs(vector), vector=vector) for name, vector in vectors.items()}
+
+
+def lettered_vectors(drawing: MeasuredDrawing, shapes: Sequence[PaperPolygon]) -> dict[str, complex]:
+    """Vectors between two letters."""
+    lettered: dict[str, complex] = {}
+    for shape, vector in [(polygon, vector) for polygon in shapes for vector in polygon.vectors]:
+        tail, head = (drawing.points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
+        if vector.question and tail is not None and head is not None and shape.plane in drawing.scales:
+            lettered.setdefault(vector.question, drawing.vector(head - tail, shape.plane))
+    return lettered
+
+
 def _drawn(
     picture: PagePicture, drawing: MeasuredDrawing, shapes: Sequence[PaperPolygon], questions: Questions
 ) -> dict[str, complex]:
@@ -119,12 +133,7 @@ def _drawn(
             drawn = arrow.head - arrow.tail
             whole = drawn * (1 + arrow.left_out / (abs(drawn) or 1.0))
             (broken if arrow.left_out else named).setdefault(read[0], drawing.vector(whole, plane))
-    lettered: dict[str, complex] = {}
-    for shape, vector in [(polygon, vector) for polygon in shapes for vector in polygon.vectors]:
-        tail, head = (drawing.points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
-        if vector.question and tail is not None and head is not None and shape.plane in drawing.scales:
-            lettered.setdefault(vector.question, drawing.vector(head - tail, shape.plane))
-    return named | lettered | broken
+    return named | lettered_vectors(drawing, shapes) | broken
 
 
 def directions(picture: PagePicture, questions: Questions, limits: Limits) -> dict[str, HandedValue]:

@@ -19,7 +19,7 @@ from graphkin.submissions import archives
 from graphkin.submissions.documents import PLAIN_TABLES, SHEETS, StudentDocument, cells_of, csv_cells, listed, rows_of
 from graphkin.submissions.pool import limited
 from graphkin.submissions.students import GRADESCOPE, Owner, Roster, owner, submitters
-from graphkin.submissions.submission import Limits, fingerprint, tidy_id
+from graphkin.submissions.submission import Limits, MeasuredDrawing, fingerprint, tidy_id
 
 
 @frozen
@@ -29,6 +29,7 @@ class Handed:
     owner    who it seems to be; a file may state an id itself
     file     as results call it; place: line of the class table, or the member's name
     row      of a class table, instead of files by their names; reason: why there is nothing to read
+    drawing  what was measured on photographs of it, beside the files or alone
     """
 
     owner: Owner
@@ -37,12 +38,14 @@ class Handed:
     files: tuple[tuple[str, bytes], ...] = ()
     row: StudentDocument | None = None
     reason: GraphkinError | None = None
+    drawing: MeasuredDrawing | None = None
 
     @property
     def digest(self) -> str:
         """Of all that it holds, by which a broken-off marking knows it again."""
         files = (part for name, content in self.files for part in (name, content))
-        return fingerprint(repr((self.owner.student, self.file, self.row)), *files)
+        measured = (repr(self.drawing),) if self.drawing is not None else ()
+        return fingerprint(repr((self.owner.student, self.file, self.row)), *measured, *files)
 
 
 def handed_in(paths: Iterable[str | Path], limits: Limits, roster: Roster | None = None) -> Iterator[Handed]:

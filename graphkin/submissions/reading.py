@@ -31,6 +31,7 @@ _DOCUMENTS = {
     ".toml": documents.read_toml, ".json": documents.read_json, ".txt": documents.read_lines,
     ".md": documents.read_lines,
 }  # fmt: skip
+_PICTURES = (".jpg", ".jpeg", ".png", ".heic", ".heif")
 _INNER, _WITHIN = 50, 2  # files in an archive that a student hands in; archives within each other
 
 
@@ -45,12 +46,12 @@ def read_one(handed: Handed, asked: Key, limits: Limits = USUAL, roster: Roster 
             except Exception:  # of what cannot be read folders and names tell whose it is
                 with suppress(GraphkinError):
                     if roster is not None and handed.row is None:
-                        student = _whose(handed, (), roster, where)
+                        student = whose(handed, (), roster, where)
                 raise
             lines = _lines(contents)
             if not handed.owner.number:
                 student = tidy_id(next((line for line in lines if line), "")) or student
-            student = _whose(handed, lines, roster, where)
+            student = whose(handed, lines, roster, where)
             key = asked if isinstance(asked, ReadableProblem) else asked(student)
             if key is None:
                 raise errors.UnknownStudent(where, student)
@@ -59,6 +60,21 @@ def read_one(handed: Handed, asked: Key, limits: Limits = USUAL, roster: Roster 
         return _refused(handed, student, reason)
     except (Exception, RecursionError) as problem:
         return _refused(handed, student, errors.OwnFault(where, type(problem).__name__))
+
+
+def student_of(handed: Handed, limits: Limits, roster: Roster | None) -> str:
+    """The student whom a hand-in names, as `read_one` takes it; "" where it names none."""
+    try:
+        with limited(limits.seconds, Where(handed.file)):
+            return whose(handed, _lines(_contents(handed, limits)), roster, Where(handed.file))
+    except GraphkinError:
+        return ""
+
+
+def files_of(handed: Handed, limits: Limits) -> Iterator[tuple[str, bytes]]:
+    """The files of a hand-in, those of archives with them; what cannot be opened is left out."""
+    for file in handed.files:
+        yield from _unpacked(*file, where_of(handed, file[0]), limits, [])
 
 
 def _refused(handed: Handed, student: str, reason: GraphkinError) -> Submission:
@@ -75,7 +91,7 @@ def _lines(contents: _Contents) -> list[str]:
     return [line for document in contents.documents for line in document.called]
 
 
-def _whose(handed: Handed, lines: Sequence[str], roster: Roster | None, where: Where) -> str:
+def whose(handed: Handed, lines: Sequence[str], roster: Roster | None, where: Where) -> str:
     """The student, by the class list. Without one by what the platform calls them, which no line can claim; else by a
     line inside, or by the name of the file. Raises UnknownStudent, TwoNames, SameName."""
     by = handed.owner
@@ -107,7 +123,7 @@ class FirstOnes:
             with suppress(GraphkinError):
                 own, at = _by_names(handed.owner, [name for name, _ in handed.files], self._roster), 0
                 if not own and handed.owner.number:
-                    own, at = {_whose(handed, _lines(_contents(handed, USUAL)), self._roster, NOWHERE)}, 1
+                    own, at = {whose(handed, _lines(_contents(handed, USUAL)), self._roster, NOWHERE)}, 1
                 for student in own:
                     named.setdefault(student, (set(), set()))[at].add(handed.file)
         return named
@@ -155,24 +171,24 @@ def _contents(handed: Handed, limits: Limits) -> _Contents:
     drawings: list[tuple[str, bytes]] = []
     notes: list[GraphkinError] = []
     boards: dict[str, HandedBoard] = {}
-    unpacked = (_unpacked(*file, _where(handed, file[0]), limits, notes) for file in handed.files)
+    unpacked = (_unpacked(*file, where_of(handed, file[0]), limits, notes) for file in handed.files)
     for name, content in chain.from_iterable(unpacked):
         try:
             if PurePosixPath(name).suffix.lower() in DRAWINGS:
-                if (board := board_in(content, _where(handed, name), limits)) is not None:
+                if (board := board_in(content, where_of(handed, name), limits)) is not None:
                     boards[name] = board
                     texts.append(board.document)
                 drawings.append((name, content))
             else:
-                texts.append(_document(name, content, _where(handed, name), limits))
+                texts.append(_document(name, content, where_of(handed, name), limits))
         except GraphkinError as problem:
             notes.append(problem)
-    if not texts and not drawings:
+    if not texts and not drawings and handed.drawing is None:
         raise notes[0] if notes else errors.NoAnswers(Where(handed.file))
     return _Contents(tuple(texts), tuple(drawings), tuple(notes), boards)
 
 
-def _where(handed: Handed, name: str) -> Where:
+def where_of(handed: Handed, name: str) -> Where:
     """The file itself; in a hand-in of several, that one of them."""
     return Where(handed.file if len(handed.files) == 1 else handed.file.removesuffix(handed.place) + name)
 
@@ -206,6 +222,8 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
         return document
     if suffix in office.READERS:
         return office.READERS[suffix](content, where, limits)
+    if suffix in _PICTURES:
+        raise errors.NoSheetsKnown(where)
     if suffix not in (*documents.PLAIN_TABLES, *documents.SHEETS):
         raise errors.NotMarkable(where, suffix or name[:40])
     return documents.of_one(documents.cells_of(name, content, where, limits), where, limits)
@@ -220,18 +238,19 @@ def pictures_of(files: Set[str], limits: Limits = USUAL) -> dict[str, office.See
 
 
 def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:
-    from graphkin.submissions.drawings import measured
+    from graphkin.submissions.drawings import drawn_values, lettered_vectors, measured
+    from graphkin.submissions.letters import polygons
 
     entries = (entry for document in contents.documents for entry in document.entries)
     written = answers_at(entries, key, _questions, limits)
     values, drawn, notes = dict(written.values), dict[int, MeasuredDrawing](), [*contents.notes, *written.notes]
     for name, board in contents.boards.items():
-        board.refuse_foreign(key.mechanism, _where(handed, name))
+        board.refuse_foreign(key.mechanism, where_of(handed, name))
     work = next((board.work for name, board in contents.boards.items() if of_file(name, key)[1] == 1), None)
     for name, content in contents.drawings:
         try:
             asked, at = of_file(name, key)
-            where, own = _where(handed, name), contents.boards.get(name)
+            where, own = where_of(handed, name), contents.boards.get(name)
             scales = written.scales if own is None else {**written.scales, **own.work.scales}
             vectors, drawn[at], others = measured(name, content, where, asked, scales, _questions(asked), limits)
             if own is not None:  # its pencil is as exact as a sheet's
@@ -241,7 +260,11 @@ def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Content
             notes += others
         except GraphkinError as problem:
             notes.append(problem)
-    if not values and work is None:
+    if handed.drawing is not None and 1 not in drawn:
+        drawn[1] = replace(handed.drawing, points=handed.drawing.sure)
+        shapes = polygons(key.mechanism, _questions(key))
+        values = {**drawn_values(lettered_vectors(drawn[1], shapes)), **values}
+    if not values and work is None and not any(one.unsure for one in drawn.values()):
         if len(notes) == 1 and not isinstance(notes[0], errors.BrokenSubmission):
             raise notes[0]
         whole = (note for note in notes if not isinstance(note, errors.NotAQuestion))  # what stopped a file as a whole

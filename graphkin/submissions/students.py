@@ -62,6 +62,11 @@ class Student:
     id: str
     names: tuple[tuple[str, str], ...] = ()
 
+    @property
+    def called(self) -> str:
+        """The id, and all that stands beside it."""
+        return " ".join((self.id, *(text for _, text in self.names)))
+
 
 def field_of(head: str) -> Field | None:
     """The kind of what stands under a head, or after a word and a colon: `姓名：`; None of any other."""

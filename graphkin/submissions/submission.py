@@ -10,7 +10,7 @@ from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import NOWHERE, GraphkinError, TooMuch, Where, steers
+from graphkin.errors import NOWHERE, GraphkinError, TooMuch, UnsureDrawing, Where, steers
 from graphkin.model.mechanism import Mechanism
 
 Sense = Literal["ccw", "cw"]
@@ -68,6 +68,8 @@ class MeasuredDrawing:
     scales      by plane: SI unit per mm, as used; None where none is known
     turned      by plane: by how much the drawn polygon stands turned, where it may [rad]
     remarks     for the teacher: what should be looked at
+    error       of the points on a photograph of paper [mm]; 0 where a program has drawn
+    unsure      what of a photograph should be looked at before it counts
     """
 
     points: Mapping[tuple[Plane, str], complex]
@@ -75,6 +77,17 @@ class MeasuredDrawing:
     turned: Mapping[Plane, float] = field(default_factory=dict)
     where: Where = NOWHERE
     remarks: tuple[GraphkinError, ...] = ()
+    error: float = 0.0
+    unsure: tuple[UnsureDrawing, ...] = ()
+
+    @property
+    def sure(self) -> dict[tuple[Plane, str], complex]:
+        """The points of which nothing is unsure; a plane's first is its pole, which is printed."""
+        poles = dict(reversed([*self.points]))
+        doubtful = {(one.plane, letter) for one in self.unsure for letter in one.letters}
+        planes = {one.plane for one in self.unsure if not one.letters}
+        return {(plane, letter): place for (plane, letter), place in self.points.items()
+                if poles[plane] == letter or not (plane in planes or (plane, letter) in doubtful)}  # fmt: skip
 
     def vector(self, drawn: complex, plane: Plane) -> complex:
         """A vector that is drawn, SI, turned back."""

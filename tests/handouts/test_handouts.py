@@ -20,12 +20,12 @@ from graphkin.cli import main
 from graphkin.files import library
 from graphkin.handouts import handout, problem, typst
 from graphkin.handouts.document import GridRoom, HandoutPicture, Paragraph, TermRows
-from graphkin.handouts.grid import MARKERS, MOST, digits
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.typst import pdf
 from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
+from graphkin.photo.markers import MARKERS, MOST, digits
 from graphkin.sheet.marks import Text, VectorMark
 
 STAGES = ("problem", "blank", "half", "solution")
@@ -281,6 +281,8 @@ def test_a_class_gets_its_own_sheets(homework: Path, target: str, tmp_path: Path
     done = CliRunner().invoke(main, command)
     assert done.exit_code == 0, done.output
     paths = sorted((tmp_path / target).iterdir()) if target == "sheets" else [tmp_path / target]
+    assert [path.name for path in paths if path.suffix == ".json"] == (["sheets.json"] if target == "sheets" else [])
+    paths = [path for path in paths if path.suffix == ".pdf"]
     assert [path.stem for path in paths] == (["20240001", "20240002"] if target == "sheets" else ["print"])
     texts = [page.extract_text() for path in paths for page in pypdf.PdfReader(path).pages]
     students = ("20240001 Li Lei", "20240002 Han Meimei")

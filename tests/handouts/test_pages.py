@@ -20,6 +20,7 @@ from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.outputs.letters import lettered
 from graphkin.say.entry import text_lines
 from graphkin.sheet.lettering import plain
+from graphkin.submissions import Student
 
 pytest.importorskip("pypdf")
 pytest.importorskip("typst")
@@ -130,7 +131,7 @@ def test_problems_and_figures_have_numbers(tmp_path):
     assert any(line.startswith("Name") for line in lines)
     solved = handout([graphkin.load("ex3-1")], "solution", "en").blocks
     assert [block.number for block in solved if isinstance(block, HandoutPicture)] == ["Fig. 1", "Fig. 2", "Fig. 3"]
-    mine = handout([graphkin.load("ex3-1")], "problem", "en", whose=["20240001 Li Lei"]).blocks
+    mine = handout([graphkin.load("ex3-1")], "problem", "en", whose=[Student("20240001", (("name", "Li Lei"),))]).blocks
     assert not any(isinstance(block, NameLine) for block in mine)
     assert [block.number for block in mine if isinstance(block, HandoutPicture)] == ["Fig. 1"]
     assert drawn_problem(graphkin.load("ex3-1"), "en").title in "".join(run.text for run in mine[1].words)

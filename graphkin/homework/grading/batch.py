@@ -21,7 +21,7 @@ from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded, HandedNumber, Marked, StudentWork
 from graphkin.model.mechanism import EQUATIONS
 from graphkin.model.quantities import at_position, position_of
-from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, records_in
+from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, measured_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 from graphkin.submissions.board import work_of
 from graphkin.submissions.submission import fingerprint, tidy_id
@@ -30,7 +30,7 @@ _EACH = 0.1  # a batch is marked at once in the time of one submission and so mu
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
 """Reasons that may be gone when it is tried again."""
 _LOOK = (errors.NotMarkable, errors.BrokenSubmission, errors.NoNumbers, errors.WantsExtra, errors.TooMuch,
-         errors.AnsweredTwice, errors.SenseDisputed)  # fmt: skip
+         errors.NoSheetsKnown, errors.AnsweredTwice, errors.SenseDisputed)  # fmt: skip
 """The teacher is told, too, why a file beside others is not read, and of two answers to one question."""
 _GLANCE = 200
 _SHOWN = 80  # letters of an answer that was not read
@@ -74,12 +74,14 @@ def earlier_reading(record: Record, where: Where) -> Read:
         prints = tuple(map(str, record.get("fingerprints", ())))
         unread = {text: str(each["written"]) for text, each in record["quantities"].items() if each.get("written")}
         board = None if record.get("board") is None else work_of(record["board"])
-        work = StudentWork(student, numbers, unread, board)
+        paper = measured_of(record)
+        work = StudentWork(student, numbers, unread, board, 0.0 if paper is None else paper.error)
         remarks = tuple(
             SaidBefore(str(one["text"]), str(one["id"])) for one in record.get("remarks", ())
             if one["id"] != errors.AnotherStudent.id  # that is found anew
         )  # fmt: skip
-        graded = Graded(student, file, place, None, reason, notes, drawn_of(record), prints, remarks, board)
+        drawn = drawn_of(record)
+        graded = Graded(student, file, place, None, reason, notes, drawn, prints, remarks, board, paper)
         return Read(work, graded)
     except (KeyError, TypeError, ValueError, AttributeError):
         raise NoMarks(where) from None
@@ -171,7 +173,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
                 for at in one.drawings:
                     fuller, new = _with_drawing(fuller, one, at, marker)
                     said += new
-                work, more = fuller, said
+                work, more = _not_read(fuller, one, marker), said
     except GraphkinError as problem:
         reason = problem
     except Exception as problem:
@@ -179,10 +181,21 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     kept = () if isinstance(reason, _ONCE_MORE) else prints
     drawn = one.drawings[1].in_si() if 1 in one.drawings else {}
     remarks = [remark for drawing in one.drawings.values() for remark in drawing.remarks]
+    remarks += [unsure for drawing in one.drawings.values() for unsure in drawing.unsure]
     remarks += [note for note in notes if isinstance(note, _LOOK)]
     every = (*notes, *more)
-    record = Graded(one.student, one.file, one.place, None, reason, every, drawn, kept, (*remarks,), one.board)
+    board, measured = one.board, item.drawing
+    record = Graded(one.student, one.file, one.place, None, reason, every, drawn, kept, (*remarks,), board, measured)
     return Read(work, record)
+
+
+def _not_read(work: StudentWork, one: Submission, marker: Marker) -> StudentWork:
+    """With the error of photographs, and what is asked and was perhaps drawn, but cannot be measured surely."""
+    error = max(drawing.error for drawing in one.drawings.values())
+    asked = [entry.text for entry in marker.key.entries if entry.points]
+    unsure = any(drawing.unsure for drawing in one.drawings.values())
+    unread = {text: "?" for text in asked if unsure and text not in work.numbers and text not in work.unread}
+    return replace(work, error=error, unread={**work.unread, **unread})
 
 
 def _read_before(item: Read, judge: SetMarker) -> Read:

@@ -8,8 +8,9 @@ that were read then are marked anew; all else is read.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
+from dataclasses import replace
 from functools import cached_property, partial
 from itertools import chain
 from pathlib import Path
@@ -23,12 +24,14 @@ from graphkin.errors import CannotWrite, NoMarks, OwnFault, Where
 from graphkin.homework.grading import batch as batches
 from graphkin.homework.grading.batch import Item, Read, StoredRecord, marked
 from graphkin.homework.grading.keys import key_for, pencils_of
+from graphkin.homework.grading.photographs import Photographs, PhotoJob, photographs, printed_sheets
 from graphkin.homework.grading.sets import OneKey, SetMarker, judge_from
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded
 from graphkin.outputs.files import refuse
 from graphkin.outputs.marks_json import MARKS, Record, records_in, text
+from graphkin.outputs.sheets_json import is_readings
 from graphkin.submissions import FirstOnes, Handed, Limits, Roster, called, guarded, handed_in
 from graphkin.submissions.submission import fingerprint
 
@@ -47,12 +50,14 @@ class MarkingOptions:
     executor  does it instead, any of `concurrent.futures` or a cluster's; its workers must be able to import graphkin,
               and to reach the keys of a set
     words     the language of the records that are written
+    photographs  what was read on the pictures among what is handed in
     """
 
     limits: Limits = Limits()
     workers: int = 0
     executor: Executor | None = None
     words: str = ""
+    photographs: Photographs | None = None
 
     @cached_property
     def reading(self) -> str:
@@ -64,7 +69,7 @@ def grade(
     judge: Key | SetMarker | Source, paths: str | Path | Iterable[str | Path], limits: Limits | None = None, *,
     pencil: str | None = None, sigmas: float | None = None, relative: float | None = None,
     roster: str | Path | None = None, turned: bool = False, letters: str = "", workers: int = 0,
-    executor: Executor | None = None,
+    executor: Executor | None = None, sheets: str | Path | None = None, seen: Photographs | None = None,
 ) -> Iterator[Graded]:  # fmt: skip
     """A record for every submission in these files, in order.
 
@@ -72,36 +77,53 @@ def grade(
             and its roster
     paths   answers, drawings, class tables, archives, folders; or files of marks, whose numbers are marked anew
     turned  in a drawing a polygon may stand turned; letters: "p,b2,b3", the points of drawings without letters
+    sheets  the list of printed sheets, for photographs; it is looked for beside `judge` and `paths`, too
+    seen    all pictures in `paths`, where these are looked at already
 
     A submission that cannot be read or marked is a record with its reason; so is a second one of a student. Raises
     NoMarks, Unreadable of a file of marks.
     """
+    key = str(judge) if isinstance(judge, str | Path) else ""
     if not isinstance(judge, Key | SetMarker):
         said, listed = pencils_of(pencil, sigmas, relative), None if roster is None else Path(roster)
         judge = judge_from(str(judge), said, listed) if isinstance(judge, str | Path) else key_for(load(judge), said)
     judge = OneKey(Marker(judge)) if isinstance(judge, Key) else judge
-    options = MarkingOptions(limits or limits_of(turned, letters), workers, executor)
+    options = MarkingOptions(limits or limits_of(turned, letters), workers, executor, photographs=seen)
     paths = [paths] if isinstance(paths, str | Path) else [*paths]
-    for graded in run(judge, items(paths, options, judge.roster), options, paths):
+    options = with_photographs(options, key, judge, paths, None if sheets is None else Path(sheets))
+    for graded in run(judge, items(paths, options, judge), options, paths):
         assert isinstance(graded, Graded)
         yield graded
+
+
+def with_photographs(
+    options: MarkingOptions, key: str, judge: SetMarker, paths: Sequence[str | Path], sheets: Path | None = None,
+    crop: bool = False,
+) -> MarkingOptions:  # fmt: skip
+    """With all pictures in these files looked at, by the list of sheets that is named, or is near; crop: with pictures
+    for a teacher to look at. Raises NoSheetList, NoReadings, NoFile, Unreadable."""
+    if options.photographs is not None:
+        return options
+    job = PhotoJob(judge, printed_sheets(key, paths, sheets), crop, options.limits, options.workers)
+    return replace(options, photographs=photographs(paths, job))
 
 
 def limits_of(turned: bool, letters: str) -> Limits:
     return Limits(turned=turned, names=tuple(name.strip() for name in letters.split(",") if name.strip()))
 
 
-def items(
-    paths: Iterable[str | Path], options: MarkingOptions, roster: Roster | None = None
-) -> Iterator[Handed | Read]:
-    """Submissions, one after another, in the order of the files; what several files of marks have in common once."""
-    every = [*map(Path, paths)]
+def items(paths: Iterable[str | Path], options: MarkingOptions, judge: SetMarker) -> Iterator[Handed | Read]:
+    """Submissions, one after another, in the order of the files; what several files of marks have in common once. What
+    was measured on pictures stands beside them, or behind."""
+    every = [path for path in map(Path, paths) if options.photographs is None or not is_readings(path)]
     marks = [*dict.fromkeys(filter(batches.is_marks, every))]
     for path in every:
         if path not in marks:
-            yield from handed_in([path], options.limits, roster)
+            handed = handed_in([path], options.limits, judge.roster)
+            yield from handed if options.photographs is None else options.photographs.joined(handed)
         elif path == marks[0]:
             yield from batches.merged(marks) if len(marks) > 1 else batches.records_of(path)
+    yield from () if options.photographs is None else options.photographs.left()
 
 
 def run(
@@ -236,7 +258,7 @@ def resumed(
     written   makes the record of one, as `outputs.marks_json` does in a language, which `options.words` names
     """
     paths = [*paths]
-    rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options, judge.roster))
+    rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options, judge))
     newest: dict[str, StoredRecord] = {}
     places: set[tuple[str, str]] = set()
     for one in run(judge, rest, options, paths, written):

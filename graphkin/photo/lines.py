@@ -1,0 +1,206 @@
+"""Lines of a drawing refined by profiles across them, and the corners where they cross or end."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from graphkin.base.value import frozen
+from graphkin.photo.ink import Ink
+
+_EVERY, _ACROSS = 0.2, 0.1  # of the profiles along a line, and of their places [mm]
+_TRIM = 1.0  # at the ends of a line, where others begin [mm]
+_LONG = 15.0  # shorter lines are followed on beyond their ends [mm]
+_ON = 8.0  # by so much each time
+_WIDER = 1.3  # so many times as wide as usual strokes is more than one
+_SPOILT = 12.0  # a line with another beside it all along is known so many times worse
+_FULL = 0.5  # half the width of a profile about its middle: a stroke and its blur, in widths of strokes
+_INDEPENDENT = 6.0  # profiles of a hand's line that are so far apart do not wobble together [mm]
+_WOBBLES = 12.0  # so far apart a hand's wobble has nothing in common [mm]
+_TINY = 0.4  # a line is not better known than this by its length in mm
+_LEAST = 0.015  # no line is known better [mm]
+_FARTHER = 0.03  # a line that is a mm farther off needs so much more ink at either end
+_TILT = (0.2, 0.08)  # its ends may be apart by so much [mm], and by this part of its length
+
+
+@frozen
+class Line:
+    """A line as it was drawn.
+
+    middle, along  a place on it and its direction, of length 1; length: so much of it was seen [mm]
+    off, turned    standard deviations of its place [mm] and of its direction [rad]
+    scatter        of its profiles; spread: of the ink across it [mm]
+    covered        the part of it that has ink
+    """
+
+    middle: complex
+    along: complex
+    length: float
+    off: float
+    turned: float
+    scatter: float
+    spread: float
+    covered: float
+
+    def drawn_by(self, wobble: float) -> Line:
+        """As it is known when the hand wobbles by so much [mm], which tilts a short line unseen."""
+        off = max(self.off, wobble / np.sqrt(max(1.0, self.length / _WOBBLES)))
+        return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
+
+    def off_at(self, place: complex) -> float:
+        """The standard deviation of its distance from a place [mm]."""
+        return float(np.hypot(self.off, self.turned * abs((place - self.middle) * self.along.conjugate())))
+
+    def distance(self, place: complex) -> float:
+        """Of a place to its left [mm]."""
+        return ((place - self.middle) * self.along.conjugate()).imag
+
+
+Ends = tuple[complex, complex]
+
+
+def line_near(ink: Ink, ends: Ends, reach: float, spread: float = np.inf, goes_on: bool = False) -> Line:
+    """The line with most ink whose ends are no farther than `reach` mm from two places.
+
+    spread   of usual strokes: where it is wider another one runs beside it, and nothing is measured
+    goes_on  it is followed beyond its ends
+    """
+    tail, head = ends
+    length = abs(head - tail)
+    along = (head - tail) / length
+    trim, reach = min(_TRIM, length / 5), min(reach, 0.4 * length + 0.4)
+    t = np.arange(trim, length - trim + 1e-9, min(_EVERY, length / 10))
+    offsets = np.arange(-round(reach / _ACROSS), round(reach / _ACROSS) + 1) * _ACROSS
+    strip = ink.at(tail + along * (t[:, None] + 1j * offsets))
+    strip = np.clip(strip, 0.0, 1.2 * ink.usual)
+    a, b = _steps(strip, t / length, offsets, length)
+    start, end = tail + 1j * along * a, head + 1j * along * b
+    return _centred(ink, start, end, trim, spread, goes_on)
+
+
+def _steps(strip: np.ndarray, part: np.ndarray, offsets: np.ndarray, length: float) -> tuple[float, float]:
+    """Offsets of both ends of the straight line through a strip (profiles, offsets) that has most of its darkness."""
+    count = len(offsets)
+    which = np.arange(0, len(strip), max(1, len(strip) // 120))
+    smooth = strip[which] + 0.5 * (np.roll(strip[which], 1, axis=1) + np.roll(strip[which], -1, axis=1))
+    k = np.arange(count)
+    at = np.rint(k[:, None, None] + (k[None, :, None] - k[:, None, None]) * part[which]).astype(int)
+    sums = smooth[np.arange(len(which)), at].mean(axis=2)
+    far = np.abs(offsets)
+    sums[np.abs(offsets[:, None] - offsets[None, :]) > _TILT[0] + _TILT[1] * length] = 0.0
+    sums *= 1 - _FARTHER * (far[:, None] + far[None, :])
+    best = np.unravel_index(int(np.argmax(sums)), sums.shape)
+    return float(offsets[best[0]]), float(offsets[best[1]])
+
+
+def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float, goes_on: bool) -> Line:
+    """A line by the middles of its profiles, those of other lines left out."""
+    half = max(0.4, _FULL * ink.pencil + 0.3)
+    across = np.arange(-round(half / 0.05), round(half / 0.05) + 1) * 0.05
+    covered, scatter, count, beside, usual_wide = 0.0, 0.3, 1.0, 1.0, 0.0
+    length = abs(end - start)
+    for again in range(4):
+        if goes_on and again in (1, 2) and abs(end - start) < _LONG:
+            start, end = _goes_on(ink, start, end), _goes_on(ink, end, start)
+        length = abs(end - start)
+        along = (end - start) / length
+        t = np.arange(trim, length - trim + 1e-9, min(_EVERY, length / 10))
+        strip = np.maximum(ink.at(start + along * (t[:, None] + 1j * across)) - 0.25 * ink.least, 0.0)
+        mass = strip.sum(axis=1)
+        usual = np.median(mass[mass > 0.2 * mass.max(initial=0.0)]) if mass.any() else 0.0
+        peak = strip.max(axis=1) > 0.75 * ink.least
+        covered = float(peak.mean()) if len(peak) else 0.0
+        good = peak & (mass > 0.35 * usual) & (mass < 1.6 * usual)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            middles = (strip * across).sum(axis=1) / mass
+            wide = np.sqrt((strip * across**2).sum(axis=1) / mass - middles**2)
+        alone = good & (wide < _WIDER * spread)
+        beside = 1 + _SPOILT * (1 - alone.sum() / max(1, good.sum())) ** 2
+        good = alone if alone.sum() > 3 else good
+        if good.sum() < 3:
+            return Line((start + end) / 2, along, length, 1.0, 1.0, 0.0, 1.0, covered)
+        usual_wide = float(np.median(wide[good]))
+        slope, there, scatter, kept = _straight(t[good] - length / 2, middles[good])
+        count = max(2.0, kept * _EVERY / _INDEPENDENT)
+        rise = slope * length / 2
+        start, end = start + 1j * along * (there - rise), end + 1j * along * (there + rise)
+    off = beside * max(_LEAST, scatter / np.sqrt(count), _TINY / length)
+    along = (end - start) / abs(end - start)
+    return Line((start + end) / 2, along, length, float(off), float(off * np.sqrt(12) / max(length, 1.0)), scatter,
+                usual_wide, covered)  # fmt: skip
+
+
+def _goes_on(ink: Ink, end: complex, start: complex) -> complex:
+    """The place up to which ink goes on straight beyond an end, no farther than the line is long."""
+    along = (end - start) / abs(end - start)
+    t = np.arange(0.2, min(abs(end - start), _ON), _EVERY)
+    if not len(t):
+        return end
+    dark = ink.at(end + along * (t[:, None] + 1j * np.arange(-2, 3) * 0.1)).max(axis=1) > 0.75 * ink.least
+    gap = 5  # profiles
+    ends = np.flatnonzero(np.convolve(~dark, np.ones(gap), "full")[: len(t)] == gap)
+    far = t[ends[0] - gap] if len(ends) and ends[0] >= gap else 0.0 if len(ends) else t[-1]
+    return end + along * max(0.0, far - _TRIM) if far > 2 * _TRIM else end
+
+
+def _straight(x: np.ndarray, y: np.ndarray) -> tuple[float, float, float, float]:
+    """Slope, height at 0, scatter and weight of the straight line through most of some points."""
+    weight = np.ones(len(x))
+    slope = there = 0.0
+    scatter = 1.0
+    there = float(np.median(y))
+    for _ in range(8):
+        total = weight.sum()
+        if total < 2:
+            break
+        mean = (weight * x).sum() / total
+        spread = (weight * (x - mean) ** 2).sum()
+        height = (weight * y).sum() / total
+        slope = float((weight * (x - mean) * y).sum() / spread) if spread > 1e-6 else 0.0
+        there = float(height - slope * mean)
+        left = y - there - slope * x
+        scatter = max(0.01, 1.4826 * float(np.median(np.abs(left))))
+        weight = np.clip(1 - (left / (4 * scatter)) ** 2, 0, None) ** 2
+    return slope, there, scatter, float(weight.sum())
+
+
+@frozen
+class Corner:
+    """A place with its standard deviation [mm]; the least angle's sine counts in it."""
+
+    at: complex
+    off: float
+
+
+def crossing(lines: Sequence[Line], near: complex) -> Corner:
+    """The place that lies best on all lines; `off` is infinite where they are parallel."""
+    normal = np.array([[-line.along.imag, line.along.real] for line in lines])
+    weight = np.array([1 / line.off_at(near) for line in lines])
+    right = np.array([normal[k] @ [line.middle.real, line.middle.imag] for k, line in enumerate(lines)])
+    matrix = (normal * weight[:, None]).T @ (normal * weight[:, None])
+    values = np.linalg.eigvalsh(matrix)
+    if values[0] <= 1e-9 * values[1]:
+        return Corner(near, np.inf)
+    x, y = np.linalg.solve(matrix, (normal * weight[:, None] ** 2).T @ right)
+    return Corner(complex(x, y), float(1 / np.sqrt(values[0])))
+
+
+def free_end(ink: Ink, line: Line, near: complex, inwards: complex) -> Corner:
+    """The end of a line that no other crosses there; ink is as wide as the pencil beyond it. `inwards`: where the line
+    comes from."""
+    at = line.middle + line.along * ((near - line.middle) * line.along.conjugate()).real
+    along = line.along if ((at - inwards) * line.along.conjugate()).real > 0 else -line.along
+    t = np.arange(-min(6.0, abs(at - inwards) / 2), 6.0, 0.1)
+    across = np.arange(-2, 3) * 0.1
+    dark = ink.at(at + along * (t[:, None] + 1j * across)).max(axis=1) > 0.75 * ink.least
+    last, gap = 0, 0
+    for k, there in enumerate(dark):
+        gap = 0 if there else gap + 1
+        last = k if there else last
+        if gap > 8:
+            break
+    if last >= len(t) - 9 or not dark[: max(1, len(t) // 4)].any():
+        return Corner(at, np.inf)
+    return Corner(at + along * (t[last] - ink.pencil / 2), 0.15)

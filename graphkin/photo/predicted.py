@@ -1,0 +1,260 @@
+"""The constructions that may have been drawn on a sheet: the right one, other right ways, and each mistake; on paper.
+
+What a student has drawn and measured before counts as it is: an acceleration polygon follows from the own velocities.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import combinations
+
+import numpy as np
+
+from graphkin.base.geometry import Value, place
+from graphkin.base.value import bulky, frozen
+from graphkin.construction import Construction, Given, Image, LayOff, Meet, Plane, Plot, Ray
+from graphkin.marking.consequences import rewrites
+from graphkin.marking.hand import Redrawing, redraw
+from graphkin.marking.rewrite import Mistaken, Rewrite, Spot
+from graphkin.marking.synonyms import other_methods
+from graphkin.photo.sheets import SheetRoom
+from graphkin.planning import Method
+
+_NOTHING = 0.3  # shorter arrows are points [mm]
+_SAME = 0.02  # drawings that differ by less are one [mm]
+_LENGTH, _PART = 0.5, 0.015  # a corner may be off by so much [mm], and by this part of the arrow that leads there
+
+Factors = Mapping[Spot, np.ndarray]
+"""By what an arrow that is laid off, a line's direction or a figure is multiplied, by its place in the drawing."""
+
+
+@frozen
+class Stroke:
+    """A line between two corners, by their numbers.
+
+    needed   an arrow without which no equation closes; others, to points of a link and of its figure, may be drawn
+    goes_on  it was found on a line that is drawn beyond it
+    """
+
+    tail: int
+    head: int
+    needed: bool
+    goes_on: bool = False
+
+
+@bulky
+class Way:
+    """The construction of a plane by one method, with each of the mistakes that draw it otherwise.
+
+    letters   of its corners; strokes between them
+    columns   mistakes, the right drawing first
+    corners   (columns, letters) [mm from the pole, y up]
+    own       measured corners of the velocity plane, SI
+    """
+
+    method: Method
+    plot: Plot
+    construction: Construction
+    scale: float
+    letters: tuple[str, ...]
+    strokes: tuple[Stroke, ...]
+    columns: tuple[tuple[Rewrite, ...], ...]
+    corners: np.ndarray
+    own: Mapping[str, complex]
+
+    @property
+    def pole(self) -> int:
+        return self.letters.index(self.construction.pole)
+
+    @property
+    def places(self) -> frozenset[complex]:
+        """Where the right drawing has corners [mm], to a tenth."""
+        return frozenset(complex(round(at.real, 1) + 0.0, round(at.imag, 1) + 0.0) for at in self.corners[0])
+
+    @property
+    def spots(self) -> Iterator[Spot]:
+        """The places where a length or a direction may be off."""
+        plane = self.construction.plane
+        for step in self.construction.steps:
+            match step:
+                case LayOff():
+                    yield "laid", plane, step.tip
+                case Meet():
+                    yield from (("line", plane, step, ray) for ray in (step.first, step.second) if isinstance(ray, Ray))
+                case Image():
+                    yield "image", plane, step.point
+                case _:
+                    pass
+
+    def arrow(self, spot: Spot) -> tuple[str, str]:
+        """The corners between which an arrow lies that is laid off, or a side of a figure."""
+        for step in self.construction.steps:
+            match step:
+                case LayOff(start=start, tip=tip) if spot == ("laid", self.construction.plane, tip):
+                    return start, tip
+                case Image(base=(tail, _), point=point) if spot == ("image", self.construction.plane, point):
+                    return tail, point
+                case _:
+                    pass
+        raise KeyError(spot)
+
+    def altered(self, column: int, factors: Factors) -> np.ndarray:
+        """Corners (n, letters) of a column with arrows, directions and figures that are otherwise, by arrays (n,)."""
+        count = max(len(each) for each in factors.values())
+        hand = _OwnHand([self.columns[column]] * count, factors, {"velocity": self.own})
+        return self._on_paper(hand.drawn(self.method, self.plot))
+
+    @np.errstate(invalid="ignore")  # of what a mistake leaves nothing of
+    def departures(self, vertices: Mapping[str, complex]) -> np.ndarray:
+        """By how much more than a pencil allows measured corners [mm] are off where each column has them, as it
+        follows from the measured ones before (columns,): the largest."""
+        plane = self.construction.plane
+        drawn = _own(self.construction, {letter: at * self.scale for letter, at in vertices.items()})
+        own: dict[str, Mapping[str, complex]] = {"velocity": self.own, plane: drawn}
+        plot = _OwnHand(self.columns, {}, own).drawn(self.method, self.plot)
+        worst = np.zeros(len(self.columns))
+        for step in self.construction.steps:
+            match step:
+                case LayOff(term=term, start=start, tip=tip) if {start, tip} <= drawn.keys():
+                    size = np.abs(plot.laid[plane, term.tail, term.head])
+                    off = plot.laid[plane, term.tail, term.head] - (drawn[tip] - drawn[start]) * (-1) ** step.backwards
+                case Meet(point=point) if point in drawn and point != self.construction.pole:
+                    off = (plot.met[plane, point] - drawn[point]) * plot.sines[plane, point]
+                    rays = [ray.through for ray in (step.first, step.second) if isinstance(ray, Ray)]
+                    size = np.max([abs(drawn[point] - drawn.get(ray, 0)) for ray in rays], initial=0.0)
+                case Image(point=point) if point in drawn:
+                    off = plot.met[plane, point] - drawn[point]
+                    size = np.abs(drawn[point] - drawn.get(step.base[0], 0))
+                case _:
+                    continue
+            allowed = _LENGTH + _PART * size / self.scale
+            each = np.abs(np.broadcast_to(off, worst.shape)) / self.scale / allowed
+            worst = np.maximum(worst, np.where(np.isnan(each), np.inf, each))
+        return worst
+
+    def _on_paper(self, plot: Redrawing) -> np.ndarray:
+        points, count = plot.points(self.construction.plane), len(plot.by_hand.columns)  # type: ignore[attr-defined]
+        every = [np.broadcast_to(np.asarray(points[name], dtype=complex), (count,)) for name in self.letters]
+        return np.stack(every, axis=1) / self.scale
+
+
+@frozen
+class Predicted:
+    """All that may have been drawn in a room.
+
+    ways       the method of the key first, then other right ones
+    direction  of the line through the pole that is printed [rad]
+    """
+
+    ways: tuple[Way, ...]
+    direction: float
+
+
+def predicted(method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, complex] | None = None) -> Predicted:
+    """The constructions that may have been drawn in a room.
+
+    plot      the right one, at the room's position
+    velocity  corners of the student's own velocity polygon by letter, SI, as far as they are measured
+    """
+    ways = [_way(method, plot, room, velocity or {}, rewrites(method, plot))]
+    for other in other_methods(method):
+        way = _way(other, plot, room, velocity or {}, ())
+        if all(way.places != known.places for known in ways):
+            ways.append(way)
+    return Predicted(tuple(ways), first_direction(ways[0].construction, plot))
+
+
+def first_direction(construction: Construction, plot: Plot) -> float:
+    """The direction of the first arrow that is laid off [rad], which is given with the driver and printed."""
+    points = plot.points(construction.plane)
+    for step in construction.steps:
+        if isinstance(step, LayOff) and abs(arrow := place(points[step.term.head] - points[step.term.tail])) > 0:
+            return cmath.phase(arrow) % math.pi
+    return 0.0
+
+
+def _way(
+    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, complex], mistakes: Iterable[Rewrite]
+) -> Way:  # fmt: skip
+    construction = method.velocity if room.plane == "velocity" else method.acceleration
+    resting = {name for step in construction.steps if isinstance(step, Given) for name in step.also}
+    right = redraw(method, plot)
+    letters = tuple(name for name in right.points(room.plane) if name not in resting)
+    own = _own(method.velocity, velocity) if room.plane == "acceleration" else {}
+    columns = ((), *((one,) for one in mistakes if one.edits))
+    strokes = tuple(_strokes(construction, letters, resting))
+    base = Way(method, plot, construction, room.scale, letters, strokes, columns, np.empty(0), own)
+    corners = base._on_paper(_OwnHand(columns, {}, {"velocity": own}).drawn(method, plot))
+    return Way(method, plot, construction, room.scale, letters, base.strokes, columns, corners, own)
+
+
+def _own(construction: Construction, velocity: Mapping[str, complex]) -> dict[str, complex]:
+    """Own corners as far as a construction has them, from where it begins, which is not always the pole."""
+    start = next((step.point for step in construction.steps if isinstance(step, Given)), construction.pole)
+    known = {construction.pole: 0j, **velocity}
+    if start not in known:
+        return {}
+    of_it = {*construction.nodes, construction.pole}
+    return {name: at - known[start] for name, at in known.items() if name in of_it}
+
+
+def _strokes(construction: Construction, letters: Sequence[str], resting: set[str]) -> Iterator[Stroke]:
+    """Arrows of equations first; then what else may be drawn: from the pole to points, and between those of a link."""
+    number = {name: k for k, name in enumerate(letters)}
+    pole = number[construction.pole]
+    number.update(dict.fromkeys(resting, pole))
+    found: dict[frozenset[int], Stroke] = {}
+    laid = [step.term for step in construction.steps if isinstance(step, LayOff)]
+    terms = construction.vectors().values()
+    unknown = {frozenset((number.get(term.tail), number.get(term.head))) for term in terms if term.size is None}
+    arrows = [(term.tail, term.head, term.size is None or term in laid) for term in terms]
+    arrows += [(construction.pole, name, False) for name, node in construction.nodes.items() if node.site is not None]
+    images = [(*step.base, step.point) for step in construction.steps if isinstance(step, Image)]
+    arrows += [(*pair, False) for three in images for pair in combinations(three, 2)]
+    for tail, head, needed in sorted(arrows, key=lambda each: not each[2]):
+        if tail in number and head in number and number[tail] != number[head]:
+            ends = frozenset((number[tail], number[head]))
+            found.setdefault(ends, Stroke(number[tail], number[head], needed, ends in unknown))
+    yield from found.values()
+
+
+class _OwnHand(Mistaken):
+    """Draws columns of mistakes, with factors at some places; corners that are measured lie where they do.
+
+    own  by plane and letter, SI
+    """
+
+    def __init__(
+        self, columns: Sequence[Sequence[Rewrite]], factors: Factors, own: Mapping[str, Mapping[str, complex]]
+    ) -> None:
+        super().__init__(columns)
+        self.columns, self.factors, self.own = columns, factors, own
+
+    def drawn(self, method: Method, plot: Plot) -> Redrawing:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return redraw(method, self.placed(method, plot), self, self.shape)
+
+    def _there(self, plane: Plane, name: str, right: Value) -> Value:
+        at = self.own.get(plane, {}).get(name)
+        return right if at is None else np.full(self.shape, at)
+
+    def _from(self, spot: Spot, start: Value, right: Value) -> Value:
+        factor = self.factors.get(spot)
+        return right if factor is None else start + factor * (right - start)
+
+    def tip(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
+        start, tip = plot.points(plane)[step.start], super().tip(plot, plane, step, right)
+        return self._there(plane, step.tip, self._from(("laid", plane, step.tip), start, tip))
+
+    def line(self, plot: Redrawing, plane: Plane, step: Meet, ray: Ray, right: Value) -> Value:
+        return super().line(plot, plane, step, ray, right) * self.factors.get(("line", plane, step, ray), 1.0)
+
+    def crossing(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
+        return self._there(plane, point, super().crossing(plot, plane, point, right))
+
+    def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        right = super().corner(plot, plane, step, right)
+        right = self._from(("image", plane, step.point), plot.points(plane)[step.base[0]], right)
+        return self._there(plane, step.point, right)

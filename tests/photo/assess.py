@@ -1,0 +1,207 @@
+"""How well photographs are measured: synthetic ones over mechanisms of the library, by hand, as it takes half an hour.
+
+    python tests/photo/assess.py [--count 300] [--aside] [--flat] [--jobs 2]
+
+--aside  mechanisms and cameras that the reader was not tuned on; --flat: pages themselves, without any camera
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from cameras import ASIDE as CAMERAS_ASIDE
+from cameras import CAMERAS, photograph
+from pencil import HAND, NEAT, PER_MM, FlatPage, PrintedPaper, Work, paper_of
+
+from graphkin.construction import LayOff, Meet, Plane, Ray
+from graphkin.errors import NOWHERE
+from graphkin.marking.consequences import rewrites
+from graphkin.marking.rewrite import Rewrite
+from graphkin.photo.measuring import PageReading, measured
+from graphkin.photo.pictures import pictures_in
+from graphkin.photo.predicted import predicted
+from graphkin.photo.registering import RegisteredPage, registered
+
+TUNED = ("ex3-1", "ex3-5", "ex3-7", "fig3-1", "p3-15", "p3-12", "fig2-32", "s4-ex5", "p3-3a", "p3-19", "s4-ex7", "p3-11b")
+ASIDE = ("p3-24a", "p3-20", "s3-cam", "s4-ex2", "p3-7", "ex3-4")
+FLAT = "flat page"
+WRONG, MOVED = 0.5, 1.5  # a corner off by more is wrong; a mistake is there to be seen that moves one by so much [mm]
+
+
+@lru_cache(8)
+def _paper(mechanism: str) -> PrintedPaper:
+    return paper_of(mechanism)
+
+
+@lru_cache(8)
+def _mistakes(mechanism: str) -> tuple[Rewrite, ...]:
+    drawing = _paper(mechanism).problem.drawing
+    return tuple(one for one in rewrites(drawing.method, drawing.plot) if one.edits)
+
+
+def work_of(mechanism: str, kind: str, seed: int, wobble: bool) -> Work:
+    """A student's work: "right", or with a "mistake" or a "slip" that is there to be seen and has room."""
+    paper, rng, habits = _paper(mechanism), np.random.default_rng([seed, 3]), HAND if wobble else NEAT
+    right = Work(paper, seed, habits=habits)
+    for _ in range(60):
+        if kind == "mistake":
+            known = _mistakes(mechanism)
+            work = Work(paper, seed, (known[rng.integers(len(known))],), habits=habits)
+        elif kind == "slip":
+            method = paper.problem.drawing.method
+            steps = [(c.plane, step) for c in (method.velocity, method.acceleration) for step in c.steps
+                     if isinstance(step, LayOff | Meet)]  # fmt: skip
+            plane, step = steps[rng.integers(len(steps))]
+            if isinstance(step, LayOff):
+                work = Work(paper, seed, slips={("laid", plane, step.tip): rng.choice([-1.0, 0.5, 0.7, 1.3, 1.6, 2.0])}, habits=habits)
+            else:
+                rays = [ray for ray in (step.first, step.second) if isinstance(ray, Ray)]
+                turn = np.exp(1j * np.radians(rng.choice([-1, 1]) * rng.uniform(8, 60)))
+                work = Work(paper, seed, slips={("line", plane, step, rays[rng.integers(len(rays))]): turn}, habits=habits)
+        else:
+            return right
+        moved = max((abs(at - right.corners[plane][name]) for plane, points in work.corners.items() for name, at in points.items()),
+                    default=0.0)  # fmt: skip
+        if moved > MOVED and work.fits():
+            return work
+    return right
+
+
+@dataclass(frozen=True)
+class Case:
+    mechanism: str
+    kind: str
+    seed: int
+    wobble: bool
+    camera: str = FLAT
+
+
+@dataclass
+class Outcome:
+    """What came of a picture: errors of the corners that are sure, those of others, the worst that goes unsaid [mm]."""
+
+    case: Case
+    sure: list[float] = field(default_factory=list)
+    unsure: list[float] = field(default_factory=list)
+    silent: float = 0.0
+    named: bool = False
+    refused: str = ""
+    reasons: list[str] = field(default_factory=list)
+    seconds: float = 0.0
+    where: str = ""
+    truth: str = ""
+    rms: float = 0.0
+
+
+def assessed(case: Case) -> Outcome:
+    """One picture drawn, taken, and measured."""
+    work = work_of(case.mechanism, case.kind, case.seed, case.wobble)
+    outcome = Outcome(case, truth=_truth(work))
+    page = _page(case, work, outcome)
+    if page is None:
+        return outcome
+    drawing, velocity, readings = work.paper.problem.drawing, {}, dict[Plane, PageReading]()
+    start = time.perf_counter()
+    for plane, room in work.paper.rooms.items():
+        reading = readings[plane] = measured(page, room, predicted(drawing.method, drawing.plot, room, velocity))
+        left = {letter for one in reading.unsure for letter in one.letters or reading.vertices}
+        velocity = {letter: at * room.scale for letter, at in reading.vertices.items() if letter not in left}
+        outcome.reasons += [f"{plane[0]}:{one.reason}{','.join(one.letters)}" for one in reading.unsure]
+        for letter, at in reading.vertices.items():
+            off = abs(at - work.corners[plane][letter])
+            if letter != next(iter(reading.vertices)):
+                (outcome.unsure if letter in left else outcome.sure).append(off)
+            if letter not in left and off > outcome.silent:
+                outcome.silent, outcome.where = off, f"{plane[0]}:{letter}"
+    outcome.seconds += time.perf_counter() - start
+    outcome.named = _is_named(work, readings)
+    return outcome
+
+
+def _truth(work: Work) -> str:
+    return " ".join([*("/".join(one.name) for one in work.mistakes), *(str(spot[:3])[:60] for spot in work.slips)])
+
+
+def _page(case: Case, work: Work, outcome: Outcome) -> FlatPage | RegisteredPage | None:
+    """As it is registered on the picture; None where it is refused."""
+    if case.camera == FLAT:
+        return FlatPage(work.page())
+    picture = photograph(work.page(), PER_MM, CAMERAS.get(case.camera) or CAMERAS_ASIDE[case.camera], case.seed)
+    start = time.perf_counter()
+    (read,) = pictures_in("a.jpg", picture.content, NOWHERE)
+    (page,) = registered(read)
+    outcome.seconds += time.perf_counter() - start
+    if isinstance(page, RegisteredPage):
+        return page
+    outcome.refused = page.message("en")
+    return None
+
+
+def _is_named(work: Work, readings: dict[Plane, PageReading]) -> bool:
+    """Right work is called right; a mistake is among those named; a slip is not called right."""
+    names = [reading.construction for reading in readings.values()]
+    if work.mistakes:
+        return any((work.mistakes[0].name,) in (one or ()) for one in names)
+    return any(one != () for one in names) if work.slips else all(one == () for one in names)
+
+
+def cases(mechanisms: Sequence[str], cameras: Sequence[str], count: int) -> Iterator[Case]:
+    """So many pictures, all kinds of them in turn."""
+    rng = np.random.default_rng(5)
+    for k in range(count):
+        kind = str(rng.choice(["right", "mistake", "slip"], p=[0.35, 0.5, 0.15]))
+        yield Case(mechanisms[k % len(mechanisms)], kind, 1000 + k, bool(k // len(mechanisms) % 2), cameras[k % len(cameras)])
+
+
+def report(outcomes: Sequence[Outcome]) -> None:
+    """The figures, and every picture that is wrong unsaid."""
+    for wobble in (False, True):
+        some = [one for one in outcomes if one.case.wobble == wobble]
+        sure = np.array([off for one in some for off in one.sure] or [np.nan])
+        unsure = [off for one in some for off in one.unsure]
+        print(f"{'with' if wobble else 'without'} wobble: {len(some)} pictures, {sum(bool(o.refused) for o in some)} refused; corners: "
+              f"median {np.median(sure):.3f}, 95 % {np.quantile(sure, 0.95):.3f}, 99 % {np.quantile(sure, 0.99):.3f} mm; "
+              f"{len(unsure)} of {len(sure) + len(unsure)} unsure, {sum(off < WRONG for off in unsure)} of these right")  # fmt: skip
+    for kind in ("right", "mistake", "slip"):
+        some = [one for one in outcomes if one.case.kind == kind and not one.refused]
+        print(f"{kind}: {sum(one.named for one in some)} of {len(some)} named, {sum(bool(one.reasons) for one in some)} unsure somewhere")
+    silent = [one for one in outcomes if one.silent > WRONG]
+    print(f"wrong and unsaid: {len(silent)} of {len(outcomes)}")
+    for one in silent:
+        print("  ", one.case, one.truth, f"{one.where} {one.silent:.2f} mm", one.reasons)
+    print("not named:")
+    for one in outcomes:
+        if not one.named and not one.refused:
+            print("  ", one.case, one.truth, f"{one.silent:.2f} mm", one.reasons)
+    print("reasons:", Counter(text.split(":")[1][:6] for one in outcomes for text in one.reasons))
+    print("refused:", Counter(one.refused for one in outcomes if one.refused))
+    print(f"seconds: {np.mean([o.seconds for o in outcomes]):.2f}, at most {max(o.seconds for o in outcomes):.2f}")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--count", type=int, default=300)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--aside", action="store_true")
+    parser.add_argument("--flat", action="store_true")
+    given = parser.parse_args()
+    taken_by = [FLAT] if given.flat else [*(CAMERAS_ASIDE if given.aside else CAMERAS)]
+    some = list(cases(ASIDE if given.aside else TUNED, taken_by, given.count))
+    with ProcessPoolExecutor(given.jobs) as pool:
+        report(list(pool.map(assessed, some, chunksize=1)))
+
+
+if __name__ == "__main__":
+    main()
