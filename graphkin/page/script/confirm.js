@@ -12,7 +12,7 @@ import { fillWords, inEachLanguage, labelled, language, say, setLanguage, spoken
 /** @typedef {{sheet: {number: number}, picture: string, rooms: Room[]}} Reading */
 /** Who has drawn it, and what is unsure in each room. @typedef {{called: string, reasons: Both[][]}} View */
 
-const STEP = 0.1; // of an arrow key [mm]
+const BY_KEY = 0.1; // of an arrow key [mm]
 const BY_HAND = 0.15; // by so much a point that was moved is off [mm]
 const [NEARER, NEAREST] = [1.4, 400]; // at each key; at most [%]
 
@@ -116,7 +116,7 @@ class RoomView {
     dragged(grip, own, false, ({ x, y }) => this.move(letter, x, -y));
     own.addEventListener("keydown", (event) => {
       const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-      const step = event.shiftKey ? 10 * STEP : STEP;
+      const step = event.shiftKey ? 10 * BY_KEY : BY_KEY;
       if (by) this.move(letter, this.room.points[letter][0] + by[0] * step, this.room.points[letter][1] + by[1] * step);
       else if (event.key === "Delete" || event.key === "Backspace") this.take([letter]);
       else return;

@@ -1,6 +1,6 @@
 /** Tracks unpacked, as `tracks.py` packs them, and their values at the place where the drivers are: between knots, as
  * `stencils.py` has them, by Lagrange's polynomials through six along each driver. */
-import { modulo } from "./numbers.js";
+import { modulo, within } from "./numbers.js";
 
 /** @typedef {number | [number]} Changing a number, or the number of a track */
 
