@@ -37,12 +37,13 @@ _MOST = 16  # lines in a strip; what is longer is cut
 _STOPS = r"[\u3001\u3002\uff0c\uff1b\uff09]?"
 _WORD = r"[^\s\u2e80-\uffef]+"
 _PIECE = rf"{_WORD}(?: [=≈<>] {_WORD})*{_STOPS}|[\u2e80-\uffef]{_STOPS}|\s+"
+_LATIN = r"\S+(?: [=≈<>] \S+)*|\s+"  # the same of a text without wide letters, which is soon compiled
 
 
 def broken(text: str, room: float, size: float) -> Iterator[str]:
     """Lines that fit a width [mm]: broken at blanks, and between Chinese characters."""
     line = ""
-    for piece in re.findall(_PIECE, text):
+    for piece in re.findall(_PIECE if max(text, default="") >= "\u2e80" else _LATIN, text):
         if line and width(formula((line + piece).rstrip()), size) > room:
             yield line.rstrip()
             line = piece.lstrip()

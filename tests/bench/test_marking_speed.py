@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin.homework.grading import grade, key_from
+from graphkin.homework.grading import grade, judge_from, key_from
 from graphkin.homework.grading.running import MarkingOptions, items
 from graphkin.marking.marker import Marker
 
@@ -38,7 +38,7 @@ def class_table(path: Path, name: str, count: int) -> Path:
 def test_submissions_a_second(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]):
     path = class_table(tmp_path / "class.csv", name, STUDENTS)
     start = time.process_time()
-    assert sum(1 for _ in items([path], MarkingOptions())) == STUDENTS
+    assert sum(1 for _ in items([path], MarkingOptions(), judge_from(name))) == STUDENTS
     begun = time.process_time()
     count = sum(one.marked is not None for one in grade(name, [path]))
     took = time.process_time() - begun

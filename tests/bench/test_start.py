@@ -13,7 +13,7 @@ import pytest
 
 import graphkin
 
-IMPORTS = "import numpy, shapely, svgwrite, click"
+IMPORTS = "import numpy, shapely, svgwrite, click, pydantic_core"  # the packages that `draw` needs
 TRIES, ROUNDS = 6, 8
 LIMITS = {
     "list": 0.4,
