@@ -56,11 +56,14 @@ def measured(page: Page, room: SheetRoom, predicted: Predicted) -> PageReading:
     unsure = [*best.unsure()]
     if ink.seen < 1:
         unsure.append(Unsure("outside"))
+    names = best.names()
+    if names is None and not best.candidate.factors:  # taken for a construction from which it departs
+        unsure.append(Unsure("unexplained"))
     unsure += _alike(fits, key)
     left = {letter for one in unsure for letter in one.letters}  # these count for nothing
     offs = [corner.off for letter, corner in best.corners.items() if letter not in left and np.isfinite(corner.off)]
     error = float(np.hypot(page.rms, max(offs, default=0.0)))
-    return PageReading(vertices, error, tuple(unsure), best.names())
+    return PageReading(vertices, error, tuple(unsure), names)
 
 
 def _alike(fits: Sequence[_Fit], key: Way) -> Iterator[Unsure]:
