@@ -20,6 +20,7 @@ from graphkin.construction import SCALES, Plane, Plot
 from graphkin.errors import GraphkinError, Lang, Where
 from graphkin.files import library
 from graphkin.files.draft import rate_keys
+from graphkin.files.values import quantity_at
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.readout import Readable, read_off
@@ -97,8 +98,8 @@ def placed(subject: Source | Method, values: Values) -> Method:
     return plan(mechanism_at(method, [*map(number, given)]))
 
 
-Values: TypeAlias = Sequence[ArrayLike] | Mapping[str, ArrayLike] | float | None
-"""Of each driver in their order, or by its name: deg and mm, or with a unit of their own, as what was read has."""
+Values: TypeAlias = Sequence[ArrayLike] | Mapping[str, ArrayLike] | float | str | None
+"""Of each driver in their order, or by its name: deg and mm, or with their own unit, as texts or what was read."""
 
 
 def in_si(mechanism: Mechanism, values: Values) -> list[Real] | None:
@@ -109,7 +110,7 @@ def in_si(mechanism: Mechanism, values: Values) -> list[Real] | None:
     if isinstance(values, Mapping):
         each = [values[name] for name in kinds if name in values]
     else:
-        each = [*values] if isinstance(values, Sequence | np.ndarray) else [values]
+        each = [*values] if isinstance(values, Sequence | np.ndarray) and not isinstance(values, str) else [values]
     if len(each) != len(kinds):
         raise errors.ValueForEach(mechanism.where("driver"), len(each), tuple(kinds))
     return [_driven(value, kind) for value, kind in zip(each, kinds.values(), strict=True)]
@@ -118,6 +119,8 @@ def in_si(mechanism: Mechanism, values: Values) -> list[Real] | None:
 def _driven(value: ArrayLike, kind: str) -> Real:
     if isinstance(value, Measured):
         return np.real(value.si)
+    if isinstance(value, str):
+        return quantity_at("values", "length" if kind == "slide" else "angle", value)
     try:
         plain = np.asarray(value, dtype=float)
     except (TypeError, ValueError):

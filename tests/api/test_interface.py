@@ -352,6 +352,14 @@ def test_values_that_are_none(values: object):
         graphkin.sweep(graphkin.load("ex3-1"), {"AB": values}, "omega 3")
 
 
+@pytest.mark.parametrize("values", ["60 deg", ["1.0471975511965976 rad"], {"AB": "60"}])
+def test_values_have_units(values: str | list[str] | dict[str, str]):
+    turned = graphkin.Drawing.of("ex3-7", values)
+    assert np.isclose(turned.omega["4"], graphkin.Drawing.of("ex3-7", 60).omega["4"], rtol=1e-12)
+    with pytest.raises(GraphkinError, match=r"^values: mm is the unit of a length"):
+        graphkin.Drawing.of("ex3-7", "60 mm")
+
+
 def test_errors_name_arguments():
     mechanism = graphkin.load("ex3-1")
     with pytest.raises(NoSuchDriver, match=r"^ranges: "):
