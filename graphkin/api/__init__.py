@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, overload
 
 from graphkin import running
 from graphkin.api.drawing import Drawing, Source, Values, in_python, in_si, load, method_of, plan
+from graphkin.errors import among
 from graphkin.files.variants import Variants as AnyVariants
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.readout import State
@@ -141,6 +142,7 @@ def sweep(
     from graphkin.outputs.tables import framed
     from graphkin.studies import sweeps
 
+    among(sweeps.Road, by=by)
     if isinstance(mechanism, AnyVariants):
         from graphkin.api import variants
 

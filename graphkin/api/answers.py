@@ -10,13 +10,26 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from importlib import import_module
+from inspect import signature
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Literal, overload
 
 from graphkin.api.drawing import Drawing, Source, Values, in_python, load, method_of, placed
 from graphkin.base.plain import Plain
-from graphkin.errors import BadPair, Lang, NeedsTwoLinks, NothingDrawn, OutOfRange, UnknownPoint, Where, WrongCount
+from graphkin.errors import (
+    BadPair,
+    Lang,
+    MissingKey,
+    NeedsTwoLinks,
+    NothingDrawn,
+    OutOfRange,
+    UnknownKey,
+    UnknownPoint,
+    Where,
+    WrongCount,
+    among,
+)
 from graphkin.files.values import quantity_at
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
@@ -61,8 +74,9 @@ def find(
     [0.078, 0.07, 0.061]
     """
     from graphkin import api
-    from graphkin.studies import finding
+    from graphkin.studies import finding, sweeps
 
+    among(sweeps.Road, by=by)
     ranges = [ranges] if isinstance(ranges, str) else ranges
     with in_python():
         if not vary:
@@ -204,6 +218,7 @@ def designed(
     given: dict[str, Size | None] = {name: value for name, value in locals().items() if value is not None}
     from graphkin.studies import design as designing
 
+    among(Kind, kind=kind)
     for name in ("kind", "K", "at", "pair"):
         given.pop(name, None)
     ratio = {} if K is None else {"k": float(K)}
@@ -215,6 +230,14 @@ def designed(
     if kind == "angles":
         return designing.angle_pairs([_two_angles(text) for text in pair or ()], **sizes)
     make: Callable[..., Design] = getattr(designing, kind.replace("-", "_"))
+    takes, named = signature(make).parameters, {**dict.fromkeys(given), **dict.fromkeys(["K"] if ratio else [])}
+    names = {name.lower(): name for name in (*LENGTHS, "swing", "gamma_min", "K")}
+    for name in named:
+        if name.lower() not in takes:
+            raise UnknownKey(Where(kind), name, tuple(names[key] for key in takes))
+    for key, wanted in takes.items():
+        if wanted.default is wanted.empty and key not in sizes | ratio:
+            raise MissingKey(Where(kind), names[key])
     return make(**sizes, **ratio)
 
 
@@ -275,6 +298,7 @@ _READERS = {
 
 def lines_of(answer: object, lang: Lang = "en") -> list[str]:
     """An answer in words, as its command prints it."""
+    among(Lang, lang=lang)
     lines: Callable[[object, Lang], Iterable[str]] = getattr(*_reader(answer, 0))
     return [*lines(answer, lang)]
 
@@ -290,6 +314,7 @@ def sheet_of(answer: object, lang: Lang = "en", paper: str | None = None, **more
     saved."""
     from graphkin.outputs.saving import NotebookSheet
 
+    among(Lang, lang=lang)
     draw: Callable[..., Sheet | tuple[Sheet | None, int]] = getattr(*_reader(answer, 2))
     made = draw(answer, lang=lang, paper=paper, **more)
     if (sheet := made[0] if isinstance(made, tuple) else made) is None:

@@ -19,7 +19,7 @@ from graphkin import api
 from graphkin.api.drawing import Source, load
 from graphkin.base.value import bulky, frozen
 from graphkin.base.worklist import ahead, batched
-from graphkin.errors import GraphkinError, NotSwept, Where
+from graphkin.errors import GraphkinError, NotAMechanism, NotSwept, Where
 from graphkin.files.variants import Variants
 from graphkin.model import quantities
 from graphkin.model.mechanism import Mechanism
@@ -116,6 +116,8 @@ def _each(
     """The work done with each, in their order."""
     if isinstance(items, str | Path | Mechanism):
         items = [items]
+    if not isinstance(items, Iterable):
+        raise NotAMechanism(Where("mechanisms"), type(items).__name__)
     if isinstance(items, Variants):
         items = map(items.reader, range(len(items)))
     if executor is None:

@@ -17,7 +17,7 @@ from graphkin.base.geometry import Real, number
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.construction import SCALES, Plane, Plot
-from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.errors import GraphkinError, Lang, Where, among
 from graphkin.files import library
 from graphkin.files.draft import rate_keys
 from graphkin.files.values import quantity_at
@@ -191,8 +191,11 @@ class Drawing(Readable[Number, Vector]):
         paths   points whose paths are drawn over the driver's turn, or as far as it gets; arrows: with velocities
         """
         from graphkin.outputs.saving import NotebookSheet
-        from graphkin.sheet import Paths, sheet
+        from graphkin.sheet import Paths, Style, sheet
 
+        among(Lang, lang=lang)
+        among(Plane, only=only)
+        among(Style, style=style)
         drawn = Paths(tuple(self._paths(paths, arrows)), arrows and bool(paths), lang)
         found = sheet(
             self.method, self.plot, paper=paper, lang=lang, only=only, style=style, tight=tight, paths=drawn
@@ -218,6 +221,8 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.outputs.saving import NotebookSheet
         from graphkin.sheet import step_sheets
 
+        among(Lang, lang=lang)
+        among(Plane, only=only)
         sheets = step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight)
         return map(NotebookSheet.of, sheets)
 
@@ -232,6 +237,8 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.say import explain
         from graphkin.sheet import scales_of
 
+        among(Lang, lang=lang)
+        among(Plane, only=only)
         scales = scales_of(self.method, self.plot, lang)
         on_paper: dict[str, float] = {key: scales[plane] for plane, key in SCALES.items()}
         plot, ruler = self.plot, None
@@ -243,8 +250,10 @@ class Drawing(Readable[Number, Vector]):
 
     def equations(self, lang: Lang = "en", *, method: By = "complex") -> SavedDocument:
         """The analytic solution written out, with closed forms, or as one system of matrices ("matrix")."""
-        from graphkin.equations import SavedDocument, document
+        from graphkin.equations import By, SavedDocument, document
 
+        among(Lang, lang=lang)
+        among(By, method=method)
         drawn, units = self.plot.facts.values, [driven(driver.kind == "slide") for driver in self.method.drivers]
         there = placed(self.method, [*map(Number, map(number, drawn), units)])
         return SavedDocument(**vars(document(there, method, lang)))
@@ -258,6 +267,8 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.outputs import drawings, files
         from graphkin.sheet.motion_frames import motion_frames
 
+        among(Lang, lang=lang)
+        among(Plane, only=only)
         file = Path(path)
         if (moving := drawings.MOVING.get(file.suffix.lower())) is None:
             raise files.UnknownEnding(str(file), tuple(drawings.MOVING))

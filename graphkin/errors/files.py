@@ -18,8 +18,8 @@ class NoFile(Choice):
 
 
 class UnknownMechanism(Choice):
-    en = "The library has no mechanism {given}. {hint}"
-    zh = "机构库中没有 {given}。{hint}"
+    en = "There is neither a file {given} nor a mechanism of that name in the library. {hint}"
+    zh = "没有文件 {given}，机构库中也没有这个名称。{hint}"
 
 
 class IsFolder(LocatedError):

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import AboutText, Choice, Lang, LocatedError, WordTable
+from typing import get_args
+
+from graphkin.errors.base import AboutText, Choice, Lang, LocatedError, Where, WordTable
 
 __all__ = [
     "AngleRange", "BadName", "DuplicateName", "KeyClash", "LongName", "MissingKey", "Negative", "NoMeaning", "NoUnit",
     "NotANumber", "NotOneOf", "OtherDimension", "OutOfRange", "TooSmall", "UnitAsKey", "UnknownKey", "UnknownLink",
-    "UnknownPoint", "UnknownSlide", "UnknownUnit", "WrongCount", "WrongType",
+    "UnknownPoint", "UnknownSlide", "UnknownUnit", "WrongCount", "WrongType", "among",
 ]  # fmt: skip
 
 KINDS: WordTable = {
@@ -76,6 +78,13 @@ class UnknownSlide(Choice):
 class NotOneOf(Choice):
     en = "{where}: {given} is not one of the words that can stand here. {hint}"
     zh = "{where}：此处不能写 {given}。{hint}"
+
+
+def among(words: object, **arguments: str | None) -> None:
+    """Arguments of a call that have a Literal's words, or are left out. Raises NotOneOf."""
+    for name, given in arguments.items():
+        if given is not None and given not in get_args(words):
+            raise NotOneOf(Where(name), str(given), get_args(words))
 
 
 class UnknownUnit(Choice, quantity=QUANTITIES):

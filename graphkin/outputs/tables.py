@@ -20,7 +20,7 @@ from graphkin.base.geometry import Array, number
 from graphkin.base.plain import Plain
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, Unit, driven
-from graphkin.outputs.files import beside, needed
+from graphkin.outputs.files import UnknownEnding, beside, needed
 from graphkin.studies.sweeps import Course, Road, Sweep, in_parts
 
 if TYPE_CHECKING:
@@ -219,6 +219,8 @@ class SweepFrames(Sweep):
         file = Path(path)
         if file.suffix.lower() in FORMATS:
             write(file, self.course, tuple(self), self.by, force)
+        elif file.suffix.lower() not in diagram.FORMATS:
+            raise UnknownEnding(str(file), (*FORMATS, *diagram.FORMATS))
         else:
             diagram.write(file, self.course, tuple(self), lang, self.by, force)
         return file

@@ -8,7 +8,7 @@ from pathlib import Path
 from graphkin.api.drawing import Drawing, Source, method_of
 from graphkin.base.geometry import number
 from graphkin.base.value import bulky
-from graphkin.errors import Lang
+from graphkin.errors import Lang, among
 from graphkin.outputs.files import UnknownEnding
 from graphkin.page import player, writer
 from graphkin.planning import Method
@@ -38,6 +38,7 @@ class SavedPage:
 def play(*mechanisms: Source | Drawing | Method, lang: Lang = "en") -> SavedPage:
     """Mechanisms that play in a browser: drag the crank, the polygons follow. Several make a lecture; a drawing begins
     at its position."""
+    among(Lang, lang=lang)
     return SavedPage(player.page_of([*map(_played, mechanisms)], lang))
 
 

@@ -18,7 +18,17 @@ from click.testing import CliRunner
 import graphkin
 from graphkin import Mechanism
 from graphkin.cli import main, reference
-from graphkin.errors import BadValues, GraphkinError, NoSuchDriver, NoSuchValue, UnknownQuantity, WrongType
+from graphkin.errors import (
+    BadValues,
+    GraphkinError,
+    MissingKey,
+    NoSuchDriver,
+    NoSuchValue,
+    NotOneOf,
+    UnknownKey,
+    UnknownQuantity,
+    WrongType,
+)
 from graphkin.files import library
 from graphkin.files.builder import Builder
 from graphkin.files.toml import replaced_values, toml
@@ -445,3 +455,34 @@ def test_the_reference_has_every_name():
     for name in graphkin.__all__:
         assert inspect.getdoc(getattr(graphkin, name)), name
     assert CliRunner().invoke(main, ["help", "api", "nothing"]).exit_code == 2
+
+
+# --- words ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda drawing: drawing.sheet(lang="fr"),
+        lambda drawing: drawing.sheet(style="bold"),
+        lambda drawing: drawing.step_sheets(only="forces"),
+        lambda drawing: drawing.explain(lang="fr"),
+        lambda drawing: drawing.equations(method="polar"),
+        lambda _: graphkin.sweep("ex3-1", {"AB": range(3)}, "omega 3", by="eye"),
+        lambda _: graphkin.find("ex3-1", "max omega 3", by="eye"),
+        lambda _: graphkin.design("toggle", K=1.5),
+        lambda _: graphkin.handout("ex3-1", stage="draft"),
+        lambda _: graphkin.play("ex3-1", lang="fr"),
+        lambda _: graphkin.lines_of(graphkin.centres("ex3-1"), "fr"),
+    ],
+)
+def test_a_word_that_stands_nowhere_names_those_that_do(wrong: Callable[[graphkin.Drawing], object]):
+    with pytest.raises(NotOneOf, match=r"Possible|Did you mean"):
+        wrong(graphkin.Drawing.of("ex3-1"))
+
+
+def test_a_design_takes_its_own_sizes_only():
+    with pytest.raises(UnknownKey, match=r"rocker: .*rod"):
+        graphkin.design("rocker", length=80, swing=40, K=1.3, rod=3)
+    with pytest.raises(MissingKey, match=r"slider: stroke"):
+        graphkin.design("slider", K=1.5)

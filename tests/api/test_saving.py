@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 import graphkin
 from graphkin.cli import main
-from graphkin.errors import BadValues, NotAMechanism, NothingDrawn
+from graphkin.errors import BadValues, NotAMechanism, NotANumber, NothingDrawn
 from graphkin.outputs.files import FileInTheWay, UnknownEnding
 
 
@@ -92,8 +92,10 @@ def test_what_is_no_mechanism(wrong: object):
 
 
 def test_values_that_no_driver_takes():
-    with pytest.raises(BadValues):
+    with pytest.raises(NotANumber, match=r'^values: "a"'):
         graphkin.replay("ex3-1", ["a"])
+    with pytest.raises(BadValues):
+        graphkin.replay("ex3-1", [object()])  # type: ignore[list-item]
     for values in ([1, 2], {"XY": 3}):
         with pytest.raises(ValueError, match="AB"):
             graphkin.Drawing.of("ex3-1", values)

@@ -40,4 +40,4 @@ def test_every_name_is_in_one_group() -> None:
 def test_an_unknown_name_gets_the_nearest() -> None:
     with pytest.raises(UnknownMechanism, match=r"Did you mean ex3-1\?") as caught:
         library.load("ex31")
-    assert "机构库中没有 ex31。是否为 ex3-1？" in caught.value.message("zh")
+    assert "没有文件 ex31，机构库中也没有这个名称。是否为 ex3-1？" in caught.value.message("zh")
