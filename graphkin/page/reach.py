@@ -67,7 +67,9 @@ class Axis:
         return u if self.wave is None else self.wave[0] + self.wave[1] * float(np.sin(u - np.pi / 2))
 
     def u_at(self, value: float) -> float:
-        """The parameter of a value, at most the ends'."""
+        """The parameter of a value: within a turn, or at most the ends'."""
+        if self.round:
+            return self.low + (value - self.low) % (self.high - self.low)
         middle, half = self.wave or (0.0, 1.0)
         u = value if self.wave is None else float(np.arccos(np.clip((middle - value) / half, -1.0, 1.0)))
         return min(max(u, self.span[0]), self.span[1])
@@ -110,6 +112,12 @@ class Reach:
     @cached_property
     def axes(self) -> tuple[Axis, ...]:
         return tuple(map(self._axis, self.courses))
+
+    @cached_property
+    def drawn(self) -> tuple[float, ...]:
+        """The parameters of the drawn position."""
+        values = self.method.facts(None).values
+        return tuple(axis.u_at(float(value)) for axis, value in zip(self.axes, values, strict=True))
 
     def _axis(self, one: Course) -> Axis:
         if one.full_turn:
