@@ -125,6 +125,9 @@ class Reach:
         low, high = one.reach
         stops = [float(one.value(stop.at).real) for stop in one.stops]
         dead = low in stops, high in stops
+        if one.driver.kind == "slide":  # what slides without an end is shown near by, or all else were small
+            start, size = one.path.start[one.swept], self.method.size
+            low, high = low if dead[0] else max(low, start - size / 2), high if dead[1] else min(high, start + size / 2)
         ends: Ends = "both" if all(dead) else "low" if dead[0] else "high" if dead[1] else "line"
         return Axis(one.driver, low, high, ends)
 
