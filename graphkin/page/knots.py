@@ -25,8 +25,8 @@ _EVEN, _SPREAD = 90, 60  # knots of a turn to begin with; positions that tell ho
 _OF_ONE, _OF_SEVERAL = 700, 34_000  # knots at most; of several drivers places of points, where the mechanism gets to
 _OF_GRID, _TRIED, _FINER, _ORDER = (10, 24), 30, (1.05, 1.8), 1 / 7
 """Knots of a turn to begin with, of three drivers and of two; places at which a grid is tried; so many more then, as
-what is off goes with the fifth power of their number."""
-_MOST_OF_ALL, _DOUBT = 0.8, 0.02
+what is off goes with the seventh power of their number."""
+_MOST_OF_ALL, _DOUBT = 0.8, 0.01
 """This part of a grid is as near as it should be; where polynomials of two knots fewer differ by more [mm], as at
 its rim where dead points are, the middle of a cell is looked at, and the cell is not shown if that is not near."""
 _HALVED = 5  # so often a cell is halved at most
@@ -234,7 +234,7 @@ def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int
         return True
     plots = [(us, knots.plot(us)) for us in places]
     there = all(plot is not None and fits(plane, plot) for _, plot in plots)
-    return there and all(plot is None or _off(knots, us, plane, plot) <= 2 * NEAR for us, plot in plots)
+    return there and all(plot is None or _off(knots, us, plane, plot) <= NEAR for us, plot in plots)
 
 
 def _is_sure(knots: PageKnots, plane: Plane, shown: np.ndarray, us: Sequence[float]) -> bool:
