@@ -1,4 +1,4 @@
-"""Lines of a drawing refined by profiles across them, and the corners where they cross or end."""
+"""Lines of a drawing refined by profiles across them, and where they end."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _TRIM = 1.0  # at the ends of a line, where others begin [mm]
 _LONG = 15.0  # shorter lines are followed on beyond their ends [mm]
 _ON = 8.0  # by so much each time
 _WIDER = 1.3  # so many times as wide as usual strokes is more than one
-_SPOILT = 12.0  # a line with another beside it all along is known so many times worse
+_SPOILT = 6.0  # a line with another beside it all along is known so many times worse
 _FULL = 0.5  # half the width of a profile about its middle: a stroke and its blur, in widths of strokes
 _INDEPENDENT = 6.0  # profiles of a hand's line that are so far apart do not wobble together [mm]
 _WOBBLES = 12.0  # so far apart a hand's wobble has nothing in common [mm]
@@ -49,12 +49,12 @@ class Line:
         off = max(self.off, wobble / np.sqrt(max(1.0, self.length / _WOBBLES)))
         return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
 
-    def off_at(self, place: complex) -> float:
-        """The standard deviation of its distance from a place [mm]."""
-        return float(np.hypot(self.off, self.turned * abs((place - self.middle) * self.along.conjugate())))
+    def beyond(self, place: complex) -> float:
+        """How far a place lies along it from its middle [mm]."""
+        return ((place - self.middle) * self.along.conjugate()).real
 
-    def distance(self, place: complex) -> float:
-        """Of a place to its left [mm]."""
+    def beside(self, place: complex) -> float:
+        """How far a place lies to its left [mm]."""
         return ((place - self.middle) * self.along.conjugate()).imag
 
 
@@ -166,30 +166,9 @@ def _straight(x: np.ndarray, y: np.ndarray) -> tuple[float, float, float, float]
     return slope, there, scatter, float(weight.sum())
 
 
-@frozen
-class Corner:
-    """A place with its standard deviation [mm]; the least angle's sine counts in it."""
-
-    at: complex
-    off: float
-
-
-def crossing(lines: Sequence[Line], near: complex) -> Corner:
-    """The place that lies best on all lines; `off` is infinite where they are parallel."""
-    normal = np.array([[-line.along.imag, line.along.real] for line in lines])
-    weight = np.array([1 / line.off_at(near) for line in lines])
-    right = np.array([normal[k] @ [line.middle.real, line.middle.imag] for k, line in enumerate(lines)])
-    matrix = (normal * weight[:, None]).T @ (normal * weight[:, None])
-    values = np.linalg.eigvalsh(matrix)
-    if values[0] <= 1e-9 * values[1]:
-        return Corner(near, np.inf)
-    x, y = np.linalg.solve(matrix, (normal * weight[:, None] ** 2).T @ right)
-    return Corner(complex(x, y), float(1 / np.sqrt(values[0])))
-
-
-def free_end(ink: Ink, line: Line, near: complex, inwards: complex) -> Corner:
+def free_end(ink: Ink, line: Line, near: complex, inwards: complex) -> complex | None:
     """The end of a line that no other crosses there; ink is as wide as the pencil beyond it. `inwards`: where the line
-    comes from."""
+    comes from. None: it ends nowhere near."""
     at = line.middle + line.along * ((near - line.middle) * line.along.conjugate()).real
     along = line.along if ((at - inwards) * line.along.conjugate()).real > 0 else -line.along
     t = np.arange(-min(6.0, abs(at - inwards) / 2), 6.0, 0.1)
@@ -202,5 +181,5 @@ def free_end(ink: Ink, line: Line, near: complex, inwards: complex) -> Corner:
         if gap > 8:
             break
     if last >= len(t) - 9 or not dark[: max(1, len(t) // 4)].any():
-        return Corner(at, np.inf)
-    return Corner(at + along * (t[last] - ink.pencil / 2), 0.15)
+        return None
+    return complex(at + along * (t[last] - ink.pencil / 2))

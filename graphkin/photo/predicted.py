@@ -17,14 +17,30 @@ from graphkin.base.value import bulky, frozen
 from graphkin.construction import Construction, Given, Image, LayOff, Meet, Plane, Plot, Ray
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.hand import Redrawing, redraw
+from graphkin.marking.pencil import Pencil, PencilHand, Slips, drawn_positions
 from graphkin.marking.rewrite import Mistaken, Rewrite, Spot
 from graphkin.marking.synonyms import other_methods
 from graphkin.photo.sheets import SheetRoom
 from graphkin.planning import Method
+from graphkin.sheet.window import PLANES
 
 _NOTHING = 0.3  # shorter arrows are points [mm]
 _SAME = 0.02  # drawings that differ by less are one [mm]
-_LENGTH, _PART = 0.5, 0.015  # a corner may be off by so much [mm], and by this part of the arrow that leads there
+_LENGTH, _ANGLE, _PART = 0.3, np.radians(0.4), 0.003
+"""A hand errs by so much where it lays off [mm], in a direction [rad], and by this part of what was drawn before."""
+_HANDS = 200  # that draw the same
+_ASTRAY = 5.0  # corners are known so well where most hands get nowhere [mm]
+_POINT = 0.04  # a point has no place that is known better [mm]
+
+
+
+@frozen
+class Corner:
+    """A place [mm from the pole, y up]; off: its standard deviation, in the direction in which it is known worst."""
+
+    at: complex
+    off: float
+
 
 Factors = Mapping[Spot, np.ndarray]
 """By what an arrow that is laid off, a line's direction or a figure is multiplied, by its place in the drawing."""
@@ -106,33 +122,21 @@ class Way:
         hand = _OwnHand([self.columns[column]] * count, factors, {"velocity": self.own})
         return self._on_paper(hand.drawn(self.method, self.plot))
 
-    @np.errstate(invalid="ignore")  # of what a mistake leaves nothing of
-    def departures(self, vertices: Mapping[str, complex]) -> np.ndarray:
-        """By how much more than a pencil allows measured corners [mm] are off where each column has them, as it
-        follows from the measured ones before (columns,): the largest."""
-        plane = self.construction.plane
-        drawn = _own(self.construction, {letter: at * self.scale for letter, at in vertices.items()})
-        own: dict[str, Mapping[str, complex]] = {"velocity": self.own, plane: drawn}
-        plot = _OwnHand(self.columns, {}, own).drawn(self.method, self.plot)
-        worst = np.zeros(len(self.columns))
-        for step in self.construction.steps:
-            match step:
-                case LayOff(term=term, start=start, tip=tip) if {start, tip} <= drawn.keys():
-                    size = np.abs(plot.laid[plane, term.tail, term.head])
-                    off = plot.laid[plane, term.tail, term.head] - (drawn[tip] - drawn[start]) * (-1) ** step.backwards
-                case Meet(point=point) if point in drawn and point != self.construction.pole:
-                    off = (plot.met[plane, point] - drawn[point]) * plot.sines[plane, point]
-                    rays = [ray.through for ray in (step.first, step.second) if isinstance(ray, Ray)]
-                    size = np.max([abs(drawn[point] - drawn.get(ray, 0)) for ray in rays], initial=0.0)
-                case Image(point=point) if point in drawn:
-                    off = plot.met[plane, point] - drawn[point]
-                    size = np.abs(drawn[point] - drawn.get(step.base[0], 0))
-                case _:
-                    continue
-            allowed = _LENGTH + _PART * size / self.scale
-            each = np.abs(np.broadcast_to(off, worst.shape)) / self.scale / allowed
-            worst = np.maximum(worst, np.where(np.isnan(each), np.inf, each))
-        return worst
+    def spread(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
+        """How corners of a column vary with the hand that draws it: the covariance (2 letters, 2 letters) [mm^2] of
+        all x, then all y."""
+        plane, size = self.construction.plane, self.method.size
+        lengths = {each: _PART * max(map(abs, map(place, self.plot.points(each).values()))) for each in PLANES[1:]}
+        pencil = Pencil({"position": _PART * size, **lengths, plane: _LENGTH * self.scale}, _ANGLE)
+        slips = Slips(1, _HANDS)
+        hand = _OwnPencil(pencil, slips, self.method.facts(), [self.columns[column]])
+        hand.factors, hand.own = factors, {"velocity": self.own}
+        points = hand.drawn(self.method, drawn_positions(self.method, pencil, slips)).points(plane)
+        every = np.array([np.broadcast_to(np.asarray(points[name], dtype=complex), hand.shape)[0] for name in self.letters])
+        every = every[:, np.isfinite(every).all(axis=0)] / self.scale
+        if every.shape[1] < _HANDS / 2:
+            return np.eye(2 * len(self.letters)) * _ASTRAY**2
+        return np.asarray(np.cov(np.vstack([every.real, every.imag]))) + np.eye(2 * len(self.letters)) * _POINT**2
 
     def _on_paper(self, plot: Redrawing) -> np.ndarray:
         points, count = plot.points(self.construction.plane), len(plot.by_hand.columns)  # type: ignore[attr-defined]
@@ -220,17 +224,14 @@ def _strokes(construction: Construction, letters: Sequence[str], resting: set[st
     yield from found.values()
 
 
-class _OwnHand(Mistaken):
-    """Draws columns of mistakes, with factors at some places; corners that are measured lie where they do.
+class _Own(Mistaken):
+    """With factors at some places; corners that are measured lie where they do.
 
     own  by plane and letter, SI
     """
 
-    def __init__(
-        self, columns: Sequence[Sequence[Rewrite]], factors: Factors, own: Mapping[str, Mapping[str, complex]]
-    ) -> None:
-        super().__init__(columns)
-        self.columns, self.factors, self.own = columns, factors, own
+    factors: Mapping[Spot, np.ndarray | complex] = {}
+    own: Mapping[str, Mapping[str, complex]] = {}
 
     def drawn(self, method: Method, plot: Plot) -> Redrawing:
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -258,3 +259,17 @@ class _OwnHand(Mistaken):
         right = super().corner(plot, plane, step, right)
         right = self._from(("image", plane, step.point), plot.points(plane)[step.base[0]], right)
         return self._there(plane, step.point, right)
+
+
+class _OwnHand(_Own):
+    """Draws columns of mistakes exactly."""
+
+    def __init__(
+        self, columns: Sequence[Sequence[Rewrite]], factors: Factors, own: Mapping[str, Mapping[str, complex]]
+    ) -> None:
+        super().__init__(columns)
+        self.columns, self.factors, self.own = columns, factors, own
+
+
+class _OwnPencil(_Own, PencilHand):
+    """Draws one of them with a pencil that errs, many times."""

@@ -70,7 +70,9 @@ def candidates(ink: Ink, predicted: Predicted) -> list[Candidate]:
                 break
             one = other
             found.append(one)
-    return _best(ink, found)
+    best = _best(ink, found)
+    known = {other.column for other in best if other.way is predicted.ways[0] and not other.factors}
+    return best + [one for one in right if one.column not in known]
 
 
 def _is_complete(ink: Ink, one: Candidate) -> bool:

@@ -1,0 +1,155 @@
+"""A construction laid over the ink: all its corners at once, by the lines that are seen and by how a hand draws.
+
+Unknown are the corners. Each line says how far those at its ends lie beside it, an end of ink how far along; and hands
+that draw the same construction again and again say, weakly, how corners lie to each other. What is known of each comes
+out with it: a short line, or a flat crossing, is measured where its neighbours hold it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from graphkin.base.geometry import unit
+from graphkin.base.value import frozen
+from graphkin.photo.ink import Ink
+from graphkin.photo.lines import Line, free_end, line_near
+from graphkin.photo.predicted import Corner, Stroke
+from graphkin.photo.searching import Candidate, drawn_strokes
+
+_REACHES = (2.0, 1.2, 0.8)  # a line is sought so far from where it is expected, closer each time [mm]
+_TELLS = 20.0  # lines that are longer tell how the hand wobbles [mm]
+_ONE = 0.15  # corners so near each other are one [mm]
+_ASTRAY = 0.5  # a line that need not be drawn, and runs farther off than it was sought, is another one [mm]
+_DRAWN = 0.5  # a line has ink over so much of its length
+_THROUGH = 0.03  # a line goes so near by the corners at its ends, beside the hand's wobble [mm]
+_END = 0.15, 0.4  # where a line ends is known so well; the same where others do, too [mm]
+_AHEAD = np.cos(np.radians(35))  # strokes that leave under a smaller angle hide where a line ends
+_ODD = 3.0  # what is farther off, in standard deviations, counts for less
+
+
+@frozen
+class _Row:
+    """An observation: the real part of a sum of corners by number, each times a complex number, is `value`, +- off."""
+
+    times: Mapping[int, complex]
+    value: float
+    off: float
+
+
+class Fit:
+    """A candidate with its lines refined.
+
+    lines    by stroke; corners: by letter; at: the same as an array
+    ends     corners at which lines end that cross no other
+    odd      corners by number whose lines contradict each other, or how a hand draws
+    """
+
+    def __init__(self, ink: Ink, candidate: Candidate) -> None:
+        self.ink, self.candidate, self.way = ink, candidate, candidate.way
+        self.pole = self.way.pole
+        self.at = candidate.corners.copy()
+        self.lines: dict[Stroke, Line] = {}
+        self.ends, self.odd = set[int](), set[int]()
+        self.hand = self.way.spread(candidate.column, candidate.factors)
+        for reach in _REACHES:
+            self.wobble = self._refine(reach)
+            off = self._solve(2.5 * reach + 1)
+        self.corners = {name: Corner(complex(at), float(o)) for name, at, o in zip(self.way.letters, self.at, off, strict=True)}
+
+    def _refine(self, reach: float) -> float:
+        """Lines where strokes are expected; by how much the hand wobbles [mm]."""
+        long = [line.spread for line in self.lines.values() if line.length > _TELLS]
+        spread = float(np.quantile(long, 0.3)) if long else np.inf
+        self.lines = {}
+        for stroke in self._apart(drawn_strokes(self.way, self.at)):
+            line = line_near(self.ink, (self.at[stroke.tail], self.at[stroke.head]), reach, spread, stroke.goes_on)
+            astray = max(abs(line.beside(self.at[k])) for k in (stroke.tail, stroke.head)) > reach + _ASTRAY
+            if stroke.needed or (line.covered > 0.95 and not astray):
+                self.lines[stroke] = line
+        long = [line.scatter for line in self.lines.values() if line.length > _TELLS]
+        wobble = float(np.median(long)) if long else 0.0
+        self.lines = {stroke: line.drawn_by(wobble) for stroke, line in self.lines.items()}
+        return wobble
+
+    def _apart(self, strokes: Sequence[Stroke]) -> list[Stroke]:
+        """Without those that lie on another one, needed ones first."""
+        found: list[Stroke] = []
+        for one in sorted(strokes, key=lambda each: not each.needed):
+            ends = self.at[[one.tail, one.head]]
+            others = (self.at[[other.tail, other.head]] for other in found)
+            if all(min(np.abs(ends - there).max(), np.abs(ends - there[::-1]).max()) > _ONE for there in others):
+                found.append(one)
+        return found
+
+    def _solve(self, far_off: float) -> np.ndarray:
+        """The corners that fit best; their standard deviations. One that would move farther [mm] is not known."""
+        seen = [pair for stroke, line in self.lines.items() if line.covered > _DRAWN for pair in self._beside(stroke, line)]
+        rows = seen + [*self._ending()]
+        free = [k for k in range(len(self.at)) if k != self.pole]
+        times = np.array([[row.times.get(k, 0j) / row.off for k in free] for row in rows]).reshape(-1, len(free))
+        self.seen, self.values = np.hstack([times.real, -times.imag]), np.array([row.value / row.off for row in rows])
+        expected, weight = self.real(self.candidate.corners), np.ones(len(rows))
+        both = np.r_[free, np.array(free) + len(self.at)]
+        prior = np.linalg.inv(self.hand[np.ix_(both, both)])
+        for _ in range(4):
+            cover = np.linalg.inv(self.seen.T @ (self.seen * weight[:, None]) + prior)
+            found = cover @ (self.seen.T @ (self.values * weight) + prior @ expected)
+            far = np.abs(self.seen @ found - self.values)
+            weight = np.minimum(1.0, _ODD / np.maximum(far, 1e-9))
+        self.weight, half, off = weight, len(free), np.zeros(len(self.at))
+        for n, k in enumerate(free):
+            off[k] = np.sqrt(np.linalg.eigvalsh(cover[np.ix_([n, half + n], [n, half + n])])[1])
+        self.strain = float(np.clip(far - _ODD, 0.0, 10.0).sum())
+        self.odd = {k for row, size in zip(rows, far, strict=True) if size > 1.5 * _ODD for k in row.times if k != self.pole}
+        there = self.at.copy()
+        there[free] = found[:half] + 1j * found[half:]
+        off[np.abs(there - self.at) > far_off] = np.inf
+        self.at = np.where(np.isfinite(off), there, self.at)
+        return off
+
+    def real(self, corners: np.ndarray) -> np.ndarray:
+        """Corners (.., letters) without the pole, as all x, then all y."""
+        free = np.delete(corners, self.pole, axis=-1)
+        return np.concatenate([free.real, free.imag], axis=-1)
+
+    def misfits(self) -> tuple[np.ndarray, int]:
+        """By how much what is seen departs from each column of the way as a hand draws it: sums of squares in standard
+        deviations (columns,), and of how many."""
+        both = [k for k in range(2 * len(self.at)) if k % len(self.at) != self.pole]
+        weight = np.sqrt(self.weight)
+        seen, values = self.seen * weight[:, None], self.values * weight
+        known = np.linalg.inv(np.eye(len(values)) + seen @ self.hand[np.ix_(both, both)] @ seen.T)
+        off = values - np.nan_to_num(self.real(self.way.corners), nan=1e3) @ seen.T
+        return np.einsum("ki,ij,kj->k", off, known, off), len(values)
+
+    def _beside(self, stroke: Stroke, line: Line) -> Iterator[_Row]:
+        """Both ends of a line lie on it, as well as it is known: off by the same, and by its turn times their distance."""
+        numbers = (stroke.tail, stroke.head)
+        s = np.array([line.beyond(self.at[k]) for k in numbers])
+        through = np.hypot(_THROUGH, self.wobble)
+        cover = line.off**2 + line.turned**2 * np.outer(s, s) + np.eye(2) * through**2
+        across = -1j * line.along.conjugate()
+        value = (across * line.middle).real
+        for whiten in np.linalg.cholesky(np.linalg.inv(cover)).T:
+            yield _Row({k: across * w for k, w in zip(numbers, whiten, strict=True)}, float(whiten.sum() * value), 1.0)
+
+    def _ending(self) -> Iterator[_Row]:
+        """Where arrows end beyond which no other stroke goes on."""
+        self.ends = set()
+        around = [{k: (self.at[s.head] - self.at[s.tail]) * (1 if k == s.tail else -1) for k in (s.tail, s.head)} for s in self.lines]
+        for stroke, line in self.lines.items():
+            if stroke.goes_on or line.covered <= _DRAWN:
+                continue
+            for k, other in ((stroke.head, stroke.tail), (stroke.tail, stroke.head)):
+                out = unit(self.at[k] - self.at[other])
+                ways = [unit(both[k]) for both in around if k in both]
+                ways += [-unit(both[k]) for s, both in zip(self.lines, around, strict=True) if k in both and s.goes_on]
+                if k == self.pole or any((way * out.conjugate()).real > _AHEAD for way in ways):
+                    continue
+                end = free_end(self.ink, line, complex(self.at[k]), complex(self.at[other]))
+                if end is not None:
+                    if len(ways) == 1:
+                        self.ends.add(k)
+                    yield _Row({k: line.along.conjugate()}, (line.along.conjugate() * end).real, _END[len(ways) > 1])
