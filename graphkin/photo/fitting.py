@@ -103,6 +103,9 @@ class Fit:
             off[k] = np.sqrt(np.linalg.eigvalsh(cover[np.ix_([n, half + n], [n, half + n])])[1])
         self.strain = float(np.clip(far - _ODD, 0.0, 10.0).sum())
         self.odd = {k for row, size in zip(rows, far, strict=True) if size > 1.5 * _ODD for k in row.times if k != self.pole}
+        share = np.abs(times) ** 2 / np.maximum((np.abs(times) ** 2).sum(axis=1, keepdims=True), 1e-12)
+        torn = (share.T @ far**2) / np.maximum(share.sum(axis=0), 1.0)  # known worse where rows contradict each other
+        off[free] *= np.sqrt(np.maximum(1.0, torn))
         there = self.at.copy()
         there[free] = found[:half] + 1j * found[half:]
         off[np.abs(there - self.at) > far_off] = np.inf

@@ -18,6 +18,7 @@ _WIDER = 1.3  # so many times as wide as usual strokes is more than one
 _SPOILT = 6.0  # a line with another beside it all along is known so many times worse
 _FULL = 0.5  # half the width of a profile about its middle: a stroke and its blur, in widths of strokes
 _INDEPENDENT = 6.0  # profiles of a hand's line that are so far apart do not wobble together [mm]
+_SWAYS = 0.06  # a hand's line is not straight to so much [mm]
 _WOBBLES = 12.0  # so far apart a hand's wobble has nothing in common [mm]
 _TINY = 0.4  # a line is not better known than this by its length in mm
 _LEAST = 0.015  # no line is known better [mm]
@@ -162,7 +163,7 @@ def _straight(x: np.ndarray, y: np.ndarray) -> tuple[float, float, float, float]
         there = float(height - slope * mean)
         left = y - there - slope * x
         scatter = max(0.01, 1.4826 * float(np.median(np.abs(left))))
-        weight = np.clip(1 - (left / (4 * scatter)) ** 2, 0, None) ** 2
+        weight = np.clip(1 - (left / (4 * max(scatter, _SWAYS))) ** 2, 0, None) ** 2
     return slope, there, scatter, float(weight.sum())
 
 

@@ -23,9 +23,10 @@ _ONE = 0.15  # corners so near each other are one [mm]
 _FAR = 2.0  # where a single line ends no farther from where a construction has it, it ends on purpose [mm]
 _STRAIN = 2.0  # what contradicts counts so much [mm a standard deviation]
 _BLANK = 15.0  # less than so much ink is no drawing [mm]
-_LIKELY, _BETTER = 6.0, 10.0
+_LIKELY, _BETTER, _TORN = 5.0, 10.0, 5.0
 """A construction is named if it departs from what is seen by so many standard deviations more than usual at most; one
-that departs by so much more than another is not told apart from that."""
+that departs by so much more than another is not told apart from that, nor the right one by twice as much. None is where
+lines contradict each other by so many standard deviations all in all."""
 
 
 @frozen
@@ -58,7 +59,7 @@ def measured(page: Page, room: SheetRoom, predicted: Predicted) -> PageReading:
     if ink.seen < 1:
         unsure.append(Unsure("outside"))
     names = best.names()
-    if names is None and not best.candidate.factors:  # taken for a construction from which it departs
+    if names is None and (best.strain > _TORN or not best.candidate.factors):  # taken for a construction from which it departs
         unsure.append(Unsure("unexplained"))
     unsure += _alike(fits, key)
     left = {letter for one in unsure for letter in one.letters}  # these count for nothing
@@ -106,9 +107,10 @@ class _Fit(Fit):
         """The mistakes whose construction this is."""
         off, count = self.misfits()
         least = float(off.min())
-        if least > count + _LIKELY * np.sqrt(2 * count):
+        likely = count + _LIKELY * np.sqrt(2 * count)
+        if least > likely or self.strain > _TORN:
             return None
-        if off[0] <= least + _BETTER:
+        if off[0] <= min(least + 2 * _BETTER, likely):
             return ()
         return tuple(tuple(one.name for one in self.way.columns[k]) for k in np.flatnonzero(off <= least + _BETTER))
 

@@ -122,9 +122,9 @@ class Way:
         hand = _OwnHand([self.columns[column]] * count, factors, {"velocity": self.own})
         return self._on_paper(hand.drawn(self.method, self.plot))
 
-    def spread(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
-        """How corners of a column vary with the hand that draws it: the covariance (2 letters, 2 letters) [mm^2] of
-        all x, then all y."""
+    def hands(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
+        """Corners (n, letters) as many hands draw those of a column, each with its own errors [mm]; those alone that
+        get anywhere."""
         plane, size = self.construction.plane, self.method.size
         lengths = {each: _PART * max(map(abs, map(place, self.plot.points(each).values()))) for each in PLANES[1:]}
         pencil = Pencil({"position": _PART * size, **lengths, plane: _LENGTH * self.scale}, _ANGLE)
@@ -132,11 +132,17 @@ class Way:
         hand = _OwnPencil(pencil, slips, self.method.facts(), [self.columns[column]])
         hand.factors, hand.own = factors, {"velocity": self.own}
         points = hand.drawn(self.method, drawn_positions(self.method, pencil, slips)).points(plane)
-        every = np.array([np.broadcast_to(np.asarray(points[name], dtype=complex), hand.shape)[0] for name in self.letters])
-        every = every[:, np.isfinite(every).all(axis=0)] / self.scale
-        if every.shape[1] < _HANDS / 2:
-            return np.eye(2 * len(self.letters)) * _ASTRAY**2
-        return np.asarray(np.cov(np.vstack([every.real, every.imag]))) + np.eye(2 * len(self.letters)) * _POINT**2
+        every = [np.broadcast_to(np.asarray(points[name], dtype=complex), hand.shape)[0] for name in self.letters]
+        drawn = np.stack(every, axis=1) / self.scale
+        return drawn[np.isfinite(drawn).all(axis=1)]
+
+    def spread(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
+        """How corners of a column vary with the hand that draws it: the covariance (2 letters, 2 letters) [mm^2] of
+        all x, then all y."""
+        drawn, every = self.hands(column, factors), np.eye(2 * len(self.letters))
+        if len(drawn) < _HANDS / 2:
+            return every * _ASTRAY**2
+        return np.asarray(np.cov(np.hstack([drawn.real, drawn.imag]).T)) + every * _POINT**2
 
     def _on_paper(self, plot: Redrawing) -> np.ndarray:
         points, count = plot.points(self.construction.plane), len(plot.by_hand.columns)  # type: ignore[attr-defined]

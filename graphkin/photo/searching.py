@@ -64,6 +64,12 @@ def candidates(ink: Ink, predicted: Predicted) -> list[Candidate]:
     best, found = _best(ink, every), [*every]
     best += [one for one in right if all(one.column != other.column for other in best)]
     for one in best:
+        if not _is_complete(ink, one):  # some hand may have drawn what another one did not
+            hands = _scored(ink, one.way, one.way.hands(one.column, {}))
+            own = max(hands, key=lambda each: each.score, default=one)
+            if own.score > one.score:
+                one = replace(own, column=one.column)
+                found.append(one)
         while not _is_complete(ink, one) and len(one.factors) < _SLIPS:
             other = max(_slipped(ink, one), key=lambda each: each.score, default=one)
             if other.score <= one.score:
