@@ -65,6 +65,9 @@ class Fit:
         self.lines = {}
         for stroke in self._apart(drawn_strokes(self.way, self.at)):
             line = line_near(self.ink, (self.at[stroke.tail], self.at[stroke.head]), reach, spread, stroke.goes_on)
+            ends = self.at[[stroke.tail, stroke.head]]
+            if line.covered < _DRAWN and self.ink.is_printed(ends).all():
+                line = Line.printed(ends, self.ink.printed)
             astray = max(abs(line.beside(self.at[k])) for k in (stroke.tail, stroke.head)) > reach + _ASTRAY
             if stroke.needed or (line.covered > 0.95 and not astray):
                 self.lines[stroke] = line
@@ -101,8 +104,9 @@ class Fit:
         self.weight, half, off = weight, len(free), np.zeros(len(self.at))
         for n, k in enumerate(free):
             off[k] = np.sqrt(np.linalg.eigvalsh(cover[np.ix_([n, half + n], [n, half + n])])[1])
-        self.strain = float(np.clip(far - _ODD, 0.0, 10.0).sum())
-        self.odd = {k for row, size in zip(rows, far, strict=True) if size > 1.5 * _ODD for k in row.times if k != self.pole}
+        lines = far[: len(seen)]  # where one ends may be misread
+        self.strain = float(np.clip(lines - _ODD, 0.0, 10.0).sum())
+        self.odd = {k for row, size in zip(seen, lines, strict=True) if size > 1.5 * _ODD for k in row.times} - {self.pole}
         share = np.abs(times) ** 2 / np.maximum((np.abs(times) ** 2).sum(axis=1, keepdims=True), 1e-12)
         torn = (share.T @ far**2) / np.maximum(share.sum(axis=0), 1.0)  # known worse where rows contradict each other
         off[free] *= np.sqrt(np.maximum(1.0, torn))

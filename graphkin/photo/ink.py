@@ -42,11 +42,11 @@ class Ink:
     dark   (rows, columns) of squares of the side STEP; usual: darkness in the middle of a stroke
     pencil  width of a stroke [mm]
     mask   strokes, `wide` mm wide, as booleans; near: what is no farther off than NEAR
-    seen   the part of the room that is on the picture
+    seen   the part of the room that is on the picture; printed: along the line through the pole, of length 1
     """
 
     def __init__(self, page: Page, room: SheetRoom, direction: float) -> None:
-        self.pole, self.low = room.pole, room.low
+        self.pole, self.low, self.printed = room.pole, room.low, cmath.rect(1.0, direction)
         size = room.high - room.low
         x = (np.arange(round(size.real / STEP)) + 0.5) * STEP
         y = (np.arange(round(size.imag / STEP)) + 0.5) * STEP
@@ -145,6 +145,10 @@ class Ink:
         there = (x >= 0) & (y >= 0) & (x < columns) & (y < rows)
         found: np.ndarray = self.near[np.where(there, y, 0).astype(int), np.where(there, x, 0).astype(int)]
         return np.asarray(found & there)
+
+    def is_printed(self, places: np.ndarray) -> np.ndarray:
+        """True on the line through the pole, which hides what is drawn along it."""
+        return np.asarray(np.abs((places * self.printed.conjugate()).imag) < _LINE)
 
     # --- what is printed --------------------------------------------------------------------------
 

@@ -18,6 +18,7 @@ _WIDER = 1.3  # so many times as wide as usual strokes is more than one
 _SPOILT = 6.0  # a line with another beside it all along is known so many times worse
 _FULL = 0.5  # half the width of a profile about its middle: a stroke and its blur, in widths of strokes
 _INDEPENDENT = 6.0  # profiles of a hand's line that are so far apart do not wobble together [mm]
+_HIDDEN = 0.15  # a line under a printed one is known so well [mm]
 _SWAYS = 0.06  # a hand's line is not straight to so much [mm]
 _WOBBLES = 12.0  # so far apart a hand's wobble has nothing in common [mm]
 _TINY = 0.4  # a line is not better known than this by its length in mm
@@ -44,6 +45,13 @@ class Line:
     scatter: float
     spread: float
     covered: float
+
+    @classmethod
+    def printed(cls, ends: np.ndarray, along: complex) -> Line:
+        """One that is hidden by the printed line through the pole."""
+        length = float(abs(ends[1] - ends[0]))
+        there = along * (ends.mean() * along.conjugate()).real
+        return cls(complex(there), along, length, _HIDDEN, _HIDDEN * np.sqrt(12) / length, 0.0, 0.0, 1.0)
 
     def drawn_by(self, wobble: float) -> Line:
         """As it is known when the hand wobbles by so much [mm], which tilts a short line unseen."""

@@ -201,8 +201,10 @@ def _way(
 
 
 def _own(construction: Construction, velocity: Mapping[str, complex]) -> dict[str, complex]:
-    """Own corners as far as a construction has them, from where it begins, which is not always the pole."""
-    start = next((step.point for step in construction.steps if isinstance(step, Given)), construction.pole)
+    """Own corners as far as a construction has them, from where it begins: not at the pole where that is found last."""
+    found = {step.point for step in construction.steps if isinstance(step, Meet)}
+    begins = (step.point for step in construction.steps if isinstance(step, Given) and step.point not in found)
+    start = next(begins, construction.pole)
     known = {construction.pole: 0j, **velocity}
     if start not in known:
         return {}

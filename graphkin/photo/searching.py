@@ -154,11 +154,11 @@ def _along(ink: Ink, way: Way, corners: np.ndarray) -> tuple[np.ndarray, np.ndar
         tail, arrow = corners[:, stroke.tail], corners[:, stroke.head] - corners[:, stroke.tail]
         longest = float(np.abs(arrow).max(initial=0.0))
         share = (np.arange(max(2, min(120, round(longest / _EACH)))) + 0.5) / max(2, min(120, round(longest / _EACH)))
-        part = ink.is_near(tail[:, None] + share * arrow[:, None]).mean(axis=1)
-        length = np.abs(arrow)
+        places = tail[:, None] + share * arrow[:, None]
+        part, length = ink.is_near(places).mean(axis=1), np.abs(arrow)
         if stroke.needed:
             hits += part * length
-            misses += (1 - part) * length
+            misses += (~ink.is_near(places) & ~ink.is_printed(places)).mean(axis=1) * length
         else:
             hits += np.where(part > 0.95, length, 0.0)
     return hits, misses
