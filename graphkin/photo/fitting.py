@@ -114,7 +114,8 @@ class Fit:
         there[free] = found[:half] + 1j * found[half:]
         off[np.abs(there - self.at) > far_off] = np.inf
         self.at = np.where(np.isfinite(off), there, self.at)
-        return off
+        one = (np.abs(self.at[:, None] - self.at) < _ONE) & (off > 0)
+        return np.where(off > 0, (one * np.maximum(off, 0)[None, :].clip(max=1e3)).max(axis=1), 0.0)
 
     def real(self, corners: np.ndarray) -> np.ndarray:
         """Corners (.., letters) without the pole, as all x, then all y."""
@@ -122,13 +123,14 @@ class Fit:
         return np.concatenate([free.real, free.imag], axis=-1)
 
     def misfits(self) -> tuple[np.ndarray, int]:
-        """By how much what is seen departs from each column of the way as a hand draws it: sums of squares in standard
-        deviations (columns,), and of how many."""
+        """By how much what is seen departs from each column of the way as a hand draws it, and from the candidate
+        itself: sums of squares in standard deviations (columns + 1,), and of how many."""
         both = [k for k in range(2 * len(self.at)) if k % len(self.at) != self.pole]
         weight = np.sqrt(self.weight)
         seen, values = self.seen * weight[:, None], self.values * weight
         known = np.linalg.inv(np.eye(len(values)) + seen @ self.hand[np.ix_(both, both)] @ seen.T)
-        off = values - np.nan_to_num(self.real(self.way.corners), nan=1e3) @ seen.T
+        every = np.vstack([self.way.corners, self.candidate.corners])
+        off = values - np.nan_to_num(self.real(every), nan=1e3) @ seen.T
         return np.einsum("ki,ij,kj->k", off, known, off), len(values)
 
     def _beside(self, stroke: Stroke, line: Line) -> Iterator[_Row]:

@@ -17,7 +17,7 @@ from graphkin.photo.sheets import SheetRoom, Unsure
 _SHORT = 4.0  # shorter lines may have less ink [mm]
 _COVERED = 0.75  # a stroke has ink over so much of its length
 _OFF = 0.22  # corners with a larger standard deviation are not sure [mm]
-_ALIKE, _APART = 4.0, 0.3  # constructions that score so alike and lie so far apart are not told apart [mm]
+_ALIKE, _APART = 6.0, 0.3  # constructions that score so alike and lie so far apart are not told apart [mm]
 _CLOSE = 0.6  # ink belongs to a refined line when it is no farther off [mm]
 _ONE = 0.15  # corners so near each other are one [mm]
 _FAR = 2.0  # where a single line ends no farther from where a construction has it, it ends on purpose [mm]
@@ -59,8 +59,6 @@ def measured(page: Page, room: SheetRoom, predicted: Predicted) -> PageReading:
     if ink.seen < 1:
         unsure.append(Unsure("outside"))
     names = best.names()
-    if names is None and (best.strain > _TORN or not best.candidate.factors):  # taken for a construction from which it departs
-        unsure.append(Unsure("unexplained"))
     unsure += _alike(fits, key)
     left = {letter for one in unsure for letter in one.letters}  # these count for nothing
     offs = [corner.off for letter, corner in best.corners.items() if letter not in left and np.isfinite(corner.off)]
@@ -86,6 +84,8 @@ class _Fit(Fit):
     def __init__(self, ink: Ink, candidate: Candidate) -> None:
         super().__init__(ink, candidate)
         self.score = self._score()
+        self._off, count = self.misfits()
+        self._likely = count + _LIKELY * np.sqrt(2 * count)
 
     def _score(self) -> float:
         """Ink along the refined lines, less needed strokes without any and places that are drawn otherwise [mm]."""
@@ -105,14 +105,13 @@ class _Fit(Fit):
 
     def names(self) -> tuple[tuple[Name, ...], ...] | None:
         """The mistakes whose construction this is."""
-        off, count = self.misfits()
-        least = float(off.min())
-        likely = count + _LIKELY * np.sqrt(2 * count)
+        columns, likely = self._off[:-1], self._likely
+        least = float(columns.min())
         if least > likely or self.strain > _TORN:
             return None
-        if off[0] <= min(least + 2 * _BETTER, likely):
+        if columns[0] <= min(least + 2 * _BETTER, likely):
             return ()
-        return tuple(tuple(one.name for one in self.way.columns[k]) for k in np.flatnonzero(off <= least + _BETTER))
+        return tuple(tuple(one.name for one in self.way.columns[k]) for k in np.flatnonzero(columns <= least + _BETTER))
 
     def unsure(self) -> Iterator[Unsure]:
         key = self.way.letters
@@ -131,7 +130,7 @@ class _Fit(Fit):
             is_far = np.nanmin(np.abs(self.way.corners[:, k] - self.at[k])) > _FAR
             if is_far or not self.ink.inside(around).all():
                 yield Unsure("far", (key[k],))
-        if self._strange() > STRANGE:
+        if self._strange() > STRANGE or self.strain > _TORN or self._off[-1] > self._likely:
             yield Unsure("unexplained")
 
     def _strange(self) -> float:
