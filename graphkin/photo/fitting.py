@@ -42,8 +42,11 @@ class Fit:
     """A candidate with its lines refined.
 
     lines    by stroke; corners: by letter; at: the same as an array
-    ends     corners at which lines end that cross no other
-    odd      corners by number whose lines contradict each other, or how a hand draws
+    hand     the covariance of corners as hands draw them
+    wobble   of this hand [mm]
+    ends     corners at which a single line ends
+    odd      corners by number whose lines contradict each other, or how a hand draws; strain: by how many standard
+             deviations, all in all, beyond what is usual
     """
 
     def __init__(self, ink: Ink, candidate: Candidate) -> None:
@@ -56,7 +59,8 @@ class Fit:
         for reach in _REACHES:
             self.wobble = self._refine(reach)
             off = self._solve(2.5 * reach + 1)
-        self.corners = {name: Corner(complex(at), float(o)) for name, at, o in zip(self.way.letters, self.at, off, strict=True)}
+        each = zip(self.way.letters, self.at, off, strict=True)
+        self.corners = {name: Corner(complex(at), float(known)) for name, at, known in each}
 
     def _refine(self, reach: float) -> float:
         """Lines where strokes are expected; by how much the hand wobbles [mm]."""
@@ -88,8 +92,9 @@ class Fit:
 
     def _solve(self, far_off: float) -> np.ndarray:
         """The corners that fit best; their standard deviations. One that would move farther [mm] is not known."""
-        seen = [pair for stroke, line in self.lines.items() if line.covered > _DRAWN for pair in self._beside(stroke, line)]
-        rows = seen + [*self._ending()]
+        drawn = [(stroke, line) for stroke, line in self.lines.items() if line.covered > _DRAWN]
+        seen = [row for stroke, line in drawn for row in self._beside(stroke, line)]
+        rows = [*seen, *self._ending()]
         free = [k for k in range(len(self.at)) if k != self.pole]
         times = np.array([[row.times.get(k, 0j) / row.off for k in free] for row in rows]).reshape(-1, len(free))
         self.seen, self.values = np.hstack([times.real, -times.imag]), np.array([row.value / row.off for row in rows])
@@ -101,21 +106,19 @@ class Fit:
             found = cover @ (self.seen.T @ (self.values * weight) + prior @ expected)
             far = np.abs(self.seen @ found - self.values)
             weight = np.minimum(1.0, _ODD / np.maximum(far, 1e-9))
-        self.weight, half, off = weight, len(free), np.zeros(len(self.at))
-        for n, k in enumerate(free):
-            off[k] = np.sqrt(np.linalg.eigvalsh(cover[np.ix_([n, half + n], [n, half + n])])[1])
         lines = far[: len(seen)]  # where one ends may be misread
+        self.weight = weight * (np.arange(len(rows)) < len(seen))
         self.strain = float(np.clip(lines - _ODD, 0.0, 10.0).sum())
-        self.odd = {k for row, size in zip(seen, lines, strict=True) if size > 1.5 * _ODD for k in row.times} - {self.pole}
-        share = np.abs(times) ** 2 / np.maximum((np.abs(times) ** 2).sum(axis=1, keepdims=True), 1e-12)
-        torn = (share.T @ far**2) / np.maximum(share.sum(axis=0), 1.0)  # known worse where rows contradict each other
-        off[free] *= np.sqrt(np.maximum(1.0, torn))
-        there = self.at.copy()
+        odd = (row.times for row, size in zip(seen, lines, strict=True) if size > 1.5 * _ODD)
+        self.odd = {k for each in odd for k in each} - {self.pole}
+        half, there, off = len(free), self.at.copy(), np.zeros(len(self.at))
         there[free] = found[:half] + 1j * found[half:]
+        off[free] = _known(cover, times, far)
         off[np.abs(there - self.at) > far_off] = np.inf
         self.at = np.where(np.isfinite(off), there, self.at)
-        one = (np.abs(self.at[:, None] - self.at) < _ONE) & (off > 0)
-        return np.where(off > 0, (one * np.maximum(off, 0)[None, :].clip(max=1e3)).max(axis=1), 0.0)
+        for k in free:  # those on one place are known alike
+            off[k] = off[np.abs(self.at - self.at[k]) < _ONE].max()
+        return off
 
     def real(self, corners: np.ndarray) -> np.ndarray:
         """Corners (.., letters) without the pole, as all x, then all y."""
@@ -134,7 +137,7 @@ class Fit:
         return np.einsum("ki,ij,kj->k", off, known, off), len(values)
 
     def _beside(self, stroke: Stroke, line: Line) -> Iterator[_Row]:
-        """Both ends of a line lie on it, as well as it is known: off by the same, and by its turn times their distance."""
+        """Both ends of a line lie on it, as well as it is known: off alike, and by its turn times their distance."""
         numbers = (stroke.tail, stroke.head)
         s = np.array([line.beyond(self.at[k]) for k in numbers])
         through = np.hypot(_THROUGH, self.wobble)
@@ -147,18 +150,31 @@ class Fit:
     def _ending(self) -> Iterator[_Row]:
         """Where arrows end beyond which no other stroke goes on."""
         self.ends = set()
-        around = [{k: (self.at[s.head] - self.at[s.tail]) * (1 if k == s.tail else -1) for k in (s.tail, s.head)} for s in self.lines]
+        away: dict[int, list[complex]] = {}  # by corner, the directions of strokes that leave its place
+        for stroke in self.lines:
+            along = complex(unit(self.at[stroke.head] - self.at[stroke.tail]))
+            for there, way in ((stroke.tail, along), (stroke.head, -along)):
+                for k in map(int, np.flatnonzero(np.abs(self.at - self.at[there]) < _ONE)):
+                    away.setdefault(k, []).extend([way, -way] if stroke.goes_on else [way])
         for stroke, line in self.lines.items():
             if stroke.goes_on or line.covered <= _DRAWN:
                 continue
             for k, other in ((stroke.head, stroke.tail), (stroke.tail, stroke.head)):
                 out = unit(self.at[k] - self.at[other])
-                ways = [unit(both[k]) for both in around if k in both]
-                ways += [-unit(both[k]) for s, both in zip(self.lines, around, strict=True) if k in both and s.goes_on]
-                if k == self.pole or any((way * out.conjugate()).real > _AHEAD for way in ways):
+                if k == self.pole or max((way * out.conjugate()).real for way in away[k]) > _AHEAD:
                     continue
                 end = free_end(self.ink, line, complex(self.at[k]), complex(self.at[other]))
                 if end is not None:
-                    if len(ways) == 1:
-                        self.ends.add(k)
-                    yield _Row({k: line.along.conjugate()}, (line.along.conjugate() * end).real, _END[len(ways) > 1])
+                    alone = len(away[k]) == 1
+                    self.ends |= {k} if alone else set()
+                    yield _Row({k: line.along.conjugate()}, (line.along.conjugate() * end).real, _END[not alone])
+
+
+def _known(cover: np.ndarray, times: np.ndarray, far: np.ndarray) -> np.ndarray:
+    """Standard deviations of corners by their covariance, larger where observations contradict each other; times: what
+    each has to do with each corner (rows, corners), far: by how much it is off (rows,)."""
+    half = times.shape[1]
+    off = [np.linalg.eigvalsh(cover[np.ix_([n, half + n], [n, half + n])])[1] for n in range(half)]
+    share = np.abs(times) ** 2 / np.maximum((np.abs(times) ** 2).sum(axis=1, keepdims=True), 1e-12)
+    torn = (share.T @ far**2) / np.maximum(share.sum(axis=0), 1.0)
+    return np.asarray(np.sqrt(np.array(off) * np.maximum(1.0, torn)))

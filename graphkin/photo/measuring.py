@@ -8,8 +8,8 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.marking.key import Name
-from graphkin.photo.ink import STRANGE, Ink, Page
 from graphkin.photo.fitting import Fit
+from graphkin.photo.ink import STRANGE, Ink, Page
 from graphkin.photo.predicted import Corner, Predicted, Way
 from graphkin.photo.searching import MISSING, SLIP, Candidate, candidates
 from graphkin.photo.sheets import SheetRoom, Unsure
@@ -92,7 +92,8 @@ class _Fit(Fit):
         bare = [(1 - line.covered, s.tail, s.head) for s, line in self.lines.items() if s.needed]
         missing = sum(part * abs(self.at[head] - self.at[tail]) for part, tail, head in bare)
         lines = [(self.at[s.tail], self.at[s.head]) for s in self.lines]
-        return self.ink.along(lines, _CLOSE) - MISSING * float(missing) - SLIP * len(self.candidate.factors) - _STRAIN * self.strain
+        against = MISSING * float(missing) + SLIP * len(self.candidate.factors) + _STRAIN * self.strain
+        return self.ink.along(lines, _CLOSE) - against
 
     def named(self, key: Way) -> dict[str, Corner]:
         """Corners by the letters of the key's method."""

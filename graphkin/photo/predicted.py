@@ -14,7 +14,7 @@ import numpy as np
 
 from graphkin.base.geometry import Value, place
 from graphkin.base.value import bulky, frozen
-from graphkin.construction import Construction, Given, Image, LayOff, Meet, Plane, Plot, Ray
+from graphkin.construction import SCALES, Construction, Given, Image, LayOff, Meet, Plane, Plot, Ray
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.pencil import Pencil, PencilHand, Slips, drawn_positions
@@ -22,7 +22,6 @@ from graphkin.marking.rewrite import Mistaken, Rewrite, Spot
 from graphkin.marking.synonyms import other_methods
 from graphkin.photo.sheets import SheetRoom
 from graphkin.planning import Method
-from graphkin.sheet.window import PLANES
 
 _NOTHING = 0.3  # shorter arrows are points [mm]
 _SAME = 0.02  # drawings that differ by less are one [mm]
@@ -125,9 +124,10 @@ class Way:
     def hands(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
         """Corners (n, letters) as many hands draw those of a column, each with its own errors [mm]; those alone that
         get anywhere."""
-        plane, size = self.construction.plane, self.method.size
-        lengths = {each: _PART * max(map(abs, map(place, self.plot.points(each).values()))) for each in PLANES[1:]}
-        pencil = Pencil({"position": _PART * size, **lengths, plane: _LENGTH * self.scale}, _ANGLE)
+        plane = self.construction.plane
+        sizes = {each: max(map(abs, map(place, self.plot.points(each).values()))) for each in SCALES}
+        lengths = {each: _PART * size for each, size in (sizes | {"position": self.method.size}).items()}
+        pencil = Pencil(lengths | {plane: _LENGTH * self.scale}, _ANGLE)
         slips = Slips(1, _HANDS)
         hand = _OwnPencil(pencil, slips, self.method.facts(), [self.columns[column]])
         hand.factors, hand.own = factors, {"velocity": self.own}

@@ -1,0 +1,69 @@
+"""Polygons drawn on a sheet are measured where they truly are, and named by what was drawn; pages without any camera."""
+
+from __future__ import annotations
+
+import pytest
+from assess import Case, work_of
+from pencil import HAND, NEAT, FlatPage, Work, paper_of
+
+from graphkin.construction import Plane
+from graphkin.marking.key import Name
+from graphkin.photo.measuring import PageReading, measured
+from graphkin.photo.predicted import predicted
+
+
+def readings_of(work: Work) -> dict[Plane, PageReading]:
+    """Both polygons, the second one by the own velocities."""
+    page, drawing, velocity, found = FlatPage(work.page()), work.paper.problem.drawing, dict[str, complex](), {}
+    for plane, room in work.paper.rooms.items():
+        found[plane] = measured(page, room, predicted(drawing.method, drawing.plot, room, velocity))
+        left = {letter for one in found[plane].unsure for letter in one.letters or found[plane].vertices}
+        velocity = {letter: at * room.scale for letter, at in found[plane].vertices.items() if letter not in left}
+    return found
+
+
+def worst(work: Work, found: dict[Plane, PageReading]) -> float:
+    """By how much a corner is off that is not told as unsure [mm]."""
+    off = [0.0]
+    for plane, reading in found.items():
+        left = {letter for one in reading.unsure for letter in one.letters or reading.vertices}
+        off += [abs(at - work.corners[plane][letter]) for letter, at in reading.vertices.items() if letter not in left]
+    return max(off)
+
+
+@pytest.mark.parametrize(("name", "seed"), [("ex3-1", 3), ("fig3-1", 4), ("ex3-4", 1029)])
+def test_right_work_is_called_right(name, seed):
+    """In ex3-4 the pole is found last."""
+    work = Work(paper_of(name), seed, habits=NEAT)
+    found = readings_of(work)
+    assert worst(work, found) < 0.35
+    assert all(reading.construction == () for reading in found.values())
+    sure = [letter for reading in found.values() for letter in reading.vertices]
+    unsure = [letter for reading in found.values() for one in reading.unsure for letter in one.letters]
+    assert len(unsure) < len(sure) / 3
+
+
+@pytest.mark.parametrize(("name", "seed"), [("ex3-1", 1036), ("ex3-7", 1002), ("p3-3a", 1020)])
+def test_a_mistake_is_named(name, seed):
+    work = work_of(name, "mistake", seed, wobble=True)
+    assert work.habits is HAND
+    found = readings_of(work)
+    named: set[tuple[Name, ...]] = {one for reading in found.values() for one in reading.construction or ()}
+    assert (work.mistakes[0].name,) in named
+    assert worst(work, found) < 0.5
+
+
+def test_an_arrow_along_the_printed_line_is_drawn():
+    """The line through the pole hides it."""
+    work = work_of("s4-ex2", "mistake", Case("s4-ex2", "mistake", 1015, False).seed, wobble=False)
+    found = readings_of(work)
+    assert found["velocity"].construction == ()
+    assert worst(work, found) < 0.35
+
+
+def test_paper_without_a_drawing_is_blank():
+    paper = paper_of("ex3-1")
+    drawing, (room, *_) = paper.problem.drawing, paper.rooms.values()
+    found = measured(FlatPage(paper.light), room, predicted(drawing.method, drawing.plot, room))
+    assert [one.reason for one in found.unsure] == ["blank"]
+    assert not found.vertices
