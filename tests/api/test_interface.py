@@ -8,6 +8,7 @@ import pickle
 import re
 import tomllib
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 
 import book
@@ -145,6 +146,15 @@ def test_mechanisms_share_a_beginning():
     begun = Mechanism.new().fix(A=(0, 0)).link(1, AB=20)
     fast, slow = (begun.drive("AB", angle=0, omega=omega).done() for omega in (10, 1))
     assert (fast.drivers[0].rate, slow.drivers[0].rate) == (10, 1)
+
+
+def test_a_table_named_again_gets_further_keys():
+    four_bar = Mechanism.new(en="Four-bar").fix(A=(0, 0), D=(60, 0)).link(1, AB=20).link(3, DC=40).link(2, BC=50)
+    four_bar = four_bar.titled(zh="铰链四杆机构").link("2", BE=30, CBE=40, ccw="BCE").link(1, AB=22)
+    made = four_bar.drive("AB", angle=60).sketch(C=(45, 38)).done()
+    assert made.title == {"en": "Four-bar", "zh": "铰链四杆机构"}
+    assert abs(made.links["1"].arm("A", "B")) == pytest.approx(0.022)
+    assert set(made.links["2"].points) == {"B", "C", "E"}
 
 
 def test_what_is_wrong_in_a_builder_is_said():
@@ -454,6 +464,9 @@ def test_the_reference_has_every_name():
         assert re.search(rf"^{name}\b.*\n-+\n\S", text, re.M), name
     for name in graphkin.__all__:
         assert inspect.getdoc(getattr(graphkin, name)), name
+    elsewhere = dict(re.findall(r"^(\w+) \(of (graphkin\.[\w.]+)\)\n-", text, re.M))
+    assert {*elsewhere, *graphkin.__all__} == {*reference.names()}
+    assert all(inspect.isclass(getattr(import_module(module), name)) for name, module in elsewhere.items())
     assert CliRunner().invoke(main, ["help", "api", "nothing"]).exit_code == 2
 
 
