@@ -22,14 +22,15 @@ from graphkin.sheet.window import PLANES
 
 NEAR = 0.007  # what is drawn between knots lies so near to where it belongs [mm]
 _EVEN, _SPREAD = 90, 60  # knots of a turn to begin with; positions that tell how large figures are
-_OF_ONE, _OF_SEVERAL = 700, 750  # knots at most; of several drivers those that the mechanism gets to
-_OF_GRID, _TRIED, _FINER, _ORDER = (10, 24), 30, (1.05, 1.8), 1 / 5
+_OF_ONE, _OF_SEVERAL = 700, 34_000  # knots at most; of several drivers places of points, where the mechanism gets to
+_OF_GRID, _TRIED, _FINER, _ORDER = (10, 24), 30, (1.05, 1.8), 1 / 7
 """Knots of a turn to begin with, of three drivers and of two; places at which a grid is tried; so many more then, as
-what is off goes with the fifth power of their number."""
-_MOST_OF_ALL, _DOUBT = 0.8, 0.02
+what is off goes with the seventh power of their number."""
+_MOST_OF_ALL, _DOUBT = 0.8, 0.01
 """This part of a grid is as near as it should be; where polynomials of two knots fewer differ by more [mm], as at
 its rim where dead points are, the middle of a cell is looked at, and the cell is not shown if that is not near."""
 _HALVED = 5  # so often a cell is halved at most
+_BESIDE_END = 0.3  # knots are not nearer to each other [of their distance]
 Places = tuple[float, ...]
 Drawn = dict[Plane, dict[float, list[Mark]]]
 
@@ -88,6 +89,16 @@ def page_knots(reach: Reach) -> PageKnots:
 
 def knots_along(axis: Axis, count: int) -> Knots:
     return Knots(axis.even(count), axis.span[1] - axis.span[0] if axis.round else 0.0)
+
+
+def _with_drawn(knots: Knots, u: float) -> Knots:
+    """The nearest knot lies where the drawn position is, which is shown whatever is near it; unless an end is."""
+    step = float(knots.u[1] - knots.u[0])
+    if knots.period:
+        return Knots(knots.u + (u - knots.u[0]) % step, knots.period)
+    if min(u - knots.u[0], knots.u[-1] - u) > _BESIDE_END * step:
+        knots.u[np.clip(np.abs(knots.u - u).argmin(), 1, len(knots.u) - 2)] = u
+    return knots
 
 
 def _figures(reach: Reach, plots: Sequence[Plot | None]) -> PageFigures:
@@ -158,12 +169,13 @@ def _of_several(reach: Reach) -> PageKnots:
     usual = _OF_GRID[len(reach.axes) == 2] if len(reach.axes) <= 3 else 6
     counts = np.array([max(7, round(usual * min(1.5, axis.turns))) for axis in reach.axes])
     while True:
-        axes = tuple(knots_along(axis, int(count)) for axis, count in zip(reach.axes, counts, strict=True))
+        evenly = map(knots_along, reach.axes, map(int, counts))
+        axes = tuple(map(_with_drawn, evenly, reach.drawn))
         plots = [reach.plot(us) for us in product(*(map(float, axis.u) for axis in axes))]
         knots = PageKnots(reach, _figures(reach, plots), axes, plots)
         off = np.array([_off_along(knots, k) for k in range(len(axes))])
         times = np.clip((off / NEAR) ** _ORDER, *_FINER)
-        room = max(1.0, _OF_SEVERAL / sum(plot is not None for plot in plots))
+        room = max(1.0, _OF_SEVERAL / sum(map(len, knots.names.values())) / sum(plot is not None for plot in plots))
         times **= min(1.0, float(np.log(room) / np.log(times.prod())))
         finer = np.round(times * counts).astype(int)
         if off.max() <= NEAR or (finer == counts).all():
@@ -177,9 +189,10 @@ def _off_along(knots: PageKnots, driver: int) -> float:
     numbers = np.linspace(0, len(knots.plots) - 1, _TRIED).astype(int)
     for number in (int(k) for k in numbers if knots.plots[k] is not None):
         us = list(knots.places[number])
-        us[driver] += axis.step / 2
-        if not axis.period and us[driver] > axis.u[-1]:
+        at = int(np.unravel_index(number, knots.shape)[driver])
+        if not axis.period and at == len(axis.u) - 1:
             continue
+        us[driver] = axis.within(at, 0.5)
         plot = knots.reach.plot(us)
         if plot is None:
             continue
@@ -216,13 +229,12 @@ def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int
               for k, axis in zip(at, axes, strict=True)]  # fmt: skip
     inside = shown[np.ix_(*(np.array(own) % len(axis.u) for own, axis in zip(around, axes, strict=True)))].all()
     parts = [(0.5,) * len(axes), *(() if inside else product((0.25, 0.75), repeat=len(axes)))]
-    places = [[float(axis.u[k]) + part * axis.step for k, part, axis in zip(at, own, axes, strict=True)]
-              for own in parts]  # fmt: skip
+    places = [[axis.within(k, part) for k, part, axis in zip(at, own, axes, strict=True)] for own in parts]
     if inside and _is_sure(knots, plane, shown, places[0]):
         return True
     plots = [(us, knots.plot(us)) for us in places]
     there = all(plot is not None and fits(plane, plot) for _, plot in plots)
-    return there and all(plot is None or _off(knots, us, plane, plot) <= 2 * NEAR for us, plot in plots)
+    return there and all(plot is None or _off(knots, us, plane, plot) <= NEAR for us, plot in plots)
 
 
 def _is_sure(knots: PageKnots, plane: Plane, shown: np.ndarray, us: Sequence[float]) -> bool:

@@ -20,6 +20,7 @@ from graphkin.base.value import bulky
 from graphkin.construction import Plane, Plot
 from graphkin.errors import GraphkinError, Lang, Where
 from graphkin.model.mechanism import Driver
+from graphkin.model.pairs import RollingContact
 from graphkin.model.quantities import EDGE, Quantity, centre_of, driven, named
 from graphkin.outputs.paint import Colours
 from graphkin.outputs.stated import stated
@@ -135,7 +136,9 @@ class _Played:
         """The point that is dragged; "" for a wheel, which has none."""
         if driver.vector is not None:
             return driver.vector[1]
-        return next((slide.point for slide in self.method.mechanism.slides if slide.name == driver.link), "")
+        machine = self.method.mechanism
+        slid = {slide.name: slide.point for slide in machine.slides}
+        return (slid | {roll.name: roll.centre for roll in machine.of(RollingContact)}).get(driver.link, "")
 
     # --- figures ----------------------------------------------------------------------------------
 

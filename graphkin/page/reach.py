@@ -67,7 +67,9 @@ class Axis:
         return u if self.wave is None else self.wave[0] + self.wave[1] * float(np.sin(u - np.pi / 2))
 
     def u_at(self, value: float) -> float:
-        """The parameter of a value, at most the ends'."""
+        """The parameter of a value: within a turn, or at most the ends'."""
+        if self.round:
+            return self.low + (value - self.low) % (self.high - self.low)
         middle, half = self.wave or (0.0, 1.0)
         u = value if self.wave is None else float(np.arccos(np.clip((middle - value) / half, -1.0, 1.0)))
         return min(max(u, self.span[0]), self.span[1])
@@ -111,12 +113,21 @@ class Reach:
     def axes(self) -> tuple[Axis, ...]:
         return tuple(map(self._axis, self.courses))
 
+    @cached_property
+    def drawn(self) -> tuple[float, ...]:
+        """The parameters of the drawn position."""
+        values = self.method.facts(None).values
+        return tuple(axis.u_at(float(value)) for axis, value in zip(self.axes, values, strict=True))
+
     def _axis(self, one: Course) -> Axis:
         if one.full_turn:
             return Axis(one.driver, 0.0, _TURN, "line", self._comes_round(one))
         low, high = one.reach
         stops = [float(one.value(stop.at).real) for stop in one.stops]
         dead = low in stops, high in stops
+        if one.driver.kind == "slide":  # what slides without an end is shown near by, or all else were small
+            start, size = one.path.start[one.swept], self.method.size
+            low, high = low if dead[0] else max(low, start - size / 2), high if dead[1] else min(high, start + size / 2)
         ends: Ends = "both" if all(dead) else "low" if dead[0] else "high" if dead[1] else "line"
         return Axis(one.driver, low, high, ends)
 

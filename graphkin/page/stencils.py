@@ -1,4 +1,4 @@
-"""Values between knots: Lagrange's polynomials through six knots along each driver, or as many as there are in a row.
+"""Values between knots: Lagrange's polynomials through eight knots along each driver, or as many as there are in a row.
 
 The script does the same (`tracks.js`); what is held here to be near enough is what the page draws.
 """
@@ -12,7 +12,7 @@ import numpy as np
 
 from graphkin.base.value import frozen
 
-MOST = 6
+MOST = 8
 Mask = np.ndarray  # True at the knots that count, in the shape of the grid
 
 
@@ -23,10 +23,11 @@ class Knots:
     u: np.ndarray
     period: float = 0.0
 
-    @property
-    def step(self) -> float:
-        """From the first to the next: all the same in a grid."""
-        return float(self.u[1] - self.u[0])
+    def within(self, number: int, part: float) -> float:
+        """The place so far on the way from a knot to the next."""
+        size = len(self.u)
+        following = self.u[(number + 1) % size] + self.period * ((number + 1) // size)
+        return float(self.u[number] + part * (following - self.u[number]))
 
     def cell(self, u: float) -> int:
         """The last knot that is not beyond u."""

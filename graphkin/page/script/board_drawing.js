@@ -149,11 +149,10 @@ function labels(plane, pen) {
     const [wide, high] = [widthOf(signs) * pen.letters, 0.7 * pen.letters];
     let best = about;
     let most = -Infinity;
-    for (let k = 0; k < 16; k++) {
+    for (let k = 0; k < 48; k++) { // all round, then farther off
       const turn = (k * Math.PI) / 8;
-      const middle = {
-        x: about.x + (off * pen.letters + wide / 2) * Math.cos(turn), y: about.y + off * pen.letters * Math.sin(turn),
-      };
+      const away = off * pen.letters * (1 + 0.8 * Math.floor(k / 16));
+      const middle = { x: about.x + (away + wide / 2) * Math.cos(turn), y: about.y + away * Math.sin(turn) };
       const corners = SPREAD.map((part) => ({ x: middle.x + part * wide, y: middle.y }));
       const room = Math.min(2 * pen.letters, ...corners.flatMap((corner) =>
         [...taken, ...shapes.map((shape) => nearestOn(shape, corner))].map((spot) => apart(spot, corner))));

@@ -54,7 +54,7 @@ export class PlaneFigure {
   /** All marks where they are now. */
   move() {
     const { tracks } = this.shown;
-    const drawn = tracks.isAround(this.plane.mask) && tracks.isInCell(this.plane.cells);
+    const drawn = tracks.isShown(this.plane.mask, this.plane.cells);
     this.figure.toggleAttribute("hidden", !drawn);
     this.figure.style.display = drawn ? "" : "none";
     if (!drawn) return false;

@@ -1,5 +1,5 @@
 /** Tracks unpacked, as `tracks.py` packs them, and their values at the place where the drivers are: between knots, as
- * `stencils.py` has them, by Lagrange's polynomials through six along each driver. */
+ * `stencils.py` has them, by Lagrange's polynomials through eight along each driver. */
 import { modulo, within } from "./numbers.js";
 
 /** @typedef {number | [number]} Changing a number, or the number of a track */
@@ -116,9 +116,11 @@ export class Tracks {
     return mask === undefined || this.mask(mask)[this.nearest] === 1;
   }
 
-  /** True in the cell around, by its first knot. @param {number | null | undefined} cells */
-  isInCell(cells) {
-    return typeof cells !== "number" || this.mask(cells)[this.corners[0]] === 1;
+  /** True where a plane is shown: at a knot that has it, or between such knots in a cell that shows it, by its first.
+   * @param {number | undefined} mask @param {number | null | undefined} cells */
+  isShown(mask, cells) {
+    if (isAtKnot(this.axes, this.us)) return this.isNear(mask);
+    return this.isAround(mask) && (typeof cells !== "number" || this.mask(cells)[this.corners[0]] === 1);
   }
 
   /** True at all knots around. @param {number | undefined} mask */
@@ -169,7 +171,7 @@ function* ways([some, ...others]) {
 /** The knots that give the value at a place, and their weights; where none do, the nearest alone. @param {Knots[]} axes
  * @param {number[]} us @param {Uint8Array | null} mask at which knots it is there @returns {Stencil} */
 function stencilAt(axes, us, mask) {
-  for (let count = 6; count > 0; count -= 2) {
+  for (let count = 8; count > 0; count -= 2) {
     const counts = axes.map((axis) => Math.min(count, axis.u.length));
     const firsts = axes.map((axis, k) => windowsAbout(axis, us[k], counts[k]));
     for (const window of ways(firsts)) {
