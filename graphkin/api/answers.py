@@ -276,7 +276,7 @@ def _place(name: str, text: str) -> complex:
 # --- answers ----------------------------------------------------------------------------------
 
 _READERS = {
-    "Findings": ("say.finding.lines", "studies.finding.as_json", "sheet.finding_sheet.drawn"),
+    "Findings": ("say.finding.plain_lines", "studies.finding.as_json", "sheet.finding_sheet.drawn"),
     "VaryingTable": ("say.finding.finding_table", "studies.finding.table_json", ""),
     "Centres": ("say.centre_velocities.centre_lines", "studies.centres.as_json", "sheet.centre_sheet.centre_sheet"),
     "About": ("say.centre_about.about_words", "studies.centres.about.about_json", "sheet.about_sheet.about_sheet"),
