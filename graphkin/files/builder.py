@@ -140,6 +140,8 @@ class Builder(Generic[Made]):
         entry |= {key: str(entry[key]) for key in _ONE_LINK if isinstance(entry.get(key), int)}
         if isinstance(links := entry.get("links"), Iterable):
             entry["links"] = [str(link) for link in links]
+        if isinstance(centres := entry.get("centres"), str):
+            entry["centres"] = _names(centres)
         return self._with({table: [*self._listed(table), entry]})
 
 

@@ -111,7 +111,7 @@ def gear_train() -> Builder[Mechanism]:
         Mechanism.new("ex3-3").fix(1, O=(0, 0), D=(95, -10))
         .link(2, OM=20).link(3, PB=10).link(4, OP=35).link(5, BC=60).link(6, DC=45)
         .gear(links=(2, 3), centres=("O", "P"), radii=(20, 15))
-        .gear(links=(3, "frame"), centres=("P", "O"), radii=(15, 50), internal=True)
+        .gear(links=(3, "frame"), centres="PO", radii=(15, 50), internal=True)
         .pose(vector="OP", angle=60).pose(vector="PB", angle=130)
         .drive("OM", angle=0, omega=-10).sketch(P=(17, 30), B=(11, 38), C=(70, 27))
     )  # fmt: skip
