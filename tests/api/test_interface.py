@@ -25,8 +25,10 @@ from graphkin.errors import (
     MissingKey,
     NoSuchDriver,
     NoSuchValue,
+    NotANumber,
     NotOneOf,
     UnknownKey,
+    UnknownPaper,
     UnknownQuantity,
     WrongType,
 )
@@ -487,6 +489,16 @@ def test_the_reference_has_every_name():
         lambda _: graphkin.handout("ex3-1", stage="draft"),
         lambda _: graphkin.play("ex3-1", lang="fr"),
         lambda _: graphkin.lines_of(graphkin.centres("ex3-1"), "fr"),
+        lambda drawing: drawing.sheet().svg(ink="pink"),
+        lambda drawing: drawing.sheet().save("x.svg", ink="pink"),
+        lambda _: graphkin.sweep("ex3-1", "0:9:3").figure("fr"),
+        lambda _: graphkin.sweep("ex3-1", "0:9:3").save("x.csv", "fr"),
+        lambda _: graphkin.problems("no.toml", 2, "set", lang="fr"),
+        lambda _: graphkin.problems("no.toml", 2, "set", formats="mood"),
+        lambda _: graphkin.grade_into("results", "ex3-1", "in", reveal="all"),
+        lambda _: graphkin.grade_into("results", "ex3-1", "in", lang="fr"),
+        lambda _: graphkin.grade_into("results", "ex3-1", "in", ["csv", "mood"]),
+        lambda _: graphkin.grade_into("results", "ex3-1", "in", "mood"),
     ],
 )
 def test_a_word_that_stands_nowhere_names_those_that_do(wrong: Callable[[graphkin.Drawing], object]):
@@ -499,3 +511,12 @@ def test_a_design_takes_its_own_sizes_only():
         graphkin.design("rocker", length=80, swing=40, K=1.3, rod=3)
     with pytest.raises(MissingKey, match=r"slider: stroke"):
         graphkin.design("slider", K=1.5)
+    with pytest.raises(NotANumber, match=r"^K: "):
+        graphkin.design("rocker", length=80, swing=40, K="quick", frame=71)
+
+
+def test_what_stands_alone_is_said():
+    with pytest.raises(MissingKey, match=r"^bobillier: about"):
+        graphkin.centres("ex3-5", bobillier="E")
+    with pytest.raises(UnknownPaper, match="A9"):
+        graphkin.handout("ex3-1", stage="problem").save("x.html", paper="A9")
