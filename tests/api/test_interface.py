@@ -27,6 +27,7 @@ from graphkin.errors import (
     NoSuchValue,
     NotANumber,
     NotOneOf,
+    OutOfRange,
     UnknownKey,
     UnknownPaper,
     UnknownQuantity,
@@ -520,3 +521,9 @@ def test_what_stands_alone_is_said():
         graphkin.centres("ex3-5", bobillier="E")
     with pytest.raises(UnknownPaper, match="A9"):
         graphkin.handout("ex3-1", stage="problem").save("x.html", paper="A9")
+
+
+@pytest.mark.parametrize("wrong", [{"relative": -1}, {"relative": float("nan")}, {"sigmas": 0}, {"trials": 0}])
+def test_numbers_of_a_pencil_are_of_reasonable_size(wrong: dict[str, float]):
+    with pytest.raises(OutOfRange, match=next(iter(wrong))):
+        graphkin.power("ex3-1", **{"trials": 2, **wrong})
