@@ -15,7 +15,7 @@ from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
 from graphkin.say.numbers import exact, in_print, number, quantity
-from graphkin.say.text_table import UNBRACED, table
+from graphkin.say.text_table import table, unbraced
 from graphkin.studies.finding.answers import Findings, Interval, Position
 from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 from graphkin.studies.finding.varying import VaryingTable
@@ -74,7 +74,7 @@ def lines(findings: Findings, lang: Lang = "en") -> Iterator[str]:
 
 def plain_lines(findings: Findings, lang: Lang = "en") -> Iterator[str]:
     """The same for a terminal."""
-    return (line.translate(UNBRACED) for line in lines(findings, lang))
+    return (unbraced(line) for line in lines(findings, lang))
 
 
 def caption(findings: Findings, position: Position) -> str:
@@ -215,7 +215,7 @@ def finding_table(varying: VaryingTable, lang: Lang = "en") -> Iterator[str]:
     """A row for each value."""
     shown = [entry.found for entry in varying.rows if entry.found is not None]
     heading = respelled(_heading(shown[0].condition, lang), names.symbols) if shown else varying.condition
-    yield heading.translate(UNBRACED)
+    yield unbraced(heading)
     unit = EDGE[{"length": "m", "angle": "rad"}.get(varying.place.kind, "1")]
     name = f"{varying.name} [{unit.name}]" if unit.name else varying.name
     heads = [name, *(_columns(shown[0], lang) if shown else [])]

@@ -16,7 +16,7 @@ from graphkin.say.catalogue import close, is_phrase, say
 from graphkin.say.names import in_signs, symbols, vector
 from graphkin.say.numbers import number
 from graphkin.say.reading import capitalized
-from graphkin.say.text_table import UNBRACED, aligned
+from graphkin.say.text_table import aligned, unbraced
 
 _SETS = 4  # mistakes of one set that are written out; of more the number is said
 
@@ -43,7 +43,7 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
     yield from (f"  {row}" for row in marks_table(rows))
     told = [in_signs(line, lang) for line in (*_carried(marked, lang), *_explanations(marked, lang))]
     told += [*fault_lines(marked.faults, lang), *([step_line(marked.step, lang)] if marked.step is not None else [])]
-    yield from (f"  {line.translate(UNBRACED)}" for line in told)
+    yield from (f"  {unbraced(line)}" for line in told)
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
     yield from _remarks(graded, lang)
 

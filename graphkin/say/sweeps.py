@@ -15,7 +15,7 @@ from graphkin.running.path import Event
 from graphkin.say.catalogue import say
 from graphkin.say.names import in_signs, relative
 from graphkin.say.numbers import at_edge, exact, number
-from graphkin.say.text_table import UNBRACED, table
+from graphkin.say.text_table import table, unbraced
 from graphkin.studies.sweeps import Course, Series, Sweep
 
 CONSTANT = 1e-9  # beside the value itself, less than this is no change
@@ -77,7 +77,7 @@ def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]
 def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
     """The greatest and the least value of each quantity among the positions of a sweep; accelerations in g, too."""
     for entry in sweep.series:
-        values, name = entry.signed, in_signs(entry.name, lang).translate(UNBRACED)
+        values, name = entry.signed, unbraced(in_signs(entry.name, lang))
         if entry.is_place or not np.isfinite(values).any():
             continue
         if np.nanmax(values) - np.nanmin(values) <= CONSTANT * np.nanmax(np.abs(values)):

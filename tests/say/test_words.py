@@ -222,6 +222,10 @@ def test_the_braces_of_long_subscripts_are_for_setting_alone(lang: Lang, tmp_pat
         told = CliRunner().invoke(main, [command, str(file), *rest, "--lang", lang])
         assert told.exit_code in (0, 1), told.output
         assert not {"{", "}"} & {*told.output}, told.output
+    results = ["grade", str(mechanism), str(handed), "-o", str(tmp_path / "out"), "--format", "csv", "--format", "report", "--lang", lang]
+    assert CliRunner().invoke(main, results).exit_code == 0
+    for name in ("class.csv", "class-report.txt"):
+        assert "{" not in (tmp_path / "out" / name).read_text("utf-8"), name
 
 
 def test_a_link_on_two_known_points() -> None:
