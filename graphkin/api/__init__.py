@@ -16,7 +16,7 @@ from functools import partial
 from typing import TYPE_CHECKING, overload
 
 from graphkin import running
-from graphkin.api.drawing import Drawing, Source, Values, in_python, in_si, load, method_of, plan
+from graphkin.api.drawing import Drawing, Source, Values, in_python, in_si, load, method_of, of_one_shape, plan
 from graphkin.errors import among
 from graphkin.files.variants import Variants as AnyVariants
 from graphkin.model.mechanism import Mechanism
@@ -59,7 +59,7 @@ def replay(
         return variants.replayed(method, in_si(method.mechanism, values), held)
     method = method_of(method)
     drawn = agreement.held if held else running.replay_all
-    plot = drawn(method, in_si(method.mechanism, values), compiled)
+    plot = drawn(method, of_one_shape(in_si(method.mechanism, values)), compiled)
     return State(partial(readings, method, plot), plot, places(method))
 
 
@@ -101,7 +101,7 @@ def motion(mechanism: Source | Variants, values: Values = None) -> State:
     from graphkin import analytic
 
     mechanism = mechanism if isinstance(mechanism, Mechanism) else load(mechanism)
-    return State(analytic.motion(mechanism, in_si(mechanism, values)))
+    return State(analytic.motion(mechanism, of_one_shape(in_si(mechanism, values))))
 
 
 @overload

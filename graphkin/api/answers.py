@@ -22,6 +22,7 @@ from graphkin.errors import (
     Lang,
     MissingKey,
     NeedsTwoLinks,
+    NotANumber,
     NothingDrawn,
     OutOfRange,
     UnknownKey,
@@ -188,6 +189,8 @@ def around(
         return found
     if point and point not in (points := found.method.mechanism.points):
         raise UnknownPoint(Where("--bobillier"), point, points)
+    if not link:
+        raise MissingKey(Where("--bobillier"), "about")
     seen = about(found, link)
     return bobillier(seen, point) if point else seen
 
@@ -221,7 +224,10 @@ def designed(
     among(Kind, kind=kind)
     for name in ("kind", "K", "at", "pair"):
         given.pop(name, None)
-    ratio = {} if K is None else {"k": float(K)}
+    try:
+        ratio = {} if K is None else {"k": float(K)}
+    except ValueError:
+        raise NotANumber(Where("--K"), str(K)) from None
     pivots = {f"pivot_{name.lower()}": _place(name, str(given.pop(name))) for name in ("A", "D") if name in given}
     sizes = {name.lower(): quantity_at(_option(name), "length" if name in LENGTHS else "angle", value)
              for name, value in given.items() if value is not None}  # fmt: skip
@@ -276,7 +282,7 @@ def _place(name: str, text: str) -> complex:
 # --- answers ----------------------------------------------------------------------------------
 
 _READERS = {
-    "Findings": ("say.finding.lines", "studies.finding.as_json", "sheet.finding_sheet.drawn"),
+    "Findings": ("say.finding.plain_lines", "studies.finding.as_json", "sheet.finding_sheet.drawn"),
     "VaryingTable": ("say.finding.finding_table", "studies.finding.table_json", ""),
     "Centres": ("say.centre_velocities.centre_lines", "studies.centres.as_json", "sheet.centre_sheet.centre_sheet"),
     "About": ("say.centre_about.about_words", "studies.centres.about.about_json", "sheet.about_sheet.about_sheet"),

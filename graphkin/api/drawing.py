@@ -103,17 +103,27 @@ Values: TypeAlias = Sequence[ArrayLike] | Mapping[str, ArrayLike] | float | str 
 
 
 def in_si(mechanism: Mechanism, values: Values) -> list[Real] | None:
-    """Each driver's values [rad, m]. Raises BadValues, ValueForEach."""
+    """Each driver's values [rad, m]. Raises BadValues, NoSuchDriver, ValueForEach."""
     if values is None:
         return None
     kinds = {driver.name: driver.kind for driver in mechanism.drivers}
     if isinstance(values, Mapping):
+        if unknown := [name for name in values if name not in kinds]:
+            raise errors.NoSuchDriver(Where("values"), str(unknown[0]), tuple(kinds))
         each = [values[name] for name in kinds if name in values]
     else:
         each = [*values] if isinstance(values, Sequence | np.ndarray) and not isinstance(values, str) else [values]
     if len(each) != len(kinds):
         raise errors.ValueForEach(mechanism.where("driver"), len(each), tuple(kinds))
     return [_driven(value, kind) for value, kind in zip(each, kinds.values(), strict=True)]
+
+
+def of_one_shape(values: list[Real] | None) -> list[Real] | None:
+    """Arrays of one mechanism's drivers go over the same positions. Raises BadValues."""
+    shapes = {np.shape(value) for value in values or () if np.ndim(value)}
+    if len(shapes) > 1:
+        raise errors.BadValues(Where("values"), ", ".join(map(str, sorted(shapes))))
+    return values
 
 
 def _driven(value: ArrayLike, kind: str) -> Real:

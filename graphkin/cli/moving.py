@@ -48,7 +48,7 @@ def sweep(
       graphkin sweep ex3-7 --of "theta 3, omega 3, alpha 3, s ram, v E, a E" -o diagram.svg
     """
     from graphkin import api
-    from graphkin.say.finding import lines
+    from graphkin.say.finding import plain_lines
     from graphkin.say.sweeps import book_lines, extremes, left_out, remarks, sweep_lines
     from graphkin.studies import finding, sweeps
 
@@ -73,7 +73,7 @@ def sweep(
     for line in (*remarks(course, lang), *notes):
         click.echo(line, err=table or output is not None)
     for text in limits:
-        for line in lines(finding.limit(course, text, ranges, by), lang):
+        for line in plain_lines(finding.limit(course, text, ranges, by), lang):
             click.echo(line, err=table or output is not None)
 
 

@@ -52,7 +52,8 @@ def text(*chosen: str) -> str:
 
 def _page(name: str) -> Iterator[str]:
     value = getattr(import_module(f"graphkin.{_ALSO[name]}"), name) if name in _ALSO else getattr(graphkin, name)
-    yield f"{name}{_signature(value) if not inspect.isclass(value) else ''}"
+    home = f" (of graphkin.{_ALSO[name]})" if name in _ALSO else ""
+    yield f"{name}{_signature(value) if not inspect.isclass(value) else home}"
     yield "-" * len(name)
     yield inspect.getdoc(value) or ""
     if inspect.isclass(value):

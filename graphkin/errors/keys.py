@@ -8,7 +8,7 @@ from graphkin.errors.base import AboutText, Choice, Lang, LocatedError, Where, W
 
 __all__ = [
     "AngleRange", "BadName", "DuplicateName", "KeyClash", "LongName", "MissingKey", "Negative", "NoMeaning", "NoUnit",
-    "NotANumber", "NotOneOf", "OtherDimension", "OutOfRange", "TooSmall", "UnitAsKey", "UnknownKey", "UnknownLink",
+    "NotANumber", "NotOneOf", "OtherDimension", "OutOfRange", "RangeHere", "TooSmall", "UnitAsKey", "UnknownKey", "UnknownLink",
     "UnknownPoint", "UnknownSlide", "UnknownUnit", "WrongCount", "WrongType", "among",
 ]  # fmt: skip
 
@@ -175,6 +175,11 @@ class WrongType(LocatedError, expected=KINDS):
     given: str
     en = "{where}: {given} stands where {expected} is needed. Replace it."
     zh = "{where}：此处应为{expected}，而不是 {given}，请改正。"
+
+
+class RangeHere(LocatedError):
+    en = "{where}: a range stands where one number is needed. Replace it; or let `graphkin problems` write files with numbers of the range."
+    zh = "{where}：此处应为一个数，而不是范围。请改成一个数，或用 graphkin problems 由范围生成各题的文件。"
 
 
 class WrongCount(LocatedError):

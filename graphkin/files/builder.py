@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Generic, Self, TypeVar
+from typing import Any, Generic, Self, TypeVar
 
 from graphkin.base.value import frozen
 from graphkin.errors import NoSuchValue, Where
@@ -36,7 +36,7 @@ class Builder(Generic[Made]):
     """The tables written so far. Every method gives a new one, so that mechanisms can share a beginning.
 
     The methods are the tables of the file, their keywords its keys; `from_` is `from`, and names with a prime go as
-    `**{"DE'": 40}`. `done()` reads it all and says what is wrong.
+    `**{"DE'": 40}`. A table that is there gets further keys. `done()` reads it all and says what is wrong.
 
     >>> import graphkin
     >>> four_bar = (
@@ -63,7 +63,8 @@ class Builder(Generic[Made]):
     def titled(self, en: str = "", zh: str = "", source: str = "") -> Self:
         """Its title in both languages, and its source."""
         title = {lang: text for lang, text in (("en", en), ("zh", zh)) if text}
-        return self._with({**({"title": title} if title else {}), **({"source": source} if source else {})})
+        titled = self._extended("title", title) if title else self
+        return titled._with({"source": source} if source else {})
 
     def fix(self, name: str | int | None = None, /, **points: Point) -> Self:
         """Fixed points (x, y) of the frame, and the frame's own name."""
@@ -75,7 +76,8 @@ class Builder(Generic[Made]):
     ) -> Self:  # fmt: skip
         """A link by lengths and angles (`AB=24`, `BDE=90`, `ccw="BDE"`), by coordinates, or by its points alone."""
         table = {"points": _names(points), "shape": shape, **measures, "ccw": _names(ccw)}
-        return self._extended("links", {str(name): {key: value for key, value in table.items() if value is not None}})
+        keys = {key: value for key, value in table.items() if value is not None}
+        return self._extended("links", {str(name): {**_begun(_begun(self.document, "links"), str(name)), **keys}})
 
     def slide(self, **keys: object) -> Self:
         """A sliding pair: `block` and `point`, or `pin`, on a line of the `guide`."""
@@ -126,8 +128,7 @@ class Builder(Generic[Made]):
 
     def _extended(self, table: str, keys: Mapping[str, object]) -> Self:
         """More keys of a table that there is one of."""
-        before = self.document.get(table, {})
-        return self._with({table: {**(before if isinstance(before, Mapping) else {}), **keys}})
+        return self._with({table: {**_begun(self.document, table), **keys}})
 
     def _listed(self, name: str) -> list[object]:
         before = self.document.get(name, [])
@@ -139,7 +140,15 @@ class Builder(Generic[Made]):
         entry |= {key: str(entry[key]) for key in _ONE_LINK if isinstance(entry.get(key), int)}
         if isinstance(links := entry.get("links"), Iterable):
             entry["links"] = [str(link) for link in links]
+        if isinstance(centres := entry.get("centres"), str):
+            entry["centres"] = _names(centres)
         return self._with({table: [*self._listed(table), entry]})
+
+
+def _begun(tables: Mapping[str, object], name: str) -> Mapping[str, Any]:
+    """What a table holds so far."""
+    table = tables.get(name)
+    return table if isinstance(table, Mapping) else {}
 
 
 def _names(points: str | Sequence[object] | None) -> object:

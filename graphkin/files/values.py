@@ -89,9 +89,16 @@ _QUANTITY = r"(?s)\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(
 
 def si_quantity(value: object, dimension: Dimension) -> float:
     """A number or a text with a unit, in SI."""
+    if is_range(value):
+        raise errors.RangeHere(NOWHERE)
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise errors.WrongType(NOWHERE, "quantity", shown_value(value))
     return read_quantity(value, dimension)
+
+
+def is_range(value: object) -> bool:
+    """`{ from = 20, to = 30 }`, which a template has in place of a number, or what is meant as one."""
+    return isinstance(value, dict) and not value.keys().isdisjoint(("to", "step"))
 
 
 def quantity_at(where: str, dimension: Dimension, written: float | str) -> float:

@@ -11,6 +11,7 @@ from graphkin.handouts.markup import html
 from graphkin.handouts.stages import in_languages
 from graphkin.handouts.typst import printed
 from graphkin.outputs import files, sheets_json
+from graphkin.sheet.paper import papers_for
 
 MARKS = (b"graphkin handout",)
 
@@ -28,6 +29,7 @@ class SavedHandout(Handout):
         file = Path(path)
         if file.suffix.lower() not in (".pdf", ".html"):
             raise files.UnknownEnding(str(file), (".pdf", ".html"))
+        papers_for(paper)
         if file.suffix.lower() == ".html":
             files.write(file, html(self, paper), force, MARKS)
             return file

@@ -7,10 +7,11 @@ from functools import partial
 from pathlib import Path
 
 from graphkin.base.value import frozen
-from graphkin.errors import Lang
-from graphkin.homework import grading, platforms
+from graphkin.errors import Lang, among
+from graphkin.homework import grading, kinds_of, platforms
 from graphkin.homework.grading import MarkingOptions, Problem, SetMarker
 from graphkin.homework.platforms import Reveal
+from graphkin.homework.platforms.result_formats import RESULTS
 from graphkin.outputs import marks_json
 from graphkin.say.marks import interrupted, kept_lines
 
@@ -83,8 +84,8 @@ class ResultFiles:
 
 
 def grade_into(
-    output: str | Path, key: str | Path, paths: str | Path | Sequence[str | Path], formats: Sequence[str] = ("csv",), *,
-    reveal: Reveal = "mistake", assignment: str = "graphkin", turned: bool = False, letters: str = "",
+    output: str | Path, key: str | Path, paths: str | Path | Sequence[str | Path], formats: str | Sequence[str] = "csv",
+    *, reveal: Reveal = "mistake", assignment: str = "graphkin", turned: bool = False, letters: str = "",
     pencil: str | None = None, sigmas: float | None = None, relative: float | None = None,
     roster: str | Path | None = None, workers: int = 0, lang: Lang = "en", force: bool = False,
     sheets: str | Path | None = None,
@@ -94,11 +95,14 @@ def grade_into(
     formats  "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report"; "json": records alone
     reveal   how much students are told: "hint", "mistake", "answer"; the rest is as `grade` has it
     """
+    among(Reveal, reveal=reveal)
+    among(Lang, lang=lang)
+    kinds = kinds_of(formats, ("json", *RESULTS))
     pencils, listed = grading.pencils_of(pencil, sigmas, relative), None if roster is None else Path(roster)
     problems = grading.problems_of(str(key), [*map(str, [paths] if isinstance(paths, str | Path) else paths)])
     judges = [grading.judge_from(problem.key, pencils, listed) for problem in problems]
     usual, named = MarkingOptions(grading.limits_of(turned, letters), workers, words=lang), sheets and Path(sheets)
     options = [grading.with_photographs(usual, problem.key, judge, problem.paths, named or None)
                for problem, judge in zip(problems, judges, strict=True)]  # fmt: skip
-    files = ResultFiles(Path(output), formats, reveal, assignment, lang, force)
+    files = ResultFiles(Path(output), kinds, reveal, assignment, lang, force)
     return [path for path in files.written(problems, judges, options) if isinstance(path, Path)]

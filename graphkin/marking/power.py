@@ -88,35 +88,29 @@ def _outcomes(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterato
     moved[:, ~handed] = np.nan
     most = np.fmax.reduce(moved, axis=1, initial=0.0)
     rows = [row for row, names in enumerate(key.singles.names) if most[row] > MOVED and names[0] in known]
-    tried: dict[int, _Parts] = {}
-    for start in range(0, len(rows), _AT_ONCE):
-        some = np.array(rows[start : start + _AT_ONCE])
-        columns: list[tuple[Rewrite, ...]] = [(known[key.singles.names[row][0]],) for row in some]
-        tried |= _tried(marker, handed, some, _printed(drawings.values(marker.quantities, columns)))
+    judged, tried = handed & np.isfinite(key.singles.values), dict[int, _Parts]()
+    for there in filter(np.any, np.unique(judged[rows], axis=0)):
+        same = np.array([row for row in rows if (judged[row] == there).all()])
+        explainer = Explainer(key, marker.table, there, key.singles, ONE, lambda: marker.other_methods)
+        for some in np.split(same, range(_AT_ONCE, len(same), _AT_ONCE)):
+            columns: list[tuple[Rewrite, ...]] = [(known[key.singles.names[row][0]],) for row in some]
+            tried |= _tried(marker, explainer, there, some, _printed(drawings.values(marker.quantities, columns)))
     for row, names in enumerate(key.singles.names):
         yield MistakePower(names[0], float(most[row]), row in tried, *tried.get(row, ()))
 
 
-def _tried(marker: Marker, handed: np.ndarray, rows: np.ndarray, given: np.ndarray) -> dict[int, _Parts]:
-    """Of those who make a mistake each (rows,), given (rows, trials, quantities), by row. Nothing where most drawings
-    fail."""
-    tried: dict[int, _Parts] = {}
-    judged = handed & np.isfinite(marker.key.singles.values[rows])
-    for there in np.unique(judged, axis=0):
-        some = np.flatnonzero((judged == there).all(axis=1))
-        drawn = np.isfinite(given[some][..., there]).all(axis=2)  # students whose drawing fails hand in nothing
-        most = 2 * drawn.sum(axis=1) >= given.shape[1]
-        if there.any() and most.any():
-            some, drawn = some[most], drawn[most]
-            parts = _parts(marker, there, rows[some], np.where(there, given[some], np.nan), drawn)
-            tried |= dict(zip(rows[some].tolist(), parts, strict=True))
-    return tried
-
-
-def _parts(marker: Marker, there: np.ndarray, rows: np.ndarray, given: np.ndarray, drawn: np.ndarray) -> list[_Parts]:
-    """The same of those who hand in the same quantities; `drawn`: who does at all (rows, trials)."""
-    key, given, of = marker.key, given[drawn], np.nonzero(drawn)[0]
-    explainer = Explainer(key, marker.table, there, key.singles, ONE, lambda: marker.other_methods)
+def _tried(
+    marker: Marker, explainer: Explainer, there: np.ndarray, rows: np.ndarray, given: np.ndarray
+) -> dict[int, _Parts]:
+    """Of those who make a mistake each (rows,) and hand in the same quantities, given (rows, trials, quantities), by
+    row. Nothing where most drawings fail."""
+    drawn = np.isfinite(given[..., there]).all(axis=2)  # students whose drawing fails hand in nothing
+    most = 2 * drawn.sum(axis=1) >= given.shape[1]
+    if not most.any():
+        return {}
+    rows, drawn = rows[most], drawn[most]
+    given, of = np.where(there, given[most], np.nan)[drawn], np.nonzero(drawn)[0]
+    key = marker.key
     known = explainer.names
     ids = np.array([names[0][0] for names in known], dtype=object)
     mine = np.array([[names == key.singles.names[row] for names in known] for row in rows])
@@ -131,7 +125,7 @@ def _parts(marker: Marker, there: np.ndarray, rows: np.ndarray, given: np.ndarra
         observed(explainer, int(np.argmax(one)), given[of == k], lambda values: marker.judged(values)[1])
         for k, one in enumerate(mine)
     ]
-    return list(zip(ideal, *parts, strict=True))
+    return dict(zip(rows.tolist(), zip(ideal, *parts, strict=True), strict=True))
 
 
 def _handed(marker: Marker, texts: Sequence[str] | None) -> np.ndarray:

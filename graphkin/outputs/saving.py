@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from graphkin.base.value import bulky
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
+from graphkin.errors import among
 from graphkin.outputs import drawings, svg
 from graphkin.outputs.paint import Ink
 from graphkin.planning import Method
@@ -14,7 +15,7 @@ from graphkin.sheet import Sheet
 from graphkin.sheet.page import step_sheets
 
 
-@bulky
+@frozen
 class NotebookSheet(Sheet):
     """A finished drawing: `save("x.pdf")`, `svg()`, `to_png()`; a notebook shows it.
 
@@ -24,7 +25,8 @@ class NotebookSheet(Sheet):
     drawing  the method and the plot that are drawn, which a GeoGebra file is made of
 
     A mark is a `Stroke`, `Disc`, `ArcMark` or `Text`, or what a ruler measures: a `VectorMark` (`name`, `plane`,
-    `start`, `end`), a `PointMark` (`name`, `plane`, `at`). Its `step` is the number of the step that draws it.
+    `start`, `end`), a `PointMark` (`name`, `plane`, `at`). Its `step` is the number of the step that draws it. Of plane
+    "detail" is what is drawn once more, magnified: it has no scale.
 
     >>> import graphkin
     >>> sheet = graphkin.Drawing.of("ex3-1").sheet()
@@ -33,6 +35,10 @@ class NotebookSheet(Sheet):
     """
 
     drawing: tuple[Method, Plot] | None = None
+
+    def __repr__(self) -> str:
+        layers = ", ".join(layer.name for layer in self.layers)
+        return f"<Sheet of {self.mechanism.name} on {self.paper.name}: {layers}>"
 
     @classmethod
     def of(cls, sheet: Sheet, drawing: tuple[Method, Plot] | None = None) -> NotebookSheet:
@@ -52,10 +58,12 @@ class NotebookSheet(Sheet):
 
     def content(self, file: Path, dpi: float = 200.0, ink: Ink = "accent") -> bytes:
         """What `save` writes. Raises UnknownEnding, NeedsExtra."""
+        among(Ink, ink=ink)
         return drawings.content(file, self, self.drawing, dpi, ink)
 
     def svg(self, ink: Ink = "accent") -> str:
         """The text of the .svg file, which `graphkin check` measures."""
+        among(Ink, ink=ink)
         return svg.svg(self, ink)
 
     def to_png(self, dpi: float = 200.0, ink: Ink = "accent") -> bytes:

@@ -18,7 +18,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array, number
 from graphkin.base.plain import Plain
-from graphkin.errors import Lang
+from graphkin.errors import Lang, among
 from graphkin.model.quantities import EDGE, Unit, driven
 from graphkin.outputs.files import UnknownEnding, beside, needed
 from graphkin.studies.sweeps import Course, Road, Sweep, in_parts
@@ -207,6 +207,7 @@ class SweepFrames(Sweep):
         """The motion diagram, a figure of matplotlib's: to be changed, or saved. Raises NothingToDraw."""
         from graphkin.outputs import diagram
 
+        among(Lang, lang=lang)
         return diagram.figure(self.course, tuple(self), lang, self.by)
 
     def save(self, path: str | Path, lang: Lang = "en", *, force: bool = False) -> Path:
@@ -216,6 +217,7 @@ class SweepFrames(Sweep):
         """
         from graphkin.outputs import diagram
 
+        among(Lang, lang=lang)
         file = Path(path)
         if file.suffix.lower() in FORMATS:
             write(file, self.course, tuple(self), self.by, force)

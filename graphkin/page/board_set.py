@@ -10,8 +10,9 @@ from itertools import chain
 from pathlib import Path
 
 from graphkin.base.worklist import ahead
-from graphkin.errors import Lang, NotOneOf, Where
+from graphkin.errors import Lang, among
 from graphkin.handouts.problem_folder import SetOrder, file_of, problem_set, write_problems
+from graphkin.homework import kinds_of
 from graphkin.homework.grading import judge_from, pencils_of
 from graphkin.homework.platforms.set_formats import SETS, write_set
 from graphkin.homework.problems import Variant, read_template, roster
@@ -33,10 +34,8 @@ def problems(
 ) -> list[Variant]:  # fmt: skip
     """Write a problem for each student into a folder, as `graphkin problems` does; students: a roster, or how many;
     formats: "board", "moodle", .., as `--format` has them."""
-    kinds = [formats] if isinstance(formats, str) else formats
-    for kind in kinds:
-        if kind not in (BOARD, *SETS):
-            raise NotOneOf(Where("formats"), kind, (BOARD, *SETS))
+    among(Lang, lang=lang)
+    kinds = kinds_of(formats, (BOARD, *SETS))
     order = SetOrder(
         Path(output), read_template(Path(template)), roster(str(students)), seed, lang, pencils_of(pencil), force
     )

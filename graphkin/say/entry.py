@@ -12,7 +12,7 @@ from graphkin.planning.method import Act
 from graphkin.say.catalogue import close, say
 from graphkin.say.figures import Formula, written
 from graphkin.say.numbers import circled, number
-from graphkin.say.text_table import UNBRACED, aligned, padded, width
+from graphkin.say.text_table import aligned, padded, unbraced, width
 
 
 @frozen
@@ -118,10 +118,10 @@ def text_lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
                 yield text
             case Sentence(text, act, _, item):
                 number = f"{circled(act.number)} " if act is not None and act.numbered else ""
-                yield f"{'    ' if item else '  '}{number}{text.translate(UNBRACED)}"
+                yield f"{'    ' if item else '  '}{number}{unbraced(text)}"
             case Calculation():
                 note = say("common.note", lang, note=entry.note) if entry.note else ""
-                yield f"    {entry.text}{close(note) if lang == 'zh' else note}".translate(UNBRACED)
+                yield unbraced(f"    {entry.text}{close(note) if lang == 'zh' else note}")
             case VectorEquation():
                 rows = aligned([*zip(*entry.columns, strict=True)], "^", " ")
                 labels = ["", say("derivation.direction row", lang), say("derivation.size row", lang)]

@@ -15,7 +15,7 @@ from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
 from graphkin.say.numbers import exact, in_print, number, quantity
-from graphkin.say.text_table import table
+from graphkin.say.text_table import table, unbraced
 from graphkin.studies.finding.answers import Findings, Interval, Position
 from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 from graphkin.studies.finding.varying import VaryingTable
@@ -70,6 +70,11 @@ def lines(findings: Findings, lang: Lang = "en") -> Iterator[str]:
     for line in dict.fromkeys(_lines(findings, lang)):
         signed = in_print(_MARKED.sub(lambda met: named[met[1]], signs.sub(lambda met: typed[met[0]], line)))
         yield signed.replace(", ", say("common.and", lang))
+
+
+def plain_lines(findings: Findings, lang: Lang = "en") -> Iterator[str]:
+    """The same for a terminal."""
+    return (unbraced(line) for line in lines(findings, lang))
 
 
 def caption(findings: Findings, position: Position) -> str:
@@ -209,7 +214,8 @@ def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:
 def finding_table(varying: VaryingTable, lang: Lang = "en") -> Iterator[str]:
     """A row for each value."""
     shown = [entry.found for entry in varying.rows if entry.found is not None]
-    yield respelled(_heading(shown[0].condition, lang), names.symbols) if shown else varying.condition
+    heading = respelled(_heading(shown[0].condition, lang), names.symbols) if shown else varying.condition
+    yield unbraced(heading)
     unit = EDGE[{"length": "m", "angle": "rad"}.get(varying.place.kind, "1")]
     name = f"{varying.name} [{unit.name}]" if unit.name else varying.name
     heads = [name, *(_columns(shown[0], lang) if shown else [])]

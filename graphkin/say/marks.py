@@ -16,7 +16,7 @@ from graphkin.say.catalogue import close, is_phrase, say
 from graphkin.say.names import in_signs, symbols, vector
 from graphkin.say.numbers import number
 from graphkin.say.reading import capitalized
-from graphkin.say.text_table import aligned
+from graphkin.say.text_table import aligned, unbraced
 
 _SETS = 4  # mistakes of one set that are written out; of more the number is said
 
@@ -41,9 +41,9 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
         sizes = [given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign]
         rows.append([in_signs(line_name(one.text, lang), lang), *sizes, verdict(one, lang)])
     yield from (f"  {row}" for row in marks_table(rows))
-    yield from (f"  {in_signs(line, lang)}" for line in (*_carried(marked, lang), *_explanations(marked, lang)))
-    yield from (f"  {line}" for line in fault_lines(marked.faults, lang))
-    yield from [f"  {step_line(marked.step, lang)}"] if marked.step is not None else []
+    told = [in_signs(line, lang) for line in (*_carried(marked, lang), *_explanations(marked, lang))]
+    told += [*fault_lines(marked.faults, lang), *([step_line(marked.step, lang)] if marked.step is not None else [])]
+    yield from (f"  {unbraced(line)}" for line in told)
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
     yield from _remarks(graded, lang)
 

@@ -16,7 +16,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import centre_place
 from graphkin.say.names import in_signs, of_slide
 from graphkin.say.numbers import degrees, exact, heading, sense
-from graphkin.say.text_table import table
+from graphkin.say.text_table import table, unbraced
 
 _SLIDING = (("s", "s", EDGE["m"]), ("v", "ṡ", EDGE["m/s"]), ("a", "s̈", EDGE["m/s^2"]))
 """A displacement and its rates: in the data, in print, their units."""
@@ -40,7 +40,7 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
         if position["ask"]:
             yield f"{say('results.asked', lang)}{colon}".rstrip()
         for question, entry in position["ask"].items():
-            name = in_signs(question, lang)
+            name = unbraced(in_signs(question, lang))
             if "at" in entry or "direction" in entry:
                 yield f"  {name} = {centre_place(entry, lang)}" + (" mm" if "at" in entry else "")
             elif entry["value"] is None:

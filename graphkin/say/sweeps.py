@@ -15,7 +15,7 @@ from graphkin.running.path import Event
 from graphkin.say.catalogue import say
 from graphkin.say.names import in_signs, relative
 from graphkin.say.numbers import at_edge, exact, number
-from graphkin.say.text_table import table
+from graphkin.say.text_table import table, unbraced
 from graphkin.studies.sweeps import Course, Series, Sweep
 
 CONSTANT = 1e-9  # beside the value itself, less than this is no change
@@ -77,16 +77,16 @@ def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]
 def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
     """The greatest and the least value of each quantity among the positions of a sweep; accelerations in g, too."""
     for entry in sweep.series:
-        values = entry.signed
+        values, name = entry.signed, unbraced(in_signs(entry.name, lang))
         if entry.is_place or not np.isfinite(values).any():
             continue
         if np.nanmax(values) - np.nanmin(values) <= CONSTANT * np.nanmax(np.abs(values)):
-            value = _value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]]))
-            yield say("sweeps.constant", lang, name=entry.name, value=value)
+            value = in_signs(_value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]])), lang)
+            yield say("sweeps.constant", lang, name=name, value=value)
             continue
         for which, k in enumerate((int(np.nanargmax(values)), int(np.nanargmin(values)))):
             place = _named(sweep.course, float(sweep.driven[k]))
-            name, value = in_signs(entry.name, lang), in_signs(_value(entry, float(values[k])), lang)
+            value = in_signs(_value(entry, float(values[k])), lang)
             yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Sequence
 
-UNBRACED = str.maketrans("", "", "{}")
-"""Takes away the braces that keep a long subscript together where it is typeset."""
+
+def unbraced(text: str) -> str:
+    """Without the braces that keep a long subscript together where it is typeset."""
+    return re.sub(r"_\{([^{}]*)\}", r"_\1", text)
 
 
 def width(text: str) -> int:
@@ -26,7 +29,7 @@ def padded(text: str, room: int, side: str = "<") -> str:
 
 def aligned(rows: Sequence[Sequence[str]], sides: str = "<>", gap: str = "  ") -> list[str]:
     """Rows with their columns aligned. sides: of the first column, the second, ..; the last one holds on."""
-    rows = [[cell.translate(UNBRACED) for cell in row] for row in rows]
+    rows = [[unbraced(cell) for cell in row] for row in rows]
     rooms = [max(width(row[k]) for row in rows) for k in range(len(rows[0]))]
     to = [sides[min(k, len(sides) - 1)] for k in range(len(rooms))]
     return [gap.join(map(padded, row, rooms, to)) for row in rows]

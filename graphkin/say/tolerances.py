@@ -17,6 +17,7 @@ from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.marks import edge_value, marks_table, mistake_kind
 from graphkin.say.numbers import number
+from graphkin.say.text_table import unbraced
 
 _MOST_STEPS = 10  # steps that are printed
 _READ = ("reading", "link")  # lengths and angles of the mechanism
@@ -52,7 +53,8 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     yield say("tolerances.asked", lang)
     for text, (off, scales) in tolerances.untold.items():
         larger = scales and say("tolerances.larger", lang, scales=_scales(scales, lang))
-        words = {"quantity": names.in_signs(text, lang), "part": f"{off:.1%}", "most": f"{TELLS:.0%}"}
+        quantity = unbraced(names.in_signs(text, lang))
+        words = {"quantity": quantity, "part": f"{off:.1%}", "most": f"{TELLS:.0%}"}
         yield say("tolerances.untold", lang, **words, advice=larger or say("tolerances.no larger", lang))
     yield ""
     yield say("tolerances.costs", lang)
@@ -71,8 +73,10 @@ def _step(cost: Cost, lang: Lang) -> str:
     of = (cost.name or mark.of[0], *mark.of[1:], "")
     signs = (names.vector(name) if re.match(r"[va](\^\w+)?_", name) else names.point(name) for name in of)
     words = {f"of{k}": sign for k, sign in enumerate(signs)}
+    if what == "reading" and mark.plane != "position":
+        words["of0"] = names.stretch(*mark.of)
     key = "tolerances.step length" if mark.plane == "position" and what in _READ else f"tolerances.step {what}"
-    return say(key, lang, which=mark.plane == "acceleration", **words)
+    return unbraced(say(key, lang, which=mark.plane == "acceleration", **words))
 
 
 def power_lines(power: Power, lang: Lang) -> Iterator[str]:

@@ -8,6 +8,7 @@ import pickle
 import re
 import tomllib
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 
 import book
@@ -24,8 +25,11 @@ from graphkin.errors import (
     MissingKey,
     NoSuchDriver,
     NoSuchValue,
+    NotANumber,
     NotOneOf,
+    OutOfRange,
     UnknownKey,
+    UnknownPaper,
     UnknownQuantity,
     WrongType,
 )
@@ -110,7 +114,7 @@ def gear_train() -> Builder[Mechanism]:
         Mechanism.new("ex3-3").fix(1, O=(0, 0), D=(95, -10))
         .link(2, OM=20).link(3, PB=10).link(4, OP=35).link(5, BC=60).link(6, DC=45)
         .gear(links=(2, 3), centres=("O", "P"), radii=(20, 15))
-        .gear(links=(3, "frame"), centres=("P", "O"), radii=(15, 50), internal=True)
+        .gear(links=(3, "frame"), centres="PO", radii=(15, 50), internal=True)
         .pose(vector="OP", angle=60).pose(vector="PB", angle=130)
         .drive("OM", angle=0, omega=-10).sketch(P=(17, 30), B=(11, 38), C=(70, 27))
     )  # fmt: skip
@@ -145,6 +149,15 @@ def test_mechanisms_share_a_beginning():
     begun = Mechanism.new().fix(A=(0, 0)).link(1, AB=20)
     fast, slow = (begun.drive("AB", angle=0, omega=omega).done() for omega in (10, 1))
     assert (fast.drivers[0].rate, slow.drivers[0].rate) == (10, 1)
+
+
+def test_a_table_named_again_gets_further_keys():
+    four_bar = Mechanism.new(en="Four-bar").fix(A=(0, 0), D=(60, 0)).link(1, AB=20).link(3, DC=40).link(2, BC=50)
+    four_bar = four_bar.titled(zh="铰链四杆机构").link("2", BE=30, CBE=40, ccw="BCE").link(1, AB=22)
+    made = four_bar.drive("AB", angle=60).sketch(C=(45, 38)).done()
+    assert made.title == {"en": "Four-bar", "zh": "铰链四杆机构"}
+    assert abs(made.links["1"].arm("A", "B")) == pytest.approx(0.022)
+    assert set(made.links["2"].points) == {"B", "C", "E"}
 
 
 def test_what_is_wrong_in_a_builder_is_said():
@@ -454,6 +467,9 @@ def test_the_reference_has_every_name():
         assert re.search(rf"^{name}\b.*\n-+\n\S", text, re.M), name
     for name in graphkin.__all__:
         assert inspect.getdoc(getattr(graphkin, name)), name
+    elsewhere = dict(re.findall(r"^(\w+) \(of (graphkin\.[\w.]+)\)\n-", text, re.M))
+    assert {*elsewhere, *graphkin.__all__} == {*reference.names()}
+    assert all(inspect.isclass(getattr(import_module(module), name)) for name, module in elsewhere.items())
     assert CliRunner().invoke(main, ["help", "api", "nothing"]).exit_code == 2
 
 
@@ -474,6 +490,16 @@ def test_the_reference_has_every_name():
         lambda _: graphkin.handout("ex3-1", stage="draft"),
         lambda _: graphkin.play("ex3-1", lang="fr"),
         lambda _: graphkin.lines_of(graphkin.centres("ex3-1"), "fr"),
+        lambda drawing: drawing.sheet().svg(ink="pink"),
+        lambda drawing: drawing.sheet().save("x.svg", ink="pink"),
+        lambda _: graphkin.sweep("ex3-1", "0:9:3").figure("fr"),
+        lambda _: graphkin.sweep("ex3-1", "0:9:3").save("x.csv", "fr"),
+        lambda _: graphkin.problems("no.toml", 2, "set", lang="fr"),
+        lambda _: graphkin.problems("no.toml", 2, "set", formats="mood"),
+        lambda _: graphkin.grade_into("results", "ex3-1", "in", reveal="all"),
+        lambda _: graphkin.grade_into("results", "ex3-1", "in", lang="fr"),
+        lambda _: graphkin.grade_into("results", "ex3-1", "in", ["csv", "mood"]),
+        lambda _: graphkin.grade_into("results", "ex3-1", "in", "mood"),
     ],
 )
 def test_a_word_that_stands_nowhere_names_those_that_do(wrong: Callable[[graphkin.Drawing], object]):
@@ -486,3 +512,18 @@ def test_a_design_takes_its_own_sizes_only():
         graphkin.design("rocker", length=80, swing=40, K=1.3, rod=3)
     with pytest.raises(MissingKey, match=r"slider: stroke"):
         graphkin.design("slider", K=1.5)
+    with pytest.raises(NotANumber, match=r"^K: "):
+        graphkin.design("rocker", length=80, swing=40, K="quick", frame=71)
+
+
+def test_what_stands_alone_is_said():
+    with pytest.raises(MissingKey, match=r"^bobillier: about"):
+        graphkin.centres("ex3-5", bobillier="E")
+    with pytest.raises(UnknownPaper, match="A9"):
+        graphkin.handout("ex3-1", stage="problem").save("x.html", paper="A9")
+
+
+@pytest.mark.parametrize("wrong", [{"relative": -1}, {"relative": float("nan")}, {"sigmas": 0}, {"trials": 0}])
+def test_numbers_of_a_pencil_are_of_reasonable_size(wrong: dict[str, float]):
+    with pytest.raises(OutOfRange, match=next(iter(wrong))):
+        graphkin.power("ex3-1", **{"trials": 2, **wrong})

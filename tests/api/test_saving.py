@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 import graphkin
 from graphkin.cli import main
-from graphkin.errors import BadValues, NotAMechanism, NotANumber, NothingDrawn
+from graphkin.errors import BadValues, NoSuchDriver, NotAMechanism, NotANumber, NothingDrawn
 from graphkin.outputs.files import FileInTheWay, UnknownEnding
 
 
@@ -96,9 +96,18 @@ def test_values_that_no_driver_takes():
         graphkin.replay("ex3-1", ["a"])
     with pytest.raises(BadValues):
         graphkin.replay("ex3-1", [object()])  # type: ignore[list-item]
-    for values in ([1, 2], {"XY": 3}):
-        with pytest.raises(ValueError, match="AB"):
+    with pytest.raises(ValueError, match="AB"):
+        graphkin.Drawing.of("ex3-1", [1, 2])
+    for values in ({"XY": 3}, {"AB": 60, "XY": 3}):
+        with pytest.raises(NoSuchDriver, match=r"no driver XY to move.* AB"):
             graphkin.Drawing.of("ex3-1", values)
+    two = graphkin.Mechanism.new().fix(O=(0, 0)).link("a", OP=200).link("b", PQ=150).drive("OP", angle=40)
+    arm = two.drive("PQ", from_="PO", angle=-120).done()
+    for read in (graphkin.replay, graphkin.motion):
+        assert read(arm, [[10, 20], -90]).position["Q"].shape == (2,)
+        for uneven in ([[10, 20], [-90, -91, -92]], [[[10], [20]], [[-90, -91, -92]]]):
+            with pytest.raises(BadValues, match=r"^values: .* no values to move through"):
+                read(arm, uneven)
     with pytest.raises(NothingDrawn):
         graphkin.lines_of(3)
     at = graphkin.motion("ex3-1", graphkin.replay("ex3-1", [[60, 90]]).theta["1"][None])

@@ -421,6 +421,7 @@ KEYS = [
     bad("WrongType", edit(FOURBAR, "AB = 30", "AB = 2026-01-01"), "AB", "links.1.AB", "2026-01-01", "2026-01-01"),
     bad("WrongType", edit(FOURBAR, "AB = 30", "AB = [30]"), "AB", "links.1.AB", "[ .. ] stands", "[ .. ]"),
     bad("WrongType", edit(FOURBAR, "AB = 30", "AB.C = 3"), "AB", "links.1.AB", "{ .. } stands", "{ .. }"),
+    bad("RangeHere", edit(FOURBAR, "AB = 30", "AB = { from = 20, to = 30 }"), "AB", "links.1.AB", "graphkin problems", "范围"),
     bad("WrongType", edit(FOURBAR, '"4"', "4"), "name", "frame.name", "4 stands where a name in quotes", "带引号的名称"),
     bad("WrongType", edit(SLIDER, 'block = "3"', "block = 3"), "block", "slide.0.block", "a name in quotes", "带引号"),
     bad("WrongType", edit(FOURBAR, "[80, 0]", "80"), "D =", "frame.D", "[x, y]", "[x, y]"),

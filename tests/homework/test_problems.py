@@ -91,6 +91,8 @@ def test_every_variant_is_posed_well(template: Path):
     (("{ from = 20, to = 28, step = 1 }", "{ from = nan, to = 28, step = 1 }"), NoRange),
     (("{ from = 20, to = 28, step = 1 }", "{ from = 20, to = 1e300, step = 1 }"), NoRange),
     (("{ from = 20, to = 28, step = 1 }", "{ from = 20, to = 28, step = 1e-9 }"), NoRange),
+    (("{ from = 20, to = 28, step = 1 }", "{ from = 20, to = 28, steps = 1 }"), NoRange),
+    (("{ from = 20, to = 28, step = 1 }", "{ from = 20, step = 1 }"), NoRange),
     (('to = "120 rpm"', 'to = "120 rad/s"'), NoRange),
     (('"omega 3" = 2', '"omega 9" = 2'), UnknownQuantity),
     (('"omega 3" = 2', '"omega 3" = -2'), OutOfRange),

@@ -6,11 +6,14 @@ import re
 from collections.abc import Callable
 from functools import cache
 from math import radians
+from pathlib import Path
 
 import pytest
 from calculator import calculated, hold
+from click.testing import CliRunner
 from random_mechanisms import cam, circular_slot, epicyclic, geared_five_bar, rolling, triad
 
+from graphkin.cli import main
 from graphkin.construction import Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.files import library, loads
@@ -203,6 +206,26 @@ def test_links_called_by_words() -> None:
     assert "v_B_guide = v_B_block + v_B_guide,B_block" in text
     assert "ω_block = ω_guide" in text
     assert "l_OB" in text
+
+
+@pytest.mark.parametrize("lang", LANGS)
+def test_the_braces_of_long_subscripts_are_for_setting_alone(lang: Lang, tmp_path: Path) -> None:
+    asked = f'ask = ["a_k B@guide,B@block", "omega guide"]\n{WORDY}'
+    mechanism, sheet = tmp_path / "wordy.toml", tmp_path / "wordy.svg"
+    mechanism.write_text(asked, encoding="utf-8")
+    handed = tmp_path / "handed.toml"
+    handed.write_text('student = "1"\n"v B@guide" = 1\n"a_k B@guide,B@block" = 1\n"omega guide" = 9', encoding="utf-8")
+    for line in (["solve"], ["draw", "-o", sheet], ["check"], ["sweep", "--of", "a_k B@guide,B@block, omega crank"], ["tolerance"],
+                 ["grade", handed], ["explain"], ["find", "max a_k B@guide,B@block"], ["centres"]):  # fmt: skip
+        command, *rest = map(str, line)
+        file = sheet if command == "check" else mechanism
+        told = CliRunner().invoke(main, [command, str(file), *rest, "--lang", lang])
+        assert told.exit_code in (0, 1), told.output
+        assert not {"{", "}"} & {*told.output}, told.output
+    results = ["grade", str(mechanism), str(handed), "-o", str(tmp_path / "out"), "--format", "csv", "--format", "report", "--lang", lang]
+    assert CliRunner().invoke(main, results).exit_code == 0
+    for name in ("class.csv", "class-report.txt"):
+        assert "{" not in (tmp_path / "out" / name).read_text("utf-8"), name
 
 
 def test_a_link_on_two_known_points() -> None:

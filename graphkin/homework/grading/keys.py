@@ -12,7 +12,7 @@ from graphkin import api
 from graphkin.base.geometry import number
 from graphkin.base.value import frozen
 from graphkin.construction import SCALES, Plot
-from graphkin.errors import BadKey, BadPencil, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Where
+from graphkin.errors import BadKey, BadPencil, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, OutOfRange, Where
 from graphkin.files import loads
 from graphkin.homework import opening
 from graphkin.marking import power as powers
@@ -57,8 +57,12 @@ USUAL = Pencils()
 def pencils_of(
     pencil: str | Sequence[float] | None = None, sigmas: float | None = None, relative: float | None = None
 ) -> Pencils:
-    """The errors of a pencil, "MM,DEG" or two numbers, and what is allowed, as far as it is said. Raises BadPencil."""
+    """The errors of a pencil, "MM,DEG" or two numbers, and what is allowed, as far as it is said. Raises BadPencil,
+    OutOfRange."""
     said = {name: value for name, value in (("sigmas", sigmas), ("relative", relative)) if value is not None}
+    for name, least, most in (("sigmas", 0.1, 100), ("relative", 0, 1)):
+        if not least <= said.get(name, least) <= most:
+            raise OutOfRange(Where(f"--{name}"), f"{said[name]:g}")
     if pencil is not None:
         try:
             length, angle = map(float, pencil.split(",") if isinstance(pencil, str) else pencil)
@@ -99,6 +103,8 @@ def power(
     >>> power("ex3-1", trials=20).trials
     20
     """
+    if trials < 1:
+        raise OutOfRange(Where("--trials"), str(trials))
     method = api.drawing.placed(mechanism, values)
     key = key or key_drawn(method, pencils_of(pencil, sigmas, relative))
     texts = [entry.text for entry in key.entries if entry.points] if asked else None

@@ -22,6 +22,7 @@ from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
 from graphkin.say.boards import line_name
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import how_sure, verdict
+from graphkin.say.text_table import unbraced
 
 _FRONT = ("student", "name", "file", "status", "earned", "most", "override", "total", "score percent",
           "comment")  # fmt: skip
@@ -41,7 +42,7 @@ def rows(
     results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False, called: Called | None = None
 ) -> Iterator[list[Cell]]:
     """The table with its head; with a last column, where this is one of several problems, for what shows in them."""
-    lettered = [in_letters(line_name(name, lang), names) for name in names]
+    lettered = [unbraced(in_letters(line_name(name, lang), names)) for name in names]
     pairs = [text for name in lettered for text in (name, say("platforms.column part earned", lang, name=name))]
     front, back = ([say(f"platforms.column {key}", lang) for key in keys] for keys in (_FRONT, _BACK))
     yield [*front, *pairs, *back, *([say("platforms.column habits", lang)] if several else [])]
@@ -61,7 +62,7 @@ def rows(
             written = f' "{one_line(line.written)}"' if line.written else ""
             by_name[line.text] = verdict(line, lang) + written, None if written else points_of(line)
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
-        diagnosis = as_on_sheets(result, suspected(result.suspicions[0], lang)) if result.suspicions else ""
+        diagnosis = unbraced(as_on_sheets(result, suspected(result.suspicions[0], lang))) if result.suspicions else ""
         look = (reason.rstrip(".。") for reason in look_at(result, lang))
         row = [*front_cells, *middle, say("common.semicolon", lang).join(look), diagnosis]
         yield [*row, *([say("common.semicolon", lang).join(habits)] if several else [])]

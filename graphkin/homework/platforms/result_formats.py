@@ -27,6 +27,7 @@ from graphkin.homework.platforms.result import Result, ResultPicture
 from graphkin.homework.platforms.tables import BOM, Cell, line, printed, workbook_files
 from graphkin.marking.diagnosis import Trace, habits
 from graphkin.say.catalogue import LANGUAGES, in_both, say
+from graphkin.say.text_table import unbraced
 from graphkin.submissions import pictures_of, safe_name
 
 CLASS_TABLE = "class.csv"  # in this table of a results folder teachers write their overrides
@@ -244,7 +245,8 @@ def _report(order: Order) -> WrittenResults:
     """The class in words, as data and as a figure."""
     report = reports.class_report(order)
     lines = (say("class_report.title", order.lang), *map(clean, reports.report_text(report, order.lang, order.names)))
-    text, record = "".join(f"{line}\n" for line in lines), json.dumps(reports.report_record(report), ensure_ascii=True)
+    text = "".join(f"{unbraced(line)}\n" for line in lines)
+    record = json.dumps(reports.report_record(report), ensure_ascii=True)
     words = write_file(order.folder / "class-report.txt", text, order.force, _REPORT)
     data = write_file(order.folder / "class-report.json", record + "\n", order.force, _JSON)
     figure = order.folder / "class-report.svg"

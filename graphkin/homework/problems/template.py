@@ -16,11 +16,11 @@ from graphkin.base.value import frozen
 from graphkin.errors import NoRange, NotATemplate, TooDeep, Where
 from graphkin.files.source import read_text, read_toml
 from graphkin.files.toml import replaced_values, value_spans
+from graphkin.files.values import is_range
 from graphkin.model.mechanism import KeyPath, Mechanism
 
 _NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*", re.S)
 _SCALES = re.compile(r"^[ \t]*(?:\[[ \t]*)?scales\b", re.M)
-_RANGE = {"from", "to", "step"}
 MOST = 100_000  # values that one range has at most
 
 
@@ -81,7 +81,7 @@ def read_template(path: Path) -> Template:
     text = read_text(path).removeprefix("\ufeff")
     document, lines = read_toml(text, file)
     try:
-        tables = {path: table for path, table in _tables(document, ()) if {"from", "to"} <= table.keys() <= _RANGE}
+        tables = {path: table for path, table in _tables(document, ()) if is_range(table)}
         spans = {path: span for path, span in value_spans(text).items() if path in tables}
     except RecursionError:
         raise TooDeep(Where(file)) from None
@@ -105,8 +105,11 @@ def _tables(value: object, path: KeyPath) -> Iterator[tuple[KeyPath, Mapping[str
 
 def _range(table: Mapping[str, object], path: KeyPath, where: Where) -> TemplateRange:
     try:
-        (first, unit), (last, other), (step, third) = (_sized(table.get(key, 1)) for key in ("from", "to", "step"))
-    except (InvalidOperation, ValueError):
+        parts = {"step": 1, **table}
+        (first, unit), (last, other), (step, third) = (_sized(parts.pop(key)) for key in ("from", "to", "step"))
+        if parts:
+            raise NoRange(where)
+    except (InvalidOperation, KeyError, ValueError):
         raise NoRange(where) from None
     units = {name for name in (unit, other, third) if name}
     if len(units) > 1 or not (step > 0 and last > first and (last - first) / step < MOST):

@@ -214,8 +214,8 @@ PHRASES: Phrases = {
                                "`from`.",
                                "vector 在图示位置的角度，由 +x（或 from）量起，逆时针为正。"),
     "file_keys.driver from": ("A motor carried on a moving link: `angle`, `omega` and `alpha` are relative to this "
-                              "direction of another link.",
-                              "装在活动构件上的电机：angle、omega、alpha 均相对于另一构件上的此方向。"),
+                              "direction of another link. Commands and programs call this driver AB/BA.",
+                              "装在活动构件上的电机：angle、omega、alpha 均相对于另一构件上的此方向；命令和程序中此原动件称为 AB/BA。"),
     "file_keys.driver at": ("Displacement s of `slide` at the drawn position, along its line from `through`.",
                             "slide 在图示位置的位移 s，沿直线由 through 量起。"),
     "file_keys.driver omega": ("Angular velocity, positive counter-clockwise; 0 if left out.", "角速度，逆时针为正；省略为 0。"),

@@ -123,7 +123,7 @@ PHRASES: Phrases = {
     "tolerances.step arrow": ("[velocity|acceleration]: laying off {of0}", "[速|加速]度图：画出 {of0}"),
     "tolerances.step line": ("[velocity|acceleration]: the line through {of0}", "[速|加速]度图：过 {of0} 作方向线"),
     "tolerances.step image": ("[velocity|acceleration] image: {of0}", "[速|加速]度影像：{of0}"),
-    "tolerances.step reading": ("[velocity|acceleration]: reading {of0}{of1}", "[速|加速]度图：量取 {of0}{of1}"),
+    "tolerances.step reading": ("[velocity|acceleration]: reading {of0}", "[速|加速]度图：量取 {of0}"),
     "tolerances.power": ("Diagnosis: {trials} students a mistake, all values handed in, with the pencil above.",
                          "诊断能力：每种错误模拟 {trials} 名学生，交出全部各量，作图误差同上。"),
     "tolerances.column mistake": ("mistake", "错误"),
