@@ -33,6 +33,9 @@ def foreign(where: Where, kind: str, package: str = "") -> Iterator[None]:
         raise BrokenSubmission(where, kind, type(problem).__name__) from None
 
 
+_PILES = (".pdf", ".jpg", ".jpeg", ".png")  # in which the pictures of a whole class may be
+
+
 def opened(source: bytes | Path, where: Where) -> ZipFile:
     """Raises BrokenSubmission."""
     try:
@@ -89,16 +92,21 @@ def member_name(info: ZipInfo) -> str:
     return info.filename
 
 
+def content(stream: IO[bytes], name: str, where: Where, limits: Limits) -> bytes:
+    """All of a file. Raises TooMuch."""
+    most = limits.pile_bytes if name.lower().endswith(_PILES) else limits.bytes
+    if len(whole := stream.read(most + 1)) > most:
+        raise TooMuch(where, "bytes", most)
+    return whole
+
+
 def read_member(archive: ZipFile, info: ZipInfo, where: Where, limits: Limits) -> bytes:
     """Its bytes. Raises TooMuch, BrokenSubmission."""
     if info.flag_bits & _FLAG_LOCKED:
         raise BrokenSubmission(where, "ZIP", "password")
-    limits.check(where, "bytes", info.file_size)
     _check_ratio(info, where, limits)
     with foreign(where, "ZIP"), archive.open(info) as stream:
-        content = stream.read(limits.bytes + 1)
-    limits.check(where, "bytes", len(content))
-    return content
+        return content(stream, info.filename, where, limits)
 
 
 def _check_ratio(info: ZipInfo, where: Where, limits: Limits) -> None:

@@ -102,9 +102,7 @@ def _of_path(path: Path, where: Where, limits: Limits, roster: Roster | None) ->
 
 def _content(path: Path, where: Where, limits: Limits) -> bytes:
     with path.open("rb") as stream:
-        content = stream.read(limits.bytes + 1)
-    limits.check(where, "bytes", len(content))
-    return content
+        return archives.content(stream, path.name, where, limits)
 
 
 def _of_table(rows: Iterator[StudentDocument], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:

@@ -167,15 +167,17 @@ class Submission:
 class Limits:
     """The most of a hostile file that is looked at.
 
-    seconds  for one submission; bytes of a file or member; members of a class's archive, bytes of all of them
-             together, and how much larger than packed; parts of a file that is an archive inside; elements and depth
-             of a drawing, copies (`use`, blocks) followed; answers in one file; rows and columns of a class table
+    seconds  for one submission; bytes of a file or member, and of one that pictures of a whole class may be in;
+             members of a class's archive, bytes of all of them together, and how much larger than packed; parts of a
+             file that is an archive inside; elements and depth of a drawing, copies (`use`, blocks) followed; answers
+             in one file; rows and columns of a class table
     turned   whether a polygon may stand turned on the page
     names    names of a drawing's marked points, in the file's order, where it has no letters
     """
 
     seconds: float = 10.0
     bytes: int = 16 << 20
+    pile_bytes: int = 256 << 20
     members: int = 500_000
     archive_bytes: int = 64 << 30
     parts: int = 20_000
