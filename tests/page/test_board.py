@@ -133,6 +133,27 @@ def test_drawn_with_the_pointer(name, browsing: Browsing, pages, tmp_path):
     assert json_of(Student(again, problem).hand_in(tmp_path / "again")) == record
 
 
+@pytest.mark.parametrize("change", [{"tool": "zzz"}, {"name": 5}, {"tool": "parallel", "point": "q"}])
+def test_a_file_that_cannot_be_drawn_leaves_the_work_as_it_was(change, browsing: Browsing, pages, tmp_path):
+    page, path = browsing.open(pages("ex3-1"), viewport=WIDE), tmp_path / "other.svg"
+    student = Student(page, drawn_problem(load("ex3-1"), "en"))
+    student.tool("line")
+    student.drag("velocity", 0j, 30 + 20j)
+    handed_in = student.hand_in(tmp_path).read_text("utf-8")
+    record = json.loads(re.search(r'id="graphkin-board">(.*?)</metadata>', handed_in)[1])
+    record["steps"][0] |= change
+    root = ET.Element("svg", xmlns="http://www.w3.org/2000/svg")
+    ET.SubElement(root, "metadata", id="graphkin-board").text = json.dumps(record)
+    ET.ElementTree(root).write(path)
+    before = steps_of(page)
+    page.locator("#file").set_input_files(path)
+    page.wait_for_function("document.querySelector('#said').textContent.includes('other.svg')")
+    assert page.locator("#said").text_content() == "other.svg is no file of a drawing board."
+    assert steps_of(page) == before
+    page.reload()
+    assert steps_of(page) == before
+
+
 def marked_by(name: str, path: Path):
     (graded,) = grade(name, path)
     assert graded.marked is not None

@@ -98,6 +98,12 @@ def test_the_crank_pin_is_dragged_and_everything_follows(ex3_7):
     assert math.dist(centre(page, ".handle[data-driver='AB']"), centre(page, ".point[data-name='B']")) < 1
 
 
+@pytest.mark.parametrize("nothing", ["", "NaN", "1e400", "<b>"])
+def test_a_hash_that_is_no_number_leaves_the_driver_where_it_is(nothing, ex3_7):
+    before = at(ex3_7("#AB=70"))
+    assert at(ex3_7(f"#AB={nothing}&step=-3")) == before == 70
+
+
 def test_keys_drive_and_step(ex3_7):
     page = ex3_7("#AB=359")
     for key, place in (("ArrowRight", 0), ("ArrowRight", 1), ("Shift+ArrowLeft", 0.9)):

@@ -72,12 +72,20 @@ export function onWork(act) {
   workWatchers.push(act);
 }
 
-/** @param {Work} next @param {Step[][]} past what was drawn before, one after another */
+/** What cannot be drawn, as of a file that is not whole, is not kept either: the page would not open with it again.
+ * @param {Work} next @param {Step[][]} past what was drawn before, one after another */
 function changeWork(next, past) {
+  const before = work;
   work = next;
+  try {
+    for (const act of workWatchers) act();
+  } catch (fault) {
+    work = before;
+    for (const act of workWatchers) act();
+    throw fault;
+  }
   pastSteps = past;
   keepWork();
-  for (const act of workWatchers) act();
 }
 
 /** Remember the work for the next time this page is opened. A browser may forbid it: the work can still be saved. */

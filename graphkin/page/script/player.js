@@ -3,6 +3,7 @@ import { button, byId, heldData, html, setAttributes, tickBox } from "./dom.js";
 import { DriverControl, runOf } from "./drivers.js";
 import { PlaneFigure } from "./figure.js";
 import { LayersPart } from "./layers.js";
+import { numberIn } from "./numbers.js";
 import { arrowSize, resultsOf, StepsPanel } from "./panels.js";
 import { QuizPart } from "./quiz.js";
 import { plainText, signNodes } from "./signs.js";
@@ -191,8 +192,8 @@ function goToHash() {
   if (player?.shown.mechanism !== chosen) showMechanism(chosen);
   const now = /** @type {Player} */ (/** @type {unknown} */ (player));
   for (const driver of now.drivers) {
-    const value = Number(entries.get(driver.axis.name) ?? NaN);
-    if (Number.isFinite(value)) driver.set(value / driver.axis.factor);
+    const value = numberIn(entries.get(driver.axis.name) ?? "");
+    if (value !== null) driver.set(value / driver.axis.factor);
   }
   now.move();
   now.goStep(Number(entries.get("step") ?? 0));
