@@ -55,7 +55,7 @@ def work_of(mechanism: str, kind: str, seed: int, wobble: bool) -> Work:
     """A student's work: "right", or with a "mistake" or a "slip" that is there to be seen and has room."""
     paper, rng, habits = _paper(mechanism), np.random.default_rng([seed, 3]), HAND if wobble else NEAT
     some = (Work(paper, seed + 100_000 * k, habits=habits) for k in range(60))
-    right = next(work for work in some if work.fits())  # not every hand's lines meet
+    right = next(work for work in some if work.closes())
     for _ in range(60):
         if kind == "mistake":
             known = _mistakes(mechanism)

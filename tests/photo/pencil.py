@@ -150,6 +150,10 @@ class Work:
         return {plane: {name: complex(np.ravel(place_)[0]) / scales[plane] for name, place_ in plot.points(plane).items()}
                 for plane in self.paper.planes}  # fmt: skip
 
+    def closes(self) -> bool:
+        """True if its lines meet, as not every hand's do."""
+        return all(np.isfinite(at) for points in self.corners.values() for at in points.values())
+
     def fits(self, edge: float = 2.0) -> bool:
         """True if all of it lies in its rooms."""
         for plane, points in self.corners.items():
