@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from assess import Case, work_of
+from assess_photos import Case, work_of
 from pencil import HAND, NEAT, FlatPage, Work, paper_of
 
 from graphkin.construction import Plane

@@ -1,6 +1,6 @@
 """How well photographs are measured: synthetic ones over mechanisms of the library, by hand, as it takes half an hour.
 
-    python tests/photo/assess.py [--count 300] [--aside] [--flat] [--jobs 2]
+    python tests/photo/assess_photos.py [--count 300] [--aside] [--flat] [--jobs 2]
 
 --aside  mechanisms and cameras that the reader was not tuned on; --flat: pages themselves, without any camera
 """
