@@ -21,6 +21,7 @@ from graphkin.photo.searching import Candidate, drawn_strokes
 _REACHES = (2.0, 1.2, 0.8)  # a line is sought so far from where it is expected, closer each time [mm]
 _TELLS = 20.0  # lines that are longer tell how the hand wobbles [mm]
 _ONE = 0.15  # corners so near each other are one [mm]
+_BESIDE = 0.9  # strokes that are no farther from each other are seen as one [mm]
 _ASTRAY = 0.5  # a line that need not be drawn, and runs farther off than it was sought, is another one [mm]
 _DRAWN = 0.5  # a line has ink over so much of its length
 _THROUGH = 0.03  # a line goes so near by the corners at its ends, beside the hand's wobble [mm]
@@ -77,8 +78,20 @@ class Fit:
                 self.lines[stroke] = line
         long = [line.scatter for line in self.lines.values() if line.length > _TELLS]
         wobble = float(np.median(long)) if long else 0.0
-        self.lines = {stroke: line.drawn_by(wobble) for stroke, line in self.lines.items()}
+        self.lines = {stroke: line.drawn_by(wobble, self._beside_others(stroke)) for stroke, line in self.lines.items()}
         return wobble
+
+    def _beside_others(self, stroke: Stroke) -> float:
+        """The part of a stroke along which another one runs, so that the ink of both is one."""
+        tail, head = self.at[[stroke.tail, stroke.head]]
+        places, most = tail + np.linspace(0.1, 0.9, 17) * (head - tail), 0.0
+        for other in self.lines:
+            if other is not stroke:
+                start, end = self.at[[other.tail, other.head]]
+                own = (places - start) / (end - start)
+                there = (np.abs(own.imag) * abs(end - start) < _BESIDE) & (own.real > 0) & (own.real < 1)
+                most = max(most, float(there.mean()))
+        return most
 
     def _apart(self, strokes: Sequence[Stroke]) -> list[Stroke]:
         """Without those that lie on another one, needed ones first."""

@@ -52,9 +52,10 @@ class Line:
         there = along * (ends.mean() * along.conjugate()).real
         return cls(complex(there), along, length, _HIDDEN, _HIDDEN * np.sqrt(12) / length, 0.0, 0.0, 1.0)
 
-    def drawn_by(self, wobble: float) -> Line:
-        """As it is known when the hand wobbles by so much [mm], which tilts a short line unseen."""
-        off = max(self.off, wobble / np.sqrt(max(1.0, self.length / _WOBBLES)))
+    def drawn_by(self, wobble: float, beside: float) -> Line:
+        """As it is known when the hand wobbles by so much [mm], which tilts a short line unseen, and when another one
+        runs beside this part of it."""
+        off = max(self.off, wobble / np.sqrt(max(1.0, self.length / _WOBBLES)), _LEAST * (1 + _SPOILT * beside))
         return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
 
     def beyond(self, place: complex) -> float:
