@@ -8,7 +8,6 @@ from functools import cache, cached_property, partial
 from itertools import product
 from typing import Literal
 
-from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
@@ -177,10 +176,9 @@ class Planes:
 
 @frozen
 class DetailRoom:
-    """The room for a detail, which finds its place in it when all is lettered; burdens: of the figure's labels."""
+    """The room for a detail, which finds its place in it when all is lettered."""
 
     size: complex
-    burdens: Array
 
     def marks(self, corner: Place) -> Iterator[Mark]:
         yield from ()
@@ -303,12 +301,10 @@ class SheetContents:
             for plane, name, shapes in every
         ]  # fmt: skip
 
-    def page(self, layout: Layout) -> Page:
+    def page(self, paper: Paper, panels: Sequence[Panel]) -> Page:
         """Everything on a divided paper."""
         drawing = self.drawing
-        panels = [self.panel(layout, plane) for plane in self.planes]
-        facts = drawing.plot.facts
-        return Page(layout.paper, panels, drawing.method.mechanism, facts.values, drawing.lang, self.strip)
+        return Page(paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, self.strip)
 
     def panel(self, layout: Layout, plane: Plane) -> Panel:
         """One plane's figure; lettered once for all divisions that show it alike."""
@@ -320,7 +316,7 @@ class SheetContents:
         if place not in panels:
             panel = self._plain_panel(layout, plane, window, corners)
             if plane in self.detailed:
-                panel = detailed(panel, partial(self.drawing.figure, plane), plane, self.detailed[plane].burdens)
+                panel = detailed(panel, partial(self.drawing.figure, plane), plane)
             panels[place] = panel
         return panels[place]
 

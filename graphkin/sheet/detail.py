@@ -80,13 +80,10 @@ class _View:
     window: Window
 
 
-def detailed(
-    panel: Panel, draw: Callable[[Window], Figure], plane: Plane, burdens: Array | Sequence[float] = ()
-) -> Panel:
-    """The panel with details, where they relieve it; `draw`: its figure through any window, burdens: of its labels, as
-    they were in another room. A panel without a knot, or without room for a detail, is handed back as it is."""
-    known = np.array(burdens) if len(burdens) == len(panel.figure.wanted) else panel.burdens
-    drawing = _DetailDrawing(panel, draw, _PRIMES[plane], known)
+def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Panel:
+    """The panel with details, where they relieve it; `draw`: its figure through any window. A panel without a knot, or
+    without room for a detail, is handed back as it is."""
+    drawing = _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens)
     while len(drawing.views) < len(_NUMERALS) and (more := drawing.relieved()) is not None:
         drawing = more
     return drawing.panel
@@ -97,6 +94,11 @@ def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Se
     drawing = _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens)
     view = drawing._view(_about(about), FreeRoom(panel.scene))
     return drawing._with(view).panel if view is not None else panel
+
+
+def has_knot(panel: Panel) -> bool:
+    """True where a detail may relieve a panel's labels."""
+    return bool(_knots(panel.figure.wanted, panel.burdens))
 
 
 @frozen

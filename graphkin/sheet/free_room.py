@@ -147,7 +147,7 @@ class FreeRoom:
         second no letters, arcs and arrow heads."""
         good = np.ones(len(groups), dtype=bool)
         for part in (0, 1):
-            marks = [(k, mark) for k, group in enumerate(groups) for mark in group[part]]
+            marks = [(k, mark) for k in np.flatnonzero(good).tolist() for mark in groups[k][part]]
             texts = [(k, *_cover(mark)) for k, mark in marks if isinstance(mark, Text)]
             lines = [(k, mark) for k, mark in marks if not isinstance(mark, Text)]
             if not marks:
@@ -155,11 +155,12 @@ class FreeRoom:
             on, number = places((mark for _, mark in lines), _SLICE)
             low, high = (np.concatenate([*(text[side] for text in texts), on.T]) for side in (1, 2))
             drawn = np.array([k for k, _ in lines], dtype=np.intp)[number]
-            owner = np.concatenate([*(np.full(len(each), k) for k, each, _ in texts), drawn])
+            lettered = np.array([k for k, each, _ in texts for _ in each], dtype=np.intp)
+            owner = np.concatenate([lettered, drawn])
             if part:
                 free = _clear(self._scene.inside(low.T, high.T), low, high, [self._signs])
             else:
-                free, letters = self.free(low, high), slice(len(low) - len(drawn))
+                free, letters = self.free(low, high), slice(len(lettered))
                 free[letters] &= ~_beside(low[letters], high[letters], self._letters)
             good[owner[~free]] = False
         return [int(number) for number in np.flatnonzero(good)]
@@ -201,10 +202,9 @@ def _boxes(texts: Sequence[Text]) -> Array:
 
 def _cover(text: Text) -> tuple[Array, Array]:
     """Boxes low..high (n, 2) that hold letters: slices of them where they are turned."""
+    (wide, up, down), turn, (x, y) = box(text.label, text.size), cmath.rect(1, text.turn), (text.at.real, text.at.imag)
     if not text.turn:
-        left, top, right, bottom = bounds([text])
-        return np.array([[left, top]]), np.array([[right, bottom]])
-    (wide, up, down), turn = box(text.label, text.size), cmath.rect(1, text.turn)
+        return np.array([[x, y - up]]), np.array([[x + wide, y + down]])
     at = text.at + turn * np.linspace(0.0, wide, int(wide / _SLICE) + 2)
     ends = np.stack([at - 1j * turn * up, at + 1j * turn * down])
     sides = np.stack([ends.real, ends.imag], axis=-1)

@@ -8,10 +8,10 @@ smallest paper that holds all, details, the same paper turned, a larger paper.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property, partial
 from heapq import heapify, heapreplace
 
 import numpy as np
@@ -28,12 +28,12 @@ from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.sheet.composition import DetailRoom, Planes, SheetContents, Style
-from graphkin.sheet.detail import DETAILS, SAVED
+from graphkin.sheet.detail import DETAILS, SAVED, has_knot
 from graphkin.sheet.label_requests import CRAMMED
 from graphkin.sheet.labels import UNCLEAR, burden
 from graphkin.sheet.layout import Layout, cut_to
 from graphkin.sheet.lettering import LABEL
-from graphkin.sheet.page import Page, Sheet
+from graphkin.sheet.page import Page, Panel, Sheet
 from graphkin.sheet.paper import PAPERS, Paper, papers_for
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
@@ -142,14 +142,14 @@ class Arrangement:
         yield (price := max(0.0, self.layout.strip.size.imag - FOOT) / _STRIP)
         contents = self.contents
         for plane in sorted(contents.planes, key=lambda plane: (plane not in contents.detailed, plane == "position")):
-            panel = contents.panel(self.layout, plane)
+            panel = self.panel(plane)
             yield (price := round(price + _LOST * len(panel.near.clashing) + burden(panel.burdens), 6))
 
     @cached_property
     def burdens(self) -> dict[Plane, Array]:
         """The burdens of the labels of each polygon on the eye."""
         polygons = [plane for plane in self.contents.planes if plane != "position" and self.overfull <= 1]
-        return {plane: self.contents.panel(self.layout, plane).burdens for plane in polygons}
+        return {plane: self.panel(plane).burdens for plane in polygons}
 
     @property
     def crowds(self) -> list[Plane]:
@@ -159,14 +159,19 @@ class Arrangement:
     @property
     def knotted(self) -> dict[Plane, DetailRoom]:
         """Details that would relieve labels: small ones where little is to be seen in them."""
-        weights = {plane: burden(each) for plane, each in self.burdens.items() if plane not in self.crowds}
-        return {plane: DetailRoom(DETAILS[weight > 2 * SAVED], self.burdens[plane])
-                for plane, weight in weights.items() if weight >= SAVED}  # fmt: skip
+        panels = {plane: self.panel(plane) for plane in self.burdens if plane not in self.crowds}
+        return {plane: DetailRoom(DETAILS[burden(panel.burdens) > 2 * SAVED])
+                for plane, panel in panels.items() if has_knot(panel)}  # fmt: skip
+
+    @cached_property
+    def panel(self) -> Callable[[Plane], Panel]:
+        """The figure of each plane."""
+        return cache(partial(self.contents.panel, self.layout))
 
     @property
     def page(self) -> Page:
         """All of it; of figures for another document no more paper than they need."""
-        page = self.contents.page(self.layout)
+        page = self.contents.page(self.layout.paper, [*map(self.panel, self.contents.planes)])
         return page.trimmed if self.contents.tight else page
 
 
@@ -188,9 +193,9 @@ def _cheaper(
 ) -> tuple[Arrangement, float]:
     """The cheapest on these papers, without details or with them, or the best so far; with its price. None is composed
     further once another is known to be cheaper."""
-    first = Arrangement.on(contents, papers)
-    knots = first.knotted
-    every = [first, *([Arrangement.on(replace(contents, detailed=knots), papers)] if knots else [])]
+    every = [] if best and best[0].contents.detailed else [Arrangement.on(contents, papers)]
+    if knots := best[0].contents.detailed if best else every[0].knotted:
+        every.append(Arrangement.on(replace(contents, detailed=knots), papers))
     tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
     tried += [] if best is None else [(best[1], -1, best[0], iter(()))]
     heapify(tried)
