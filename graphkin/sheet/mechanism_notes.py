@@ -31,7 +31,7 @@ _MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler [mm]
 _AROUND = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
 _NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
 _TOLD = 5.0  # a shorter length is told by words alone [mm]
-_TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
+_TRIED, _AT_ONCE = 12, 4  # so many places are tried for an arc whose letter finds no room beside it, and together
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
@@ -115,7 +115,7 @@ class MechanismNotes:
         of a link that has no bar."""
         own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
         for wide, arcs in ((_APART, self._arcs(link)), (_APART / 2, self._arcs(link))):
-            while some := [*islice(arcs, _TRIED)]:
+            while some := [*islice(arcs, _AT_ONCE)]:
                 rooms = list[list[Mark]]()
                 for points, radius, middle, crossing in some:
                     at, half = sum(map(self.skeleton.at, points)) / len(points), SWEEP / 2

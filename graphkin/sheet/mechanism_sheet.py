@@ -12,7 +12,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache, cached_property, partial
-from heapq import heapify, heapreplace
+from heapq import heappush, heapreplace
 
 import numpy as np
 
@@ -177,31 +177,30 @@ class Arrangement:
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure. A figure for
-    another document stays on the smallest; a crowd that no detail relieves wants a larger one, if any."""
-    usual = papers_for(paper)
-    best, price = _cheaper(contents, usual)
-    lying = best.layout.paper.lying
-    for other in () if contents.tight else sorted(usual[2:], key=lambda other: other.lying != lying):
-        if price > _MANY and other != best.sold and not (best.crowds and other.area == best.sold.area):
-            with suppress(TooLargeForPaper):
-                best, price = _cheaper(contents, [other], (best, price))
-    return best.cut if paper is None or contents.tight else best
-
-
-def _cheaper(
-    contents: SheetContents, papers: Sequence[Paper], best: tuple[Arrangement, float] | None = None
-) -> tuple[Arrangement, float]:
-    """The cheapest on these papers, without details or with them, or the best so far; with its price. None is composed
+    another document stays on the smallest; a crowd that no detail relieves wants a larger one, if any. None is composed
     further once another is known to be cheaper."""
-    every = [] if best and best[0].contents.detailed else [Arrangement.on(contents, papers)]
-    if knots := best[0].contents.detailed if best else every[0].knotted:
-        every.append(Arrangement.on(replace(contents, detailed=knots), papers))
+    usual = papers_for(paper)
+    every, larger = [*_arrangements(contents, usual)], [] if contents.tight else usual[2:]
     tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
-    tried += [] if best is None else [(best[1], -1, best[0], iter(()))]
-    heapify(tried)
-    while (bound := next(tried[0][3], None)) is not None:
-        heapreplace(tried, (bound, *tried[0][1:]))
-    return tried[0][2], tried[0][0]
+    while True:
+        price, number, best, bounds = tried[0]
+        if price > _MANY and larger:
+            larger.sort(key=lambda other: other.lying == best.layout.paper.lying)
+            if (other := larger.pop()) != best.sold and not (other.area == best.sold.area and best.crowds):
+                with suppress(TooLargeForPaper):
+                    for each in _arrangements(replace(contents, detailed=every[-1].contents.detailed), [other]):
+                        heappush(tried, (0.0, len(tried), each, each.bounds()))
+        elif (price := next(bounds, -1.0)) >= 0:
+            heapreplace(tried, (price, number, best, bounds))
+        else:
+            return best.cut if paper is None or contents.tight else best
+
+
+def _arrangements(contents: SheetContents, papers: Sequence[Paper]) -> Iterator[Arrangement]:
+    """Those on papers: with the details that are known to be wanted, else without, and with those that it wants."""
+    yield (one := Arrangement.on(contents, papers))
+    if not contents.detailed and (knots := one.knotted):
+        yield Arrangement.on(replace(contents, detailed=knots), papers)
 
 
 def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
