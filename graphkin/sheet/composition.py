@@ -324,18 +324,17 @@ class SheetContents:
         """One plane's figure under its heading, with its blocks."""
         drawing, room = self.drawing, layout.rooms[plane]
         before = [*heading(HEADINGS[drawing.lang][plane], plane, window.printed, room)]
-        taken, rings = list[Room](), None
+        beside, rings = list[tuple[Room, tuple[Mark, ...]]](), None
         for shapes, (k, at) in zip(self.blocks[plane].values(), corners, strict=True):
             block, end = shapes[k], at + shapes[k].size
             if isinstance(block, Ladder):  # its numbers come last
-                rings, marks = partial(block.rings, at), [*block.rows(at)]
+                rings, marks = partial(block.rings, at), tuple(block.rows(at))
             else:
-                marks = [*block.marks(at)]
-            before += marks
-            taken += [Room(at.real, at.imag, end.real, end.imag)] * bool(marks)
+                marks = tuple(block.marks(at))
+            beside.append((Room(at.real, at.imag, end.real, end.imag), marks))
         if self.stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
         return Panel(
             drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), plane,
-            drawing.last(plane, window, layout.scales, rings), tuple(taken),
+            drawing.last(plane, window, layout.scales, rings), tuple(beside),
         )  # fmt: skip

@@ -18,6 +18,7 @@ from graphkin.sheet.label_requests import SIGN, LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
+from graphkin.sheet.paper import Room
 
 _CLEAR = 0.6  # the distance of what is added from everything there [mm]
 _OFF = 0.65  # the distance of a number from the name to which it belongs [mm]
@@ -33,10 +34,10 @@ class FreeRoom:
     """A figure with its labels, and what has been added since."""
 
     def __init__(self, scene: LabelScene, labels: Sequence[Mark] = ()) -> None:
-        self._scene, self.room, self.marks = scene, scene.room, [*scene.drawn, *labels]
+        self._scene, self.room, self.marks = scene, scene.room, [*scene.drawn, *scene.rows, *labels]
         self._first, self._standing = len(self.marks), [scene.known, *([obstacles(labels)] if labels else [])]
         self._late: dict[int, Obstacles] = {}
-        self._letters = _boxes([mark for mark in self.marks if isinstance(mark, Text)])
+        self._letters = _boxes([mark for mark in self.marks if isinstance(mark, Text)], scene.taken)
 
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
@@ -168,10 +169,9 @@ class FreeRoom:
     @cached_property
     def _signs(self) -> Obstacles:
         """Letters, arcs and arrow heads."""
-        return obstacles(
-            mark for mark in self.marks
-            if isinstance(mark, Text | ArcMark) or (isinstance(mark, Stroke) and mark.fill == "ink")
-        )  # fmt: skip
+        heads = (mark for mark in self.marks if isinstance(mark, Stroke) and mark.fill == "ink")
+        letters = (mark for mark in self.marks if isinstance(mark, Text | ArcMark))
+        return obstacles([*self._scene.rows, *letters, *heads])
 
     def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
         """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
@@ -195,9 +195,10 @@ def _beside(low: Array, high: Array, letters: Array) -> Array:
     return np.asarray(overlap(low.T[..., None], high.T[..., None], least.T[:, None], most.T[:, None]).any(axis=1))
 
 
-def _boxes(texts: Sequence[Text]) -> Array:
-    """Lower and upper corner of each text (n, 2, 2)."""
-    return np.concatenate([np.zeros((0, 2, 2)), *(np.stack(_cover(text), axis=1) for text in texts)])
+def _boxes(texts: Sequence[Text], taken: Sequence[Room] = ()) -> Array:
+    """Lower and upper corner of each text, and of rooms of others (n, 2, 2)."""
+    rooms = np.array([(room.left, room.top, room.right, room.bottom) for room in taken]).reshape(-1, 2, 2)
+    return np.concatenate([rooms, *(np.stack(_cover(text), axis=1) for text in texts)])
 
 
 def _cover(text: Text) -> tuple[Array, Array]:

@@ -34,6 +34,8 @@ MANY = 150  # more labels than this are a crowd that no care relieves
 _KEPT = 240  # so many places of a label are kept at most, the cheapest
 _CLEAR, _EASY, _WHOLE = 0.45, 1.3, 0.8
 """The distance of a label from lines at least, the one it likes, and that from a line that else gives way [mm]."""
+_AIR, _ROW = 2.0, 2.0
+"""From rows of equations and tables to labels, which would read as one more if nearer; no row is lower [mm]."""
 STRANGE = 100.0  # the cost of standing beyond another line or nearer to another arrow, or on an unclear leader
 _OVER = 0.4  # so much of that is the cost of a leader that is unclear only since it goes over another arrow
 _ON, _LINE, _OUTSIDE, _CLOSE = 5, 400.0, 5000.0, 0.45
@@ -45,12 +47,13 @@ _COVERED, _LETTERED, _CROSSED = 5.0, 250.0, 1.5
 @filled
 class LabelScene:
     """Labels that want a place, and all that is drawn where they want it; giving_way: lines that are drawn only where
-    letters have left room."""
+    letters have left room; taken: rooms of equations and tables."""
 
     wanted: Sequence[LabelRequest]
     drawn: Sequence[Mark]
     room: Room
     giving_way: Sequence[Mark] = ()
+    taken: Sequence[Room] = ()
     _seen: dict[tuple[int, int], LabelPlaces] = field(default_factory=dict)
 
     @property
@@ -61,12 +64,17 @@ class LabelScene:
 
     @cached_property
     def known(self) -> Obstacles:
-        return obstacles(self.drawn)
+        return obstacles([*self.drawn, *self.rows])
 
     @cached_property
     def letters(self) -> Obstacles:
         """Obstacles that let no leader through."""
-        return obstacles(mark for mark in self.drawn if isinstance(mark, Text))
+        return obstacles([*(mark for mark in self.drawn if isinstance(mark, Text)), *self.rows])
+
+    @cached_property
+    def rows(self) -> list[Mark]:
+        """Lines through all that is taken, for its letters, and about it."""
+        return [Stroke(room.inset(-_AIR, 0, -_AIR).meander(_ROW)) for room in self.taken]
 
     @cached_property
     def arrows(self) -> Arrows:

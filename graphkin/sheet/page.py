@@ -38,7 +38,6 @@ HEADINGS: dict[Lang, dict[Plane, str]] = {
 }
 HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm]
 
-_AIR = 2.0  # of labels to rows of equations and tables: nearer they would read as one more [mm]
 _UNDER = ("construction", "measured")  # thin lines of a construction lie under the figure's
 _EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
@@ -118,8 +117,8 @@ class Panel:
     figure         on paper already, with the labels it wants; window: through which it is seen
     room           where its labels may stand [mm]
     before         what is painted before it: its heading, its caption
+    beside         what stands with it, and the rooms that this takes up, which labels keep off
     more           what is drawn last, where figure and labels have left room; labels keep off its lines if they can
-    taken          rooms of what is no part of the figure: labels keep off
     plane          whose origin and scale the sheet tells; None for a figure whose scale it does not
     """
 
@@ -129,19 +128,19 @@ class Panel:
     before: tuple[Mark, ...] = ()
     plane: Plane | None = "position"
     more: Last | None = None
-    taken: tuple[Room, ...] = ()
+    beside: tuple[tuple[Room, tuple[Mark, ...]], ...] = ()
 
     @property
     def drawn(self) -> list[Mark]:
         """Everything but the labels, which keep off it."""
-        return [*self.before, *self.figure.marks]
+        return [*self.before, *(mark for _, marks in self.beside for mark in marks), *self.figure.marks]
 
     @cached_property
     def scene(self) -> LabelScene:
         """Labels that want a place, and all that they keep off."""
         giving_way = self.more.lines() if self.more is not None else ()
-        taken = [Stroke(room.inset(-_AIR, 0, -_AIR).corners, closed=True, fill="ink") for room in self.taken]
-        return LabelScene(self.figure.wanted, [*self.drawn, *taken], self.room, giving_way)
+        taken = [room for room, marks in self.beside if marks]
+        return LabelScene(self.figure.wanted, [*self.before, *self.figure.marks], self.room, giving_way, taken)
 
     @cached_property
     def near(self) -> Settled:
