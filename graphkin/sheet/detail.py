@@ -147,6 +147,8 @@ class _DetailDrawing:
         arrows = {want.of for want in named if want.of}
         pole, seen = ([mark.at for mark in each.marks if isinstance(mark, PointMark) and mark.of == "pole"][:1]
                       for each in (figure, whole))  # fmt: skip
+        if (self.burdens[[want.start in pole and not want.of for want in figure.wanted]] >= UNCLEAR).any():
+            pole = seen = []  # it has no better place for its names either
         named = [_alone(want) if want.start in seen and not want.of else want for want in named]
         stay = [not (want.of in arrows if want.of else view.part.names(want) and want.start not in pole)
                 for want in figure.wanted]  # fmt: skip

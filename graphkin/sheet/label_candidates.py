@@ -74,7 +74,7 @@ class LabelScene:
     @cached_property
     def rows(self) -> list[Mark]:
         """Lines through all that is taken, for its letters, and about it."""
-        return [Stroke(room.inset(-_AIR, 0, -_AIR).meander(_ROW)) for room in self.taken]
+        return [Stroke(room.inset(-_AIR, -_AIR / 2, -_AIR).meander(_ROW)) for room in self.taken]
 
     @cached_property
     def arrows(self) -> Arrows:

@@ -41,7 +41,7 @@ from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_MANY = 10.0  # at a higher price other papers are tried
+_SOME, _MANY = 6.0, 10.0  # at a higher price the same paper is tried turned, and a larger one
 _CROWD = 32  # labels without a good place, of which two details relieve no more
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 
@@ -180,13 +180,13 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     another document stays on the smallest; a crowd that no detail relieves wants a larger one, if any. None is composed
     further once another is known to be cheaper."""
     usual = papers_for(paper)
-    every, larger = [*_arrangements(contents, usual)], [] if contents.tight else usual[2:]
+    every, others = [*_arrangements(contents, usual)], [] if contents.tight or len(usual) == 1 else [*usual]
     tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
     while True:
         price, number, best, bounds = tried[0]
-        if price > _MANY and larger:
-            larger.sort(key=lambda other: other.lying == best.layout.paper.lying)
-            if (other := larger.pop()) != best.sold and not (other.area == best.sold.area and best.crowds):
+        others.sort(key=lambda other: (-other.area, other.lying == best.layout.paper.lying))
+        if others and price > (_SOME if others[-1].area == usual[0].area else _MANY):
+            if (other := others.pop()) != best.sold and not (other.area == best.sold.area and best.crowds):
                 with suppress(TooLargeForPaper):
                     for each in _arrangements(replace(contents, detailed=every[-1].contents.detailed), [other]):
                         heappush(tried, (0.0, len(tried), each, each.bounds()))
