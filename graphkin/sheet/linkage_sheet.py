@@ -148,9 +148,7 @@ _SEEN = 0.05  # an arm that leaves its link's line by more does not show its dir
 _PAST_BLOCK = 6.5  # side of the square in a right angle where it is to be seen beside a block [mm]
 
 
-def _picture(
-    positions: Row, draw: Callable[[Window], Figure], *texts: str, ground: Sequence[complex] = ()
-) -> Picture:
+def _picture(positions: Row, draw: Callable[[Window], Figure], *texts: str, ground: Sequence[complex] = ()) -> Picture:
     places = [*ground, *(place for position in positions for place in position.places)]
     return Picture(Extent.of(places, draw), draw, texts)
 
