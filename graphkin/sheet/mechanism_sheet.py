@@ -14,9 +14,6 @@ from dataclasses import replace
 from functools import cache, cached_property, partial
 from heapq import heappush, heapreplace
 
-import numpy as np
-
-from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang, TooLargeForPaper
@@ -41,7 +38,7 @@ from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_SOME, _MANY = 6.0, 10.0  # at a higher price the same paper is tried turned, and a larger one
+_MANY = 10.0  # at a higher price other papers are tried
 _CROWD = 32  # labels without a good place, of which two details relieve no more
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 
@@ -145,23 +142,22 @@ class Arrangement:
             panel = self.panel(plane)
             yield (price := round(price + _LOST * len(panel.near.clashing) + burden(panel.burdens), 6))
 
-    @cached_property
-    def burdens(self) -> dict[Plane, Array]:
-        """The burdens of the labels of each polygon on the eye."""
-        polygons = [plane for plane in self.contents.planes if plane != "position" and self.overfull <= 1]
-        return {plane: self.panel(plane).burdens for plane in polygons}
+    @property
+    def polygons(self) -> dict[Plane, Panel]:
+        """The figures that may have details; none of an overfull one."""
+        planes = self.contents.planes if self.overfull <= 1 else ()
+        return {plane: self.panel(plane) for plane in planes if plane != "position"}
 
     @property
     def crowds(self) -> list[Plane]:
         """Planes in which so many labels have no good place that no detail relieves them."""
-        return [plane for plane, each in self.burdens.items() if np.count_nonzero(each >= UNCLEAR) > _CROWD]
+        return [plane for plane, panel in self.polygons.items() if (panel.burdens >= UNCLEAR).sum() > _CROWD]
 
     @property
     def knotted(self) -> dict[Plane, DetailRoom]:
         """Details that would relieve labels: small ones where little is to be seen in them."""
-        panels = {plane: self.panel(plane) for plane in self.burdens if plane not in self.crowds}
         return {plane: DetailRoom(DETAILS[burden(panel.burdens) > 2 * SAVED])
-                for plane, panel in panels.items() if has_knot(panel)}  # fmt: skip
+                for plane, panel in self.polygons.items() if plane not in self.crowds and has_knot(panel)}  # fmt: skip
 
     @cached_property
     def panel(self) -> Callable[[Plane], Panel]:
@@ -180,13 +176,13 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     another document stays on the smallest; a crowd that no detail relieves wants a larger one, if any. None is composed
     further once another is known to be cheaper."""
     usual = papers_for(paper)
-    every, others = [*_arrangements(contents, usual)], [] if contents.tight or len(usual) == 1 else [*usual]
+    every, larger = [*_arrangements(contents, usual)], [] if contents.tight else usual[2:]
     tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
     while True:
         price, number, best, bounds = tried[0]
-        others.sort(key=lambda other: (-other.area, other.lying == best.layout.paper.lying))
-        if others and price > (_SOME if others[-1].area == usual[0].area else _MANY):
-            if (other := others.pop()) != best.sold and not (other.area == best.sold.area and best.crowds):
+        if price > _MANY and larger:
+            larger.sort(key=lambda other: other.lying == best.layout.paper.lying)
+            if (other := larger.pop()) != best.sold and not (other.area == best.sold.area and best.crowds):
                 with suppress(TooLargeForPaper):
                     for each in _arrangements(replace(contents, detailed=every[-1].contents.detailed), [other]):
                         heappush(tried, (0.0, len(tried), each, each.bounds()))
