@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from math import inf
 from typing import assert_never
 
 import graphkin
@@ -291,12 +292,15 @@ def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | Non
     """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
     drawing, lang = problem.drawing if style == "given" else problem.told, problem.lang
     draw = partial(mechanism_sheet, drawing.method, drawing.plot, lang=lang, only=plane, style=style, tight=True)
-    drawn, acts = draw(equations=False), [act for act in drawing.method.acts if act.plane == plane and act.numbered]
+    every = [act for act in drawing.method.acts if act.plane == plane and act.numbered]
+    acts = [act for act in every if act.number in problem.numbers]
+    drawn = draw(equations=False)
     labels = [mark.label for mark in drawn.marks if isinstance(mark, Text)]
     if style == "construction" and not all(plain(str(act.number)) in labels for act in acts):
         drawn = draw()  # a number that has no room stands with the equations
-    if last is not None:
-        drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
+    left = {act.page for act in every if act not in acts}  # of what a driver at rest holds
+    end = inf if last is None else last
+    drawn = drawn.redrawn(lambda mark: None if mark.step in left or (mark.step or 0) > end else mark)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
     words = say(key, lang, what=HEADINGS[lang][plane], title=problem.title)
     return document.HandoutPicture(drawn, words)
