@@ -10,6 +10,8 @@ from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label
 
+_MANY = 10  # rows of a table that are as high as one would have them
+
 Stage = Literal["problem", "blank", "half", "solution"]
 
 
@@ -81,6 +83,11 @@ class HandoutTable:
     rows: tuple[tuple[Label, ...], ...]
     under: float = 0.0
     printed: bool = False
+
+    @property
+    def row(self) -> float:
+        """The height of a row [mm]: of many there is less room for each."""
+        return 5.7 if self.printed else 7.5 if len(self.rows) <= _MANY else 6.0
 
 
 @frozen

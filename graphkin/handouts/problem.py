@@ -142,6 +142,12 @@ class HandoutProblem:
         """The mechanism, its instant centres where they are asked for, then the polygons that are drawn."""
         return self._sections[4:-1]
 
+    @cached_property
+    def numbers(self) -> frozenset[int]:
+        """Those of the steps of the polygons that its text tells."""
+        sentences = (each for part in self.parts for each in part.entries if isinstance(each, entry.Sentence))
+        return frozenset(each.act.number for each in sentences if each.act is not None and each.act.numbered)
+
     @property
     def polygons(self) -> tuple[Plane, ...]:
         return tuple(self.goal.parts)

@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from math import inf
 from typing import assert_never
 
 import graphkin
@@ -14,11 +15,12 @@ from graphkin.errors import Lang
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
-from graphkin.handouts.worksheet import answer_boxes, empty_rows, measured, room, worth
+from graphkin.handouts.worksheet import answers_room, empty_rows, measured, room, worth
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.letters import lettered
 from graphkin.say import entry
 from graphkin.say.catalogue import say
+from graphkin.say.problems import positions
 from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain, width
 from graphkin.sheet.marks import Text
@@ -27,8 +29,9 @@ from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import finest, written
 from graphkin.submissions import Student
 
-_HIGH, _LOW, _ROW = 203.5, 70.0, 7.5  # of a page but for a problem's name, entries and answers, and of a name [mm]
+_HIGH, _LOW, _NAME = 211.0, 50.0, 7.5  # of a page but for a problem's name, entries and answers, and of a name [mm]
 _ENTRY, _LINE, _WIDE, _LETTERS = 6.4, 4.9, 170.0, 3.7  # of an entry, of each further line of it; a page's width [mm]
+_FINER, _SMALLEST = 1.05, 8.0  # a figure becomes so many times smaller at a time, and in all
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
@@ -169,8 +172,9 @@ def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None
     yield document.Paragraph(scales_to_use(problem))
     yield figure or figure_of(problem)
     if problem.asked.wanted:
-        yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
-        yield answer_boxes(problem)
+        several = bool(positions(problem.drawing.mechanism))
+        yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang, which=several)))
+        yield answers_room(problem)
     if problem.whose:
         yield document.Paragraph(plain(say("handouts.see hand-in", problem.lang)))
 
@@ -197,14 +201,15 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
     notes = [] if there else [say("handouts.elsewhere", problem.lang)]
     texts = [each.text for each in problem.posed if isinstance(each, entry.Sentence | entry.Heading)]
     further = sum(int(width(formula(text), _LETTERS) / _WIDE) for text in texts)
-    rows = len(problem.asked.wanted) + (not problem.whose)
-    least = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - _ROW * rows)
-    if (high := figure.sheet.paper.height) > least:
-        scale = finest(complex(0, high * problem.scales["position"]), complex(1, least))
+    answers = answers_room(problem)
+    below = answers.row * (1 + len(answers.rows)) + (0.0 if problem.whose else _NAME)
+    least, scale = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - below), problem.scales["position"]
+    notes += [say("handouts.smaller", problem.lang)] if figure.sheet.paper.height > least else []
+    while (high := figure.sheet.paper.height) > least and scale < _SMALLEST * problem.scales["position"]:
+        scale = finest(complex(0, max(high / least, _FINER) * scale), complex(1, 1))  # signs are as large as before
         machine = replace(method.mechanism, scales={**method.mechanism.scales, "length": scale})
         reduced = replace(problem.drawing, mechanism=machine, method=replace(method, mechanism=machine))
         figure = _figure(replace(problem, drawing=reduced), "position", "given")
-        notes.append(say("handouts.smaller", problem.lang))
     note = say("common.note", problem.lang, note=say("common.semicolon", problem.lang).join(notes)) if notes else ""
     return replace(figure, of_all=True, note=note)
 
@@ -291,12 +296,15 @@ def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | Non
     """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
     drawing, lang = problem.drawing if style == "given" else problem.told, problem.lang
     draw = partial(mechanism_sheet, drawing.method, drawing.plot, lang=lang, only=plane, style=style, tight=True)
-    drawn, acts = draw(equations=False), [act for act in drawing.method.acts if act.plane == plane and act.numbered]
+    every = [act for act in drawing.method.acts if act.plane == plane and act.numbered]
+    acts = [act for act in every if act.number in problem.numbers]
+    drawn = draw(equations=False)
     labels = [mark.label for mark in drawn.marks if isinstance(mark, Text)]
     if style == "construction" and not all(plain(str(act.number)) in labels for act in acts):
         drawn = draw()  # a number that has no room stands with the equations
-    if last is not None:
-        drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
+    left = {act.page for act in every if act not in acts}  # of what a driver at rest holds
+    end = inf if last is None else last
+    drawn = drawn.redrawn(lambda mark: None if mark.step in left or (mark.step or 0) > end else mark)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
     words = say(key, lang, what=HEADINGS[lang][plane], title=problem.title)
     return document.HandoutPicture(drawn, words)

@@ -33,7 +33,7 @@ _BOUND = re.compile(r"^ (?== [−\d])|(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|r
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
 _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
-_LETTERS, _INSET, _ROW = 3.7, 5.0, 7.5  # of a table: its letters, what a cell is wider than they, a row [mm]
+_LETTERS, _INSET = 3.7, 5.0  # of a table: its letters, what a cell is wider than they [mm]
 _HEAVY = 600  # the weight of bold letters
 _LINE = 6.0  # of a list of problems [mm]
 _SLACK = 0.5  # of a page's height that is left over, as lengths are rounded [mm]
@@ -315,7 +315,7 @@ def _table(table: document.HandoutTable, wide: float) -> str:
     least = [width(head, _LETTERS) + _INSET for head in table.heads]
     wraps = any(width(cell, _LETTERS) + _INSET > room / len(least) for row in table.rows for cell in row)
     columns = ", ".join("1fr" if each < room / len(least) else f"{mm(each)}mm" for each in least)
-    rows = "auto" if wraps else f"{mm(_ROW - 1.8 * table.printed)}mm"
+    rows = "auto" if wraps else f"{mm(table.row)}mm"
     shape = f"columns: ({columns}), rows: {rows}, align: center + horizon, stroke: 0.18mm"
     place = "center" if table.under else "left"
     return f"align({place}, block(width: {mm(room)}mm, table({shape}, table.header({first}), {', '.join(cells)})))"

@@ -127,6 +127,22 @@ def worth(problem: HandoutProblem) -> str:
     return say("handouts.worth", problem.lang, points=f"{total:g}") if has_points else ""
 
 
+def answers_room(problem: HandoutProblem) -> HandoutTable:
+    """Boxes for the answers; of several positions a column each."""
+    every, count = answer_rows(problem), 1 + positions(problem.drawing.mechanism)
+    if count == 1:
+        return answer_boxes(problem)
+    first, worthy = every[: len(every) // count], bool(problem.whose or worth(problem))
+    heads = [say("handouts.quantity", problem.lang), *(f"#{at}" for at in range(1, count + 1))]
+    heads += [say("handouts.unit", problem.lang), *[say("handouts.points", problem.lang)] * worthy]
+    rows = []
+    for k, row in enumerate(first):
+        points = " + ".join(one.points for one in every[k :: len(first)])
+        blank = plain("(\u2003\u2002, \u2003\u2002)" if row.is_place else "")
+        rows.append((formula(row.symbol), *[blank] * count, plain(row.unit), *[plain(points)] * worthy))
+    return HandoutTable(tuple(map(plain, heads)), tuple(rows))
+
+
 def answer_boxes(problem: HandoutProblem) -> HandoutTable:
     """A box an answer, with its unit, and one for sense or direction where it has any; what it is worth, where that
     differs."""

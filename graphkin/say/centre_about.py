@@ -13,7 +13,7 @@ from graphkin.model.mechanism import FRAME
 from graphkin.say import catalogue, names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Operand
-from graphkin.say.numbers import SentenceNumber, at_edge, circled, number, sense, sensed
+from graphkin.say.numbers import SentenceNumber, at_edge, circled, coordinates, number, sense, sensed
 from graphkin.studies.centres.about import About, Circle
 from graphkin.studies.centres.about_bobillier import Bobillier
 from graphkin.studies.centres.centrodes import FAR, LEAST, Centrodes
@@ -133,9 +133,8 @@ def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
 def curves_met(curves: Centrodes, centre: complex | None, lang: Lang, off: bool = False) -> Iterator[str]:
     """The curves at a centre [m], for a sheet that shows them, or that it lies off; how far each reaches."""
     if centre is not None:
-        x, y = (number(1e3 * part, 1e-6) for part in (centre.real, centre.imag))
         key = "about.hinge" if curves.is_point else "about.rolling" if len(curves.axes) > 1 else "about.centre now"
-        place = catalogue.say("common.place", lang, x=x, y=y) + " mm" + off * catalogue.say("about.off", lang)
+        place = coordinates(1e3 * centre, lang, 1e-6) + " mm" + off * catalogue.say("about.off", lang)
         yield catalogue.say(key, lang, centre=curves.name, place=place)
     every = () if curves.is_point else [pair for one in curves.pieces for pair in zip(curves.axes, one.places)]
     yield from dict.fromkeys(_reach(curves, *pair, lang, lambda value: f"{number(1e3 * value)} mm") for pair in every)

@@ -20,7 +20,7 @@ from graphkin.model.quantities import Centre
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Entry, Heading, Sentence
-from graphkin.say.numbers import exact, number
+from graphkin.say.numbers import coordinates, exact, number
 from graphkin.say.reading import Reading
 from graphkin.studies.centres import Centres, centres, place
 from graphkin.studies.centres.instant_centres import shortest
@@ -73,8 +73,8 @@ class CentreReader:
         step = self.found.centring.construction.made_by.get(centre)
         owners = self.mechanism.owners.get(step.point, ()) if isinstance(step, Pricked) else ()
         read = float if FRAME in owners else self.read  # the problem gives the places of fixed points
-        x, y = (number(1000 * read(v), 1000 * noise) for v in (at.real, at.imag))
-        return self.say("centres.mm", place=self.say("common.place", x=x, y=y))
+        at = complex(read(at.real), read(at.imag))
+        return self.say("centres.mm", place=coordinates(1000 * at, self.lang, 1000 * noise))
 
     def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
         """The number of centres, those by definition, the others in order; `together`: pairs of links without one."""
@@ -196,8 +196,7 @@ def centre_place(entry: Mapping[str, object], lang: Lang) -> str:
     """`(66.404, 182.442)` in mm, or `at infinity, 90°`."""
     match entry:
         case {"at": [float(x), float(y)]}:
-            across, up = (exact(value * 1000) if abs(value) > 1e-12 else "0" for value in (x, y))
-            return say("common.place", lang, x=across, y=up)
+            return coordinates(1000 * complex(x, y), lang, 1e-9, exact)
         case {"direction": float(direction)}:
             return say("centres.place at infinity", lang, angle=exact(round(degrees(direction), 9) % 180))
         case _:

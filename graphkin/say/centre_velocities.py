@@ -17,7 +17,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import CentreReader, centre_rows
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, text_lines
 from graphkin.say.figures import Formula, Operand, figures
-from graphkin.say.numbers import degrees, number, sense
+from graphkin.say.numbers import degrees, heading, number, sense
 from graphkin.say.solution_goal import SolutionGoal
 from graphkin.say.text_table import table
 from graphkin.studies.centres import Centres, advantages
@@ -169,16 +169,14 @@ class LeverReader:
             case "alike":
                 return say("centres.sense alike", sense=sense(levers.omega(link), lang), centre=self._shared(lever))
             case "pushed" | "triangle":
-                triangle = say("centres.triangle") + say("common.and") if lever.stage.say == "triangle" else ""
-                return triangle + say("centres.along", angle=degrees(levers.way(link)))
+                told = ["centres.triangle", "centres.along"][lever.stage.say == "pushed" :]
+                return say("common.and").join([*map(say, told), heading(degrees(levers.way(link)), lang)])
             case "glides":
                 return ""
             case "point" | "pair":
-                angle = degrees(levers.moved(meant, link))
-                if lever.stage.say == "point" and levers.turning[link]:
-                    arm = self._stretch(levers.found.name(FRAME, link), meant.of)
-                    return say("centres.across", arm=arm, angle=angle)
-                return say("centres.at", angle=angle)
+                across = [f"⊥{self._stretch(levers.found.name(FRAME, link), meant.of)}"]
+                across = across if lever.stage.say == "point" and levers.turning[link] else []
+                return say("common.and").join([*across, heading(degrees(levers.moved(meant, link)), lang)])
             case _:
                 return sense(levers.turned(meant), lang)
 

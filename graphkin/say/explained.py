@@ -22,7 +22,7 @@ from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation, text_lines
 from graphkin.say.equations import equation
 from graphkin.say.figures import Operand, TrigFormula
-from graphkin.say.numbers import number
+from graphkin.say.numbers import coordinates, number
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries
 from graphkin.say.position import PositionReader
@@ -156,9 +156,9 @@ class AnswerLines:
     def _track(self, quantity: Track) -> str:
         """`(34.5, −20)`, in mm."""
         place = complex(self._motions.position[quantity.site.point])
-        noise, read = self.reading.noise * 1000, self.reading.measured
-        x, y = (number(read(value) * 1000, noise) for value in (place.real, place.imag))
-        return self.reading.say("common.place", x=x, y=y)
+        read = self.reading.measured
+        place = complex(read(place.real), read(place.imag))
+        return coordinates(1000 * place, self.reading.lang, 1000 * self.reading.noise)
 
 
 def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
@@ -10,10 +9,9 @@ from graphkin.errors import Lang
 from graphkin.marking.key import Name
 from graphkin.marking.records import Departure, Graded, Judged, Marked
 from graphkin.model.quantities import EDGE
-from graphkin.model.quantities.reading import respelled
 from graphkin.say.boards import fault_lines, line_name, step_line
 from graphkin.say.catalogue import close, is_phrase, say
-from graphkin.say.names import in_signs, symbols, vector
+from graphkin.say.names import in_signs
 from graphkin.say.numbers import number
 from graphkin.say.reading import capitalized
 from graphkin.say.text_table import aligned, unbraced
@@ -39,9 +37,10 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
         tolerance = f"±{edge_value(one.tolerance, one.unit)}"
         tolerance = "–" if one.verdict in ("dead point", "too small") or one.of_equations else tolerance
         sizes = [given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign]
-        rows.append([in_signs(line_name(one.text, lang), lang), *sizes, verdict(one, lang)])
+        rows.append([in_signs(line_name(one.text, lang)), *sizes, verdict(one, lang)])
     yield from (f"  {row}" for row in marks_table(rows))
-    told = [in_signs(line, lang) for line in (*_carried(marked, lang), *_explanations(marked, lang))]
+    known = {one.text for one in marked.judged}
+    told = [in_signs(line, known) for line in (*_carried(marked, lang), *_explanations(marked, lang))]
     told += [*fault_lines(marked.faults, lang), *([step_line(marked.step, lang)] if marked.step is not None else [])]
     yield from (f"  {unbraced(line)}" for line in told)
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
@@ -154,10 +153,7 @@ def mistake(name: Name, lang: Lang) -> str:
 
 def mistake_in_signs(name: Name, texts: Collection[str], lang: Lang) -> str:
     """The same as a sentence begins, quantities as they are written; texts: of those that are handed in."""
-    # of a rotation all: `omega e c0` of an equivalent link is asked nowhere; `a point` is no acceleration
-    made = mistake(name, lang)
-    signs = respelled(made, lambda text: symbols(text) if text in texts or text[0] in "oαt" else text)
-    raised = re.sub(r"([va])\^([nktr]+)_", lambda part: vector(part[0] + "X")[:-1], signs)
+    raised = in_signs(mistake(name, lang), texts)
     return capitalized(raised) if raised[1:2].isascii() and raised[1:2].isalpha() else raised
 
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import lru_cache
 
 from graphkin.construction import Plane
-from graphkin.errors import Lang
 from graphkin.model.naming import in_order, spelled
 from graphkin.model.quantities.reading import respelled
 
@@ -24,7 +23,8 @@ _STARTS = " origin"
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARKED = re.compile(f"{_OPEN}(.*?){_CLOSE}")
 _DEGREES = r" ?\bdeg\b"
-_ARROW = r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+"
+_ARROW = r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+(?:,[\w@]+)?"
+_SURELY = (*(f"{word} " for word in _GREEK), "a_n ", "a_t ", "a_k ", "a_r ")  # no other words begin so
 
 
 @lru_cache(4096)
@@ -117,9 +117,15 @@ def of_slide(symbol: str, slide: str) -> str:
     return f"{symbol}_{slide}"
 
 
-def in_signs(text: str, lang: Lang) -> str:
-    """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
-    if lang != "zh":
-        return text
-    text = re.sub(_ARROW, lambda arrow: vector(arrow[0]), respelled(text, symbols))
+def in_signs(text: str, known: Collection[str] | None = None) -> str:
+    """Quantities and units that are typed, as they are written: `omega 3` as ω3, `rad/s^2` as rad/s².
+
+    known  in sentences, where `a point` is no acceleration: the points' motions that there are
+    """
+
+    def signs(typed: str) -> str:
+        sure = known is None or typed in known or typed.startswith(_SURELY) or "@" in typed
+        return symbols(typed) if sure else typed
+
+    text = re.sub(_ARROW, lambda arrow: vector(arrow[0]), respelled(text, signs))
     return re.sub(_DEGREES, "°", text).replace("/s^2", "/s²")

@@ -28,6 +28,7 @@ DIGITS = 4  # of what is read off paper
 _COMPUTED = 6
 _DESIGNED = 5
 _PLAIN = range(-6, 9)  # powers of ten that are still written out
+_NONE = 1e-6  # the part of a place's distance up to which a coordinate is rounding noise
 _LEVEL = 0.5  # what rises by more than this part of its length is above, or below
 
 
@@ -118,6 +119,12 @@ def side(away: complex) -> int:
     return int(away.imag <= 0) if abs(away.imag) > _LEVEL * abs(away) else 2 + (away.real > 0)
 
 
+def coordinates(at: complex, lang: Lang, least: float = 0.0, figure: Callable[[float, float], str] = number) -> str:
+    """`(34.5, −20)`: a place; a coordinate up to `least`, or a millionth of the other, is none."""
+    least = max(least, _NONE * abs(at))
+    return say("common.place", lang, x=figure(at.real, least), y=figure(at.imag, least))
+
+
 _CIRCLED = ((1, 0x2460), (21, 0x3251), (36, 0x32B1), (51, 0))  # from which number on the signs begin at which code
 
 
@@ -129,9 +136,9 @@ def circled(count: int) -> str:
     return f"({count})"
 
 
-def exact(value: float | None) -> str:
+def exact(value: float | None, zero: float = 1e-12) -> str:
     """Six significant digits, zero without a sign; `-` where there is none."""
-    return "-" if value is None else number(value, 1e-12, _COMPUTED)
+    return "-" if value is None else number(value, zero, _COMPUTED)
 
 
 def quantity(value: float, unit: str, *, gravity: bool = False) -> str:

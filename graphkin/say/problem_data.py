@@ -15,7 +15,7 @@ from graphkin.say import names
 from graphkin.say.dimensions import SIGNED, beside, driven, guide_angle, link_sizes, radii
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
-from graphkin.say.numbers import direction, given_figure, heading, number
+from graphkin.say.numbers import coordinates, direction, given_figure, heading, number
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.sizes import Size, in_unit, length_unit
 from graphkin.say.structure import redundant_constraints
@@ -137,10 +137,8 @@ def _dimensions(reading: Reading) -> Iterator[str]:
 
 def _place(reading: Reading, place: complex) -> str:
     """Coordinates of the mechanism itself, in the file's unit."""
-    values = (value if abs(value) > reading.noise else 0.0 for value in (place.real, place.imag))
-    unit = length_unit(reading)
-    x, y = (given_figure(in_unit(value, unit, "length")) for value in values)
-    return reading.say("common.place", x=x, y=y)
+    per = in_unit(1.0, length_unit(reading), "length")
+    return coordinates(place * per, reading.lang, reading.noise * per, given_figure)
 
 
 def _slide(reading: Reading, pair: Slide) -> str:

@@ -20,7 +20,7 @@ from graphkin.planning.method import Act, made
 from graphkin.planning.needed import Fact, turnings
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
-from graphkin.say.numbers import degrees, direction, heading, number
+from graphkin.say.numbers import coordinates, degrees, direction, heading, number
 
 if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
@@ -266,7 +266,7 @@ class Reading:
 
     def place_on_paper(self, place: complex) -> str:
         """Coordinates on paper, in mm."""
-        return self.say("common.place", x=self.on_paper(place.real), y=self.on_paper(place.imag))
+        return coordinates(place / self.scales["length"], self.lang, self.noise / self.scales["length"])
 
     def slide_name(self, slide: str) -> str:
         """The name by which people call a named slide or roll."""

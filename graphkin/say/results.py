@@ -33,14 +33,14 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
         for driver, value in zip(mechanism.drivers, position["drivers"], strict=True):
             unit = EDGE[driven(driver.kind == "slide")]
             drivers.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
-        yield f"{say('results.position', lang)}{colon}{in_signs(say('common.and', lang).join(drivers), lang)}"
+        yield f"{say('results.position', lang)}{colon}{in_signs(say('common.and', lang).join(drivers))}"
         heads = ("quantity", "graphical", "analytic", "difference", "unit", "direction")
         rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position, lang)]
-        yield from table([[in_signs(cell, lang) for cell in row] for row in rows])
+        yield from table([[in_signs(cell) for cell in row] for row in rows])
         if position["ask"]:
             yield f"{say('results.asked', lang)}{colon}".rstrip()
         for question, entry in position["ask"].items():
-            name = unbraced(in_signs(question, lang))
+            name = unbraced(in_signs(question))
             if "at" in entry or "direction" in entry:
                 yield f"  {name} = {centre_place(entry, lang)}" + (" mm" if "at" in entry else "")
             elif entry["value"] is None:
@@ -52,7 +52,7 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
                     note = heading(degrees(complex(*entry["vector"])), lang) if size else ""
                 elif isinstance(read(mechanism, question), Rotation) and entry["unit"] != "rad":
                     note = sense(size, lang) if size else ""
-                value = f"{exact(size)} {in_signs(unit.name, lang)}".rstrip().replace(" °", "°")
+                value = f"{exact(size)} {in_signs(unit.name)}".rstrip().replace(" °", "°")
                 yield f"  {name} = {value}" + (say("common.note", lang, note=note) if note else "")
         yield f"{say('results.worst', lang)}{colon}" + f"{position['worst']:.1e}".replace("-", "−")
 

@@ -10,6 +10,7 @@ from graphkin.construction import Drawn, Equation, InStep, Measure, Plane, Roll,
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.gear_images import imaged_gears
+from graphkin.planning.method import made
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
@@ -313,9 +314,12 @@ def same_velocities(polygon: PolygonReading, part: Step | Equation) -> Iterator[
 
 
 def gear_circles(polygon: PolygonReading) -> Iterator[Entry]:
-    """The circles in a velocity polygon that are the images of gears; the point that is that of one at rest."""
-    say, circles = polygon.reading.say, list[str]()
-    for wheel, name, node in imaged_gears(polygon.reading.method):
+    """The circles in a velocity polygon that are the images of gears, of those whose centres have been found; the point
+    that is that of one at rest."""
+    say, circles, pole = polygon.reading.say, list[str](), polygon.construction.pole
+    parts = ((part.steps if isinstance(part, Equation) else (part,)) for part in polygon.parts)
+    found = {pole, *(point for steps in parts for step in steps for point in made(step))}
+    for wheel, name, node in (each for each in imaged_gears(polygon.reading.method) if each[2] in found):
         words = {"name": names.point(name), "centre": names.point(node)}
         if wheel.link == FRAME:
             yield Sentence(say("contacts.gear at rest", **words))

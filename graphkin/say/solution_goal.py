@@ -8,7 +8,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import Equation, LayOff, Normal, Plane, Tangential, Turning
+from graphkin.construction import Equation, Image, LayOff, Normal, Plane, Tangential, Turning
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
@@ -18,7 +18,7 @@ from graphkin.planning.at_rest import moving_parts
 from graphkin.planning.needed import Part, aids, arms, needed
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
-from graphkin.say.reading import Reading
+from graphkin.say.reading import Reading, aside
 
 if TYPE_CHECKING:
     from graphkin.say.centre_steps import CentrePart
@@ -68,10 +68,17 @@ class SolutionGoal:
         return tuple(dict.fromkeys(pair for part in shown for pair in self._arms(part)))
 
     def _arms(self, part: Part) -> Iterator[tuple[str, str]]:
-        """Those of one part; of a link that cannot turn none is multiplied by anything."""
+        """Those of one part; of a link that cannot turn none is multiplied by anything; of an image on a line those by
+        which it is divided."""
         if isinstance(part, Equation):
             for step in part.steps:
                 yield from self._arms(step)
+            return
+        if isinstance(part, Image):
+            first, *others = part.corners
+            arms_of = [self.reading.arm(first, each) for each in others]
+            if aside(*arms_of) <= self.reading.noise * max(map(abs, arms_of)):
+                yield from ((min(first, each), max(first, each)) for each in others)
             return
         size = part.term.size if isinstance(part, LayOff) else None
         if not isinstance(size, Turning | Normal | Tangential) or not self.reading.translates(size.link):

@@ -77,16 +77,16 @@ def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]
 def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
     """The greatest and the least value of each quantity among the positions of a sweep; accelerations in g, too."""
     for entry in sweep.series:
-        values, name = entry.signed, unbraced(in_signs(entry.name, lang))
+        values, name = entry.signed, unbraced(in_signs(entry.name))
         if entry.is_place or not np.isfinite(values).any():
             continue
         if np.nanmax(values) - np.nanmin(values) <= CONSTANT * np.nanmax(np.abs(values)):
-            value = in_signs(_value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]])), lang)
+            value = in_signs(_value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]])))
             yield say("sweeps.constant", lang, name=name, value=value)
             continue
         for which, k in enumerate((int(np.nanargmax(values)), int(np.nanargmin(values)))):
             place = _named(sweep.course, float(sweep.driven[k]))
-            value = in_signs(_value(entry, float(values[k])), lang)
+            value = in_signs(_value(entry, float(values[k])))
             yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
 
 
@@ -105,7 +105,7 @@ def sweep_lines(sweep: Sweep, lang: Lang) -> Iterator[str]:
         at = entry.vectors if entry.is_place else None
         values += [part * unit.factor for part in ((entry.signed,) if at is None else (at.real, at.imag))]
     rows = [[exact(float(column[k])) for column in values] for k in range(sweep.t.size)]
-    names, units = ([in_signs(head[k], lang) for head in heads] for k in (0, 1))
+    names, units = ([in_signs(head[k]) for head in heads] for k in (0, 1))
     yield from table([names, [f"[{unit}]" for unit in units], *rows])
 
 

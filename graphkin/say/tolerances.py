@@ -38,7 +38,7 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
              "tolerances.column part", "marks.column unit", "tolerances.column worst step")  # fmt: skip
     rows = [[say(name, lang) for name in heads]]
     for entry in sorted(tolerances.entries, key=lambda entry: entry.points == 0):
-        name = f"{names.in_signs(entry.text, lang)}{' *' if entry.points else ''}"
+        name = f"{names.in_signs(entry.text)}{' *' if entry.points else ''}"
         right, scatter = edge_value(entry.right, entry.unit), edge_value(entry.scatter, entry.unit)
         unit = EDGE[entry.unit].sign
         if entry.doubt in ("dead point", "too small"):
@@ -53,7 +53,7 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     yield say("tolerances.asked", lang)
     for text, (off, scales) in tolerances.untold.items():
         larger = scales and say("tolerances.larger", lang, scales=_scales(scales, lang))
-        quantity = unbraced(names.in_signs(text, lang))
+        quantity = unbraced(names.in_signs(text))
         words = {"quantity": quantity, "part": f"{off:.1%}", "most": f"{TELLS:.0%}"}
         yield say("tolerances.untold", lang, **words, advice=larger or say("tolerances.no larger", lang))
     yield ""
@@ -71,7 +71,7 @@ def _step(cost: Cost, lang: Lang) -> str:
     point = "start" if cost.name else "frame" if mark.of[0] == "frame" else "point"
     what = point if mark.what == "point" else mark.what
     of = (cost.name or mark.of[0], *mark.of[1:], "")
-    signs = (names.vector(name) if re.match(r"[va](\^\w+)?_", name) else names.point(name) for name in of)
+    signs = (names.in_signs(name) if re.match(r"[va](\^\w+)?_|\w+ ", name) else names.point(name) for name in of)
     words = {f"of{k}": sign for k, sign in enumerate(signs)}
     if what == "reading" and mark.plane != "position":
         words["of0"] = names.stretch(*mark.of)

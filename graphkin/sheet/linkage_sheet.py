@@ -20,6 +20,7 @@ from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
 from graphkin.say.catalogue import say
 from graphkin.say.linkages import amount, kind_name, titled
+from graphkin.say.reading import capitalized
 from graphkin.sheet import lettering, symbols
 from graphkin.sheet.drafting_figure import angle
 from graphkin.sheet.fixed_link import away_from, grounds
@@ -52,7 +53,7 @@ def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | No
     several = len(reports) > 1
     tables = [found_sizes(one, "".join(one.linkage.names) if several else "") for one in reports]
     _, panels = gridded([_pictures(one, lang, several) for one in reports], chosen, Strip(tables))
-    machine = titled(reports[0].linkage, title or kind_name(reports[0], lang))
+    machine = titled(reports[0].linkage, title or capitalized(kind_name(reports[0], lang)))
     return Page(chosen, panels, machine, None, lang, Strip(tables)).sheet()
 
 

@@ -49,6 +49,7 @@ _ASIDE_DEG, _ASIDE_PART = 0.05, 0.001
 """The distance from a change point at which its position is drawn, where the polygons would be 0/0."""
 _ROWS = 6  # so many values run along under a heading
 _PLANE: dict[str, Plane] = {"rad/s": "velocity", "m/s": "velocity", "rad/s^2": "acceleration", "m/s^2": "acceleration"}
+_NAMES = 4  # so many names bear points that are always in one place
 _ONE = 6  # points of a polygon are one that are always the same in so many decimals of its size
 _LARGE, _ENDLESS = 4.0, 12.0
 """A polygon so many times larger than half of them are is not drawn: near a dead point; where a turn has none, but a
@@ -219,7 +220,8 @@ class MotionFigures:
             polygon = PolygonFigure(self.method.mechanism, construction, plot, window, born)
             places, middle = polygon.named, sum(polygon.points.values()) / max(1, len(polygon.points))
             named = [[name for name in group if name in places] for group in self.as_one[plane]]
-            letters = [(joined([*map(point_label, group)]), places[group[0]]) for group in named if group]
+            words = [[*map(point_label, group[:_NAMES]), *[plain("…")] * (len(group) > _NAMES)] for group in named]
+            letters = [(joined(each), places[group[0]]) for each, group in zip(words, named, strict=True) if group]
             wanted = [LabelRequest(label, at, gap=0.5, away=at - middle) for label, at in letters]
             return Figure(polygon_figure(polygon).marks, wanted)
         here, (first, ground) = Skeleton(self.method.mechanism, plot, window, born), self._ground(window)

@@ -138,7 +138,7 @@ def test_solve_also():
 def test_solve_for_people():
     result = run("solve", "ex3-1", "ex3-5")
     assert result.exit_code == 0
-    assert "omega 3 = −3.91933 rad/s (clockwise)" in result.stdout
+    assert "ω3 = −3.91933 rad/s (clockwise)" in result.stdout
 
 
 @pytest.mark.parametrize("name", [name for k, name in enumerate(library.names()) if k % 3])

@@ -155,7 +155,7 @@ def test_solve_has_the_signs_of_tables() -> None:
     assert asked["value"] == pytest.approx(swept)
     assert asked["value"] == -asked["size"] < 0
     printed = run("solve", "fig3-1").stdout
-    assert printed.count("a C                    0.863225") == printed.count("a C = 0.863225 m/s^2 (along −x)") == 1
+    assert len(re.findall(r"(?m)^a_C +0\.863225 ", printed)) == printed.count("a_C = 0.863225 m/s² (along −x)") == 1
 
 
 def swept_rows(name: str, of: str) -> list[list[float]]:
@@ -285,7 +285,7 @@ def test_check_through_a_pipe() -> None:
 
 def test_a_constant_has_no_greatest_value() -> None:
     said = run("sweep", "s4-ex4", "--driver", "0:80:20", "--of", "omega 2").stdout
-    assert "omega 2 = " in said
+    assert "ω2 = " in said
     assert "throughout" in said
     assert "greatest" not in said
 
@@ -314,7 +314,7 @@ def test_a_slide_may_be_driven_by_the_name_it_is_printed_with() -> None:
     driven = text[:begin] + '[[driver]]\nslide = "s0"\nat = 58.867\nvelocity = 0.1\n\n' + text[end:]
     lines = run("solve", "-", text=driven).stdout.splitlines()
     assert "position: s0 = 58.867 mm" in lines
-    assert any(re.match(r"theta 1 +60\.0", line) for line in lines)
+    assert any(re.match(r"θ1 +60\.0", line) for line in lines)
     assert "no sliding pair" in run("solve", "-", text=driven.replace('"s0"', '"s1"')).stderr
 
 

@@ -12,7 +12,7 @@ import graphkin
 from graphkin.cli import main
 from graphkin.files import library
 from graphkin.handouts import handout, in_languages, paging
-from graphkin.handouts.document import HandoutHeading, HandoutPicture, NameLine, Paragraph
+from graphkin.handouts.document import HandoutHeading, HandoutPicture, HandoutTable, NameLine, Paragraph
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.typst import pdf
@@ -158,3 +158,15 @@ def test_a_problem_is_one_block_and_gives_no_angle_away():
         assert bool(figure.note) is elsewhere
         assert (figure.sheet.drivers != graphkin.Drawing.of(graphkin.load(name)).plot.facts.values) is elsewhere
         assert len(read(pdf(handout([graphkin.load(name)], "problem", "en")))) == 1
+
+
+@needs_chinese
+@pytest.mark.parametrize(("name", "lang"), [("curved-slot", "en"), ("s2-1a", "zh"), ("s3-ic", "zh")])
+def test_a_problem_has_room_on_its_page(name, lang):
+    """With a column for each of several positions, a smaller figure where much is asked; still each answer has a box."""
+    made = handout([graphkin.load(name)], "problem", lang)
+    assert len(read(pdf(made))) == 1
+    (table,) = (block for block in made.blocks if isinstance(block, HandoutTable))
+    places = 1 + len(graphkin.load(name).drivers[0].also)
+    assert len(table.heads) == (2 + places if places > 1 else 4)
+    assert len(table.rows) >= len(graphkin.load(name).ask)

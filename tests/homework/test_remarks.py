@@ -166,7 +166,7 @@ def test_the_departure_is_in_the_record():
     written = marks_json.record(graded)
     assert written["departure"] == {"quantity": "omega 3", "left": ["v_B3"], "right": ["v_B2", "v_B3B2"]}
     assert results(written)[0].departure == astray
-    assert "  omega 3 is the first value that leaves the right way: there v_B3 = v_B2 + v_B3B2" in "\n".join(grade_lines(graded, "en"))
+    assert "  ω3 is the first value that leaves the right way: there v_B3 = v_B2 + v_B3B2" in "\n".join(grade_lines(graded, "en"))
 
 
 def test_what_follows_from_the_mistake_is_told_as_that():

@@ -9,7 +9,6 @@ right value is left out.
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -21,10 +20,9 @@ from graphkin.errors import Lang, NoRightNumber
 from graphkin.homework.platforms.tables import rounded, tolerated
 from graphkin.marking.key import Key, KeyEntry
 from graphkin.model.quantities import EDGE, at_position
-from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.marks import joined, mistake
-from graphkin.say.names import symbols, vector
+from graphkin.say.names import in_signs, symbols
 
 Text = Mapping[Lang, str]  # a text in each language
 
@@ -127,19 +125,9 @@ def question_of(
     return Question(id, text, tuple(parts), figure, shows, points)
 
 
-_SURELY = ("theta ", "omega ", "alpha ", "a_n ", "a_k ", "a_t ", "a_r ")  # no other words begin so
-
-
 def in_letters(text: str, names: Iterable[str]) -> str:
     """A text with these quantities, with rotations and arrows as the sheets write them."""
-    known = {name for whole in names for name in (whole, whole.split(" #")[0].split(" @")[0])}
-
-    def lettered(name: str) -> str:
-        surely = name in known or name.startswith(_SURELY) or "@" in name.partition(" ")[2]
-        return symbols(name) if surely else name
-
-    typed = respelled(text, lettered)
-    return re.sub(r"(?<![A-Za-z0-9_])[va]\^[nktr]_[\w@]+(?:,[\w@]+)?", lambda arrow: vector(arrow[0]), typed)
+    return in_signs(text, {name for whole in names for name in (whole, whole.split(" #")[0].split(" @")[0])})
 
 
 def _wrongs(key: Key, column: int, entry: KeyEntry) -> Iterator[Wrong]:

@@ -59,9 +59,9 @@ PHRASES: Phrases = {
     "contacts.gear image": ("{name} about {centre}", "{name}（圆心 {centre}）"),
     "contacts.gear at rest": ("The image {name} of the gear at rest is a point, {centre}.",
                               "静止齿轮的速度影像 {name} 为一点，与 {centre} 重合。"),
-    "contacts.gear images": ("[The circle {circles} is the velocity image of its gear|The circles {circles} are the "
-                             "velocity images of their gears].",
-                             "圆 {circles} [为该齿轮|分别为各齿轮]的速度影像。"),
+    "contacts.gear images": ("[The circle {circles} is the velocity image of the pitch circle|The circles {circles} "
+                             "are the velocity images of the pitch circles].",
+                             "圆 {circles} [为节圆|分别为各轮节圆]的速度影像。"),
     "contacts.same velocity": ("Pure rolling of links {first} and {second}: their points at the contact {point} have "
                                "one velocity, {of} = {other}. So {node} serves both.",
                                "构件 {first}、{second} 在 {point} 点作纯滚动，接触点速度相同：{of} = {other}，其速度影像点均为 {node}。"),

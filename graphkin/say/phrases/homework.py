@@ -11,8 +11,7 @@ PHRASES: Phrases = {
     "problems.angle of guide": ("{angle} is the angle of the sliding direction on link {guide} from +x, "
                                 "counter-clockwise.",
                                 "{angle} 为构件 {guide} 上导路方向与 +x 的夹角，逆时针为正。"),
-    "problems.positions": ("Positions, each to be solved; behind a quantity #2 says at which (the first needs no "
-                           "number):",
+    "problems.positions": ("Positions, each to be solved; #2 behind a quantity means: at the second of them:",
                            "下列各位置均须求解；量后的 #2 表示所在位置（第一个位置不必注明）："),
     "problems.as given": ("as given", "所给位置"),
     "problems.shared": ("note: {count} students have a problem whose answers are another's, within 2 %: {students}. "

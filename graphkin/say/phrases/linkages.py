@@ -145,7 +145,7 @@ PHRASES: Phrases = {
     "design.stage slider limits": ("Draw C1C2 = H = {H:mm} on the guide: the slider's two limit positions.",
                                    "在导路上作 C1C2 = H = {H:mm}，得滑块的两个极限位置。"),
     "design.stage corner": ("On C1C2 draw the angle C2C1P = 90° − θ = {rest:deg} and C2P at right angles to C1C2; "
-                            "they meet at P, on the near side of C1C2.",
+                            "they meet at P.",
                             "以 C1C2 为底作 ∠C2C1P = 90° − θ = {rest:deg}，作 C2P ⊥ C1C2，两线交于 P 点。"),
     "design.stage corner beyond": ("On C1C2, away from D, draw the angle C2C1P = 90° − θ = {rest:deg} and C2P at "
                                    "right angles to C1C2; they meet at P. (The slow stroke is then the other one.)",
@@ -263,10 +263,10 @@ PHRASES: Phrases = {
     "design.reason kind": ("Kind: {kind}.", "类型：{kind}。"),
     "design.reason no Grashof": ("Shortest + longest is more than the other two (Grashof fails): no link turns fully.",
                                  "最短杆与最长杆之和大于其余两杆之和（不满足杆长条件），没有整转副。"),
-    "design.reason passed ccw": ("All wanted positions lie on one branch, and AB takes them in order as it turns "
+    "design.reason passed ccw": ("All given positions lie on one branch, and AB takes them in order as it turns "
                                  "counter-clockwise.",
                                  "各给定位置在同一装配分支上，AB 逆时针转动时依次到达。"),
-    "design.reason passed cw": ("All wanted positions lie on one branch, and AB takes them in order as it turns "
+    "design.reason passed cw": ("All given positions lie on one branch, and AB takes them in order as it turns "
                                 "clockwise.",
                                 "各给定位置在同一装配分支上，AB 顺时针转动时依次到达。"),
     "design.reason crank rocks": ("AB does not turn fully.", "AB 不能整周转动。"),
