@@ -221,12 +221,12 @@ def designed(
     given: dict[str, Size | None] = {name: value for name, value in locals().items() if value is not None}
     from graphkin.studies import design as designing
 
-    among(Kind, kind=kind)
+    among(Kind, kind=str(kind))
     for name in ("kind", "K", "at", "pair"):
         given.pop(name, None)
     try:
         ratio = {} if K is None else {"k": float(K)}
-    except ValueError:
+    except (ValueError, OverflowError):
         raise NotANumber(Where("--K"), str(K)) from None
     pivots = {f"pivot_{name.lower()}": _place(name, str(given.pop(name))) for name in ("A", "D") if name in given}
     sizes = {name.lower(): quantity_at(_option(name), "length" if name in LENGTHS else "angle", value)
