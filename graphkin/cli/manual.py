@@ -20,7 +20,7 @@ import click
 from click.testing import CliRunner
 
 import graphkin
-from graphkin.cli import main, streams
+from graphkin.cli import BROKEN_OFF, main, streams
 from graphkin.errors import Lang
 from graphkin.files import library
 from graphkin.outputs.markdown import slug
@@ -87,13 +87,15 @@ class Manual:
         """A command line, what it gives, and what the command says of itself."""
         name = words.split(" ")[0]
         line = words.replace("@", name)
-        said = CliRunner().invoke(main, ["--lang", self.lang, *shlex.split(line)], catch_exceptions=False).output
+        done = CliRunner().invoke(main, ["--lang", self.lang, *shlex.split(line)], catch_exceptions=False)
+        if done.exit_code == BROKEN_OFF:
+            raise KeyboardInterrupt
         files = [Path(name + end) for end in (".svg", ".html") if "@" in words and Path(name + end).is_file()]
         if files:
             svg = _DRAWING.findall(files[0].read_text("utf-8"))[-1]
             yield from (_fenced(f"$ graphkin {line}"), self.drawn(name, svg))
         else:
-            lines = [line if len(line) <= _WIDE else f"{line[:_WIDE]} .." for line in said.splitlines()]
+            lines = [line if len(line) <= _WIDE else f"{line[:_WIDE]} .." for line in done.output.splitlines()]
             cut = [*lines[:_MOST], ".."] if len(lines) > _MOST + 1 else lines
             yield _fenced("\n".join([f"$ graphkin {line}", *cut]))
         command = main.get_command(click.Context(main), name)
