@@ -215,7 +215,7 @@ def designed(
           offset, crank, rod, gamma_min; "guide-bar": K, frame or crank; "positions": at=["0,50 0", "25,60 -10"] with
           coupler, or both hinges in `at`, A, D; "angles": pair=["40:70", "70:85", "110:110"], frame, crank, phi0, psi0
 
-    >>> round(designed("guide-bar", K=1.5, frame=100).best.a, 4)
+    >>> round(design("guide-bar", K=1.5, frame=100).best.a, 4)
     0.0309
     """
     given: dict[str, Size | None] = {name: value for name, value in locals().items() if value is not None}

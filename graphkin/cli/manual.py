@@ -36,8 +36,11 @@ _MOST, _WIDE = 45, 130  # lines of what a command prints, and letters of a line
 _STYLE = """<style>body { max-width: 240mm } h2 { margin-top: 2.5em; font-size: 1.4em }
 pre { overflow-x: auto; background: #f4f6f9; padding: 8px; font-size: .85em }
 pre, code { font-family: "DejaVu Sans Mono", "Noto Sans Mono CJK SC", monospace }
-td svg { width: 60mm; height: auto; max-height: 50mm }
-th { white-space: nowrap } span { white-space: normal }</style>"""
+:not(pre) > code { overflow-wrap: anywhere } span { white-space: normal }
+td svg { width: min(60mm, 22vw); height: auto; max-height: 50mm } figure svg { max-width: 100%; height: auto }
+@media (min-width: 200mm) { th { white-space: nowrap } }
+@media (max-width: 120mm) { th, td { font-size: .7em; padding: 1mm }
+td { word-break: break-word } }</style>"""
 
 
 @dataclass(frozen=True)
