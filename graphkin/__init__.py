@@ -56,6 +56,7 @@ time. The command line sets it where the user has not.
 from __future__ import annotations
 
 from importlib import import_module
+from types import FunctionType
 from typing import TYPE_CHECKING, Any
 
 __version__ = "0.2.0"
@@ -107,11 +108,19 @@ if TYPE_CHECKING:
 
 
 def __getattr__(name: str) -> Any:
-    """Public names are imported when first used, so that a command loads only what it needs."""
-    if name in __all__:
-        own = _CALLED.get(name, name)
-        return getattr(import_module(next(f"graphkin.{home}" for home in _HOMES if own in _HOMES[home].split())), own)
-    raise AttributeError(f"module 'graphkin' has no attribute {name!r}")
+    """Public names are imported when first used, so that a command loads only what it needs; a call looks at its
+    arguments first."""
+    if name not in __all__:
+        raise AttributeError(f"module 'graphkin' has no attribute {name!r}")
+    from graphkin.errors.arguments import checked
+
+    own = _CALLED.get(name, name)
+    public = getattr(import_module(next(f"graphkin.{home}" for home in _HOMES if own in _HOMES[home].split())), own)
+    if isinstance(public, FunctionType) and not public.__module__.startswith("graphkin.files"):  # it looks itself
+        public = checked(public)
+        public.__module__ = __name__  # where processes find it
+    globals()[name] = public
+    return public
 
 
 def __dir__() -> list[str]:

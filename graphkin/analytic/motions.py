@@ -83,8 +83,8 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
         beside = _rates_of(mechanism, closure, first, limit.q, single=False)
         result.first[limit.rows] = limit.weights @ beside.first
         result.second[limit.rows] = limit.weights @ beside.second
-    dq, ddq = (part.reshape(*shape, -1) for part in (result.first, result.second))
-    return _motion(mechanism, closure, goals, q.reshape(*shape, -1), Rates(dq, ddq, result.condition.reshape(shape)))
+    q, dq, ddq = (part.reshape(*shape, part.shape[-1]) for part in (q, result.first, result.second))
+    return _motion(mechanism, closure, goals, q, Rates(dq, ddq, result.condition.reshape(shape)))
 
 
 def conditioning(mechanism: Mechanism) -> float:

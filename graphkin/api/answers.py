@@ -215,18 +215,18 @@ def designed(
           offset, crank, rod, gamma_min; "guide-bar": K, frame or crank; "positions": at=["0,50 0", "25,60 -10"] with
           coupler, or both hinges in `at`, A, D; "angles": pair=["40:70", "70:85", "110:110"], frame, crank, phi0, psi0
 
-    >>> round(designed("guide-bar", K=1.5, frame=100).best.a, 4)
+    >>> round(design("guide-bar", K=1.5, frame=100).best.a, 4)
     0.0309
     """
     given: dict[str, Size | None] = {name: value for name, value in locals().items() if value is not None}
     from graphkin.studies import design as designing
 
-    among(Kind, kind=kind)
+    among(Kind, kind=str(kind))
     for name in ("kind", "K", "at", "pair"):
         given.pop(name, None)
     try:
         ratio = {} if K is None else {"k": float(K)}
-    except ValueError:
+    except (ValueError, OverflowError):
         raise NotANumber(Where("--K"), str(K)) from None
     pivots = {f"pivot_{name.lower()}": _place(name, str(given.pop(name))) for name in ("A", "D") if name in given}
     sizes = {name.lower(): quantity_at(_option(name), "length" if name in LENGTHS else "angle", value)

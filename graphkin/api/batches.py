@@ -116,7 +116,7 @@ def _each(
     """The work done with each, in their order."""
     if isinstance(items, str | Path | Mechanism):
         items = [items]
-    if not isinstance(items, Iterable):
+    if not isinstance(items, Iterable) or (isinstance(items, np.ndarray) and not items.ndim):
         raise NotAMechanism(Where("mechanisms"), type(items).__name__)
     if isinstance(items, Variants):
         items = map(items.reader, range(len(items)))

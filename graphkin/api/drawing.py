@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cached_property
@@ -18,6 +19,7 @@ from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.construction import SCALES, Plane, Plot
 from graphkin.errors import GraphkinError, Lang, Where, among
+from graphkin.errors.arguments import checked
 from graphkin.files import library
 from graphkin.files.draft import rate_keys
 from graphkin.files.values import quantity_at
@@ -53,7 +55,7 @@ def load(source: Source) -> loading.MechanismFile:
     if isinstance(source, str) and library.has(source):
         return library.load(source)
     path = Path(source)
-    if isinstance(source, str) and not path.suffix and not path.exists() and path.name == source:
+    if isinstance(source, str) and not path.suffix and path.name == source and not os.path.exists(source):
         return library.load(source)
     return loading.load(path)
 
@@ -90,12 +92,12 @@ def method_of(subject: Source | Method) -> Method:
 def placed(subject: Source | Method, values: Values) -> Method:
     """Its method; that of the mechanism drawn there where other driver values are given [deg, mm]."""
     method = method_of(subject)
-    given = in_si(method.mechanism, values)
-    if given is None or [*given] == [*method.facts().values]:
+    given = _one_place(method.mechanism, values)
+    if given is None or given == [*method.facts().values]:
         return method
     from graphkin.proof.readings import mechanism_at
 
-    return plan(mechanism_at(method, [*map(number, given)]))
+    return plan(mechanism_at(method, given))
 
 
 Values: TypeAlias = Sequence[ArrayLike] | Mapping[str, ArrayLike] | float | str | None
@@ -112,10 +114,19 @@ def in_si(mechanism: Mechanism, values: Values) -> list[Real] | None:
             raise errors.NoSuchDriver(Where("values"), str(unknown[0]), tuple(kinds))
         each = [values[name] for name in kinds if name in values]
     else:
-        each = [*values] if isinstance(values, Sequence | np.ndarray) and not isinstance(values, str) else [values]
+        several = isinstance(values, Sequence) and not isinstance(values, str)
+        each = [*values] if several or (isinstance(values, np.ndarray) and values.ndim) else [values]  # type: ignore[misc, list-item]
     if len(each) != len(kinds):
         raise errors.ValueForEach(mechanism.where("driver"), len(each), tuple(kinds))
     return [_driven(value, kind) for value, kind in zip(each, kinds.values(), strict=True)]
+
+
+def _one_place(mechanism: Mechanism, values: Values) -> list[float] | None:
+    """Each driver's value [rad, m]. Raises what `in_si` does, and BadValues for arrays."""
+    given = in_si(mechanism, values)
+    if any(np.ndim(value) for value in given or ()):
+        raise errors.BadValues(Where("values"), f"{values}"[:60])
+    return None if given is None else [*map(number, given)]
 
 
 def of_one_shape(values: list[Real] | None) -> list[Real] | None:
@@ -133,7 +144,9 @@ def _driven(value: ArrayLike, kind: str) -> Real:
         return quantity_at("values", "length" if kind == "slide" else "angle", value)
     try:
         plain = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+        if not plain.ndim and not np.isfinite(plain):
+            raise ValueError
+    except (TypeError, ValueError, OverflowError):
         raise errors.BadValues(Where("values"), f"{value}"[:60]) from None
     si: Real = plain / 1000 if kind == "slide" else np.radians(plain)
     return si if plain.ndim else float(si)
@@ -176,8 +189,7 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.proof.roads import proved
 
         method = method_of(mechanism)
-        given = in_si(method.mechanism, values)
-        return cls(method.mechanism, method, proved(method, None if given is None else [*map(number, given)]).plot)
+        return cls(method.mechanism, method, proved(method, _one_place(method.mechanism, values)).plot)
 
     @cached_property
     def _motions(self) -> Motions:
@@ -191,6 +203,7 @@ class Drawing(Readable[Number, Vector]):
 
     __getitem__ = quantity
 
+    @checked
     def sheet(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, style: Style = "construction",
         tight: bool = False, paths: Sequence[str] = (), arrows: bool = False,
@@ -224,6 +237,7 @@ class Drawing(Readable[Number, Vector]):
                 raise errors.NoSpeed(Where(f"path {point}"), path.course.driver.name, rate_keys(path.course.driver))
             yield path
 
+    @checked
     def step_sheets(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, tight: bool = False
     ) -> Iterator[NotebookSheet]:
@@ -236,6 +250,7 @@ class Drawing(Readable[Number, Vector]):
         sheets = step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight)
         return map(NotebookSheet.of, sheets)
 
+    @checked
     def explain(
         self, lang: Lang = "en", *, everything: bool = False, only: Plane = "acceleration", as_drawn: bool = False
     ) -> list[str]:
@@ -258,6 +273,7 @@ class Drawing(Readable[Number, Vector]):
             plot, ruler = read_off(self.method, plot, scales)
         return explain(self.method, plot, on_paper, lang, everything, only, ruler)
 
+    @checked
     def equations(self, lang: Lang = "en", *, method: By = "complex") -> SavedDocument:
         """The analytic solution written out, with closed forms, or as one system of matrices ("matrix")."""
         from graphkin.equations import By, SavedDocument, document
@@ -268,6 +284,7 @@ class Drawing(Readable[Number, Vector]):
         there = placed(self.method, [*map(Number, map(number, drawn), units)])
         return SavedDocument(**vars(document(there, method, lang)))
 
+    @checked
     def animate(
         self, path: str | Path, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None,
         dpi: float = 100.0, ink: Ink = "accent", force: bool = False,

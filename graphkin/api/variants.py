@@ -96,10 +96,10 @@ def _beside(values: Values) -> list[np.ndarray] | None:
 def positions(method: Method, ranges: Ranges) -> list[Real]:
     """Each driver's values over ranges, as `api.sweep` has them; a driver without one stands still [rad, m]. No ranges:
     all as far as they get."""
-    if not len(ranges):
+    spans = given_ranges(method, ranges)
+    if not spans:
         whole = course(method)
         return [*whole.path.values(whole.t)]
-    spans = given_ranges(method, ranges)
     return [drawn if (span := spans.get(k)) is None else span.values if span.moves else span.begin
             for k, drawn in enumerate(method.facts(None).values)]  # fmt: skip
 
@@ -160,7 +160,9 @@ class Trial:
             given = zip(self.paths.values(), values)
             parts = (part for path, value in given for part in parts_of(self.mechanism, path, value))
             numbers = {place: in_si(self.mechanism, place, part) for place, part in parts}
-            if not all(within(self.mechanism, *number) for number in numbers.items()):
+            if any(map(np.ndim, numbers.values())) or not all(
+                within(self.mechanism, *number) for number in numbers.items()
+            ):
                 raise OneByOne
             method, plot = self.method, self._program.run(drivers, asked=self.asked, numbers=[*numbers.values()])
         except OneByOne:

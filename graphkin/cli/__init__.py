@@ -31,7 +31,7 @@ COMMANDS = {
 }  # fmt: skip
 """The module of each command."""
 
-_BROKEN_OFF = 130  # the exit status after Ctrl-C, as shells have it; 1 would say that a check failed
+BROKEN_OFF = 130  # the exit status after Ctrl-C, as shells have it; 1 would say that a check failed
 
 _THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
 """Variables for the number of threads of NumPy's linear algebra, as its user may have said."""
@@ -69,7 +69,7 @@ class Program(click.Group):
 
             said = str(end) or say("common.broken off", "zh" if ctx.meta.get("lang") == "zh" else "en")
             click.echo("\n" + said, err=True)
-            ctx.exit(_BROKEN_OFF)
+            ctx.exit(BROKEN_OFF)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

@@ -20,7 +20,7 @@ import click
 from click.testing import CliRunner
 
 import graphkin
-from graphkin.cli import main, streams
+from graphkin.cli import BROKEN_OFF, main, streams
 from graphkin.errors import Lang
 from graphkin.files import library
 from graphkin.outputs.markdown import slug
@@ -36,8 +36,11 @@ _MOST, _WIDE = 45, 130  # lines of what a command prints, and letters of a line
 _STYLE = """<style>body { max-width: 240mm } h2 { margin-top: 2.5em; font-size: 1.4em }
 pre { overflow-x: auto; background: #f4f6f9; padding: 8px; font-size: .85em }
 pre, code { font-family: "DejaVu Sans Mono", "Noto Sans Mono CJK SC", monospace }
-td svg { width: 60mm; height: auto; max-height: 50mm }
-th { white-space: nowrap } span { white-space: normal }</style>"""
+:not(pre) > code { overflow-wrap: anywhere } span { white-space: normal }
+td svg { width: min(60mm, 22vw); height: auto; max-height: 50mm } figure svg { max-width: 100%; height: auto }
+@media (min-width: 200mm) { th { white-space: nowrap } }
+@media (max-width: 120mm) { th, td { font-size: .7em; padding: 1mm }
+td { word-break: break-word } }</style>"""
 
 
 @dataclass(frozen=True)
@@ -87,13 +90,15 @@ class Manual:
         """A command line, what it gives, and what the command says of itself."""
         name = words.split(" ")[0]
         line = words.replace("@", name)
-        said = CliRunner().invoke(main, ["--lang", self.lang, *shlex.split(line)], catch_exceptions=False).output
+        done = CliRunner().invoke(main, ["--lang", self.lang, *shlex.split(line)], catch_exceptions=False)
+        if done.exit_code == BROKEN_OFF:
+            raise KeyboardInterrupt
         files = [Path(name + end) for end in (".svg", ".html") if "@" in words and Path(name + end).is_file()]
         if files:
             svg = _DRAWING.findall(files[0].read_text("utf-8"))[-1]
             yield from (_fenced(f"$ graphkin {line}"), self.drawn(name, svg))
         else:
-            lines = [line if len(line) <= _WIDE else f"{line[:_WIDE]} .." for line in said.splitlines()]
+            lines = [line if len(line) <= _WIDE else f"{line[:_WIDE]} .." for line in done.output.splitlines()]
             cut = [*lines[:_MOST], ".."] if len(lines) > _MOST + 1 else lines
             yield _fenced("\n".join([f"$ graphkin {line}", *cut]))
         command = main.get_command(click.Context(main), name)

@@ -16,6 +16,7 @@ from pathlib import Path
 from graphkin.equations.document import By, Document
 from graphkin.equations.writers import write_html, write_tex, write_text
 from graphkin.equations.written import document
+from graphkin.errors.arguments import checked
 from graphkin.outputs import files
 
 __all__ = ["WRITERS", "By", "Document", "SavedDocument", "document", "write", "write_html", "write_tex", "write_text"]
@@ -38,6 +39,7 @@ class SavedDocument(Document):
     def __str__(self) -> str:
         return write_text(self)
 
+    @checked
     def save(self, path: str | Path, *, force: bool = False) -> Path:
         """Write them, by the file's ending."""
         write(Path(path), self, force)

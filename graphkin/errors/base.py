@@ -125,7 +125,7 @@ def _hint(given: str, possible: Sequence[str], lang: Lang) -> str:
     import difflib
 
     folded = {name.casefold(): name for name in reversed(possible)}
-    near = [folded[name] for name in difflib.get_close_matches(given.casefold(), list(folded), 1, 0.5)]
+    near = [folded[name] for name in difflib.get_close_matches(str(given).casefold(), list(folded), 1, 0.5)]
     shown = ", ".join(possible[:40]) + (", .." if len(possible) > 40 else "")
     if lang == "zh":
         ask = "".join(f"是否为 {name}？" for name in near)

@@ -164,7 +164,7 @@ def changed_text(mechanism: Mechanism, values: Mapping[str, object]) -> str:
 
 def places_of(mechanism: Mechanism, values: Mapping[str, _Value]) -> dict[KeyPath, _Value]:
     """The values by their places in the file. Raises NoSuchValue."""
-    return {_path(mechanism, tidy(name.strip())): value for name, value in values.items()}
+    return {_path(mechanism, tidy(str(name).strip())): value for name, value in values.items()}
 
 
 def reposed(mechanism: _M, drivers: Sequence[float], poses: Sequence[float], sketch: Mapping[str, complex]) -> _M:

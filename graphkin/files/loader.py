@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
-from graphkin.errors import Lang, NotAMechanism, Where
+from graphkin.errors import Lang, NotAMechanism, Where, WrongType
 from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes
 from graphkin.files.source import Deferred, decoded_text, mechanism_name, read_bytes, read_text, read_toml
 from graphkin.files.toml import Document
@@ -55,7 +55,7 @@ class MechanismFile(mechanism.Mechanism):
         """
         from graphkin.files.builder import changed_text
 
-        return loads(changed_text(self, {**(values or {}), **more}), name=self.name, file=self.file)
+        return loads(changed_text(self, _named(values, more)), name=self.name, file=self.file)
 
     def variants(self, values: Mapping[str, object] | None = None, /, **more: object) -> Variants[MechanismFile]:
         """Many mechanisms with other numbers in their file, named as in `with_`: arrays (n,), of coordinates
@@ -74,7 +74,7 @@ class MechanismFile(mechanism.Mechanism):
         from graphkin.files.builder import places_of
         from graphkin.files.variants import Variants
 
-        return Variants.of(self, places_of(self, {**(values or {}), **more}), loads)
+        return Variants.of(self, places_of(self, _named(values, more)), loads)
 
     def to_toml(self) -> str:
         """The mechanism's file: what `graphkin.loads` reads, and `graphkin draw` draws.
@@ -178,6 +178,12 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     check_questions(draft, machine)
     draft.stop_if_wrong()
     return machine
+
+
+def _named(values: Mapping[str, object] | None, more: Mapping[str, object]) -> dict[str, object]:
+    if not isinstance(values or {}, Mapping):
+        raise WrongType(Where("values"), "table", type(values).__name__)
+    return {**(values or {}), **more}
 
 
 def _titles(table: Titles) -> dict[Lang, str]:

@@ -60,7 +60,7 @@ def toml(document: Mapping[str, object]) -> str:
 
 def key_text(name: str) -> str:
     """A key, quoted where TOML wants it."""
-    return name if _BARE_KEY.fullmatch(name) else value_text(name)
+    return str(name) if _BARE_KEY.fullmatch(str(name)) else value_text(str(name))
 
 
 def value_text(value: object, place: str = "") -> str:

@@ -103,7 +103,7 @@ def is_range(value: object) -> bool:
 
 def quantity_at(where: str, dimension: Dimension, written: float | str) -> float:
     """A number of an option or an argument, in mm or deg or with a unit, in SI; what is wrong names that."""
-    with suppress(ValueError, TypeError):
+    with suppress(ValueError, TypeError, OverflowError):
         written = float(written)
     try:
         return read_quantity(written, dimension)

@@ -162,7 +162,9 @@ def parts_of(mechanism: Mechanism, path: KeyPath, value: object) -> list[tuple[K
 
 
 def _array(value: object) -> object:
-    return value if isinstance(value, str) or not np.ndim(value) else np.asarray(value)  # type: ignore[arg-type]
+    if isinstance(value, str) or not np.ndim(value):  # type: ignore[arg-type]
+        return value[()] if isinstance(value, np.ndarray) else value
+    return np.asarray(value)
 
 
 def _at(part: object, row: int) -> object:

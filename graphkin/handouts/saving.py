@@ -6,6 +6,7 @@ from pathlib import Path
 
 from graphkin.api.drawing import Source, load
 from graphkin.errors import Lang, among
+from graphkin.errors.arguments import checked
 from graphkin.handouts.document import Handout, Stage
 from graphkin.handouts.markup import html
 from graphkin.handouts.stages import in_languages
@@ -19,6 +20,7 @@ MARKS = (b"graphkin handout",)
 class SavedHandout(Handout):
     """A handout: `save("x.pdf")`, or `.html`; a notebook shows it."""
 
+    @checked
     def save(
         self, path: str | Path, *, paper: str = "A4", font: Path | None = None, scan: int | None = None,
         force: bool = False, sheets: Path | None = None,

@@ -144,7 +144,7 @@ class State(Readable[Number | Numbers, Vector | Vectors]):
     def quantity(self, text: str) -> Number | Numbers | Vector | Vectors:
         """Whatever `ask` can name, as a number with its unit. Raises what a wrong name raises."""
         if self.places is not None:
-            table, name, unit = self.places[text]
+            table, name, unit = self.places[str(text)]
             if table:
                 value = getattr(self.plot, table)[name]
                 return measured(value if isinstance(value, np.ndarray) else value + 0, unit)  # never -0
@@ -169,6 +169,7 @@ class State(Readable[Number | Numbers, Vector | Vectors]):
 def read_off(motions: Motions, text: str) -> MeasuredValue:
     """The value that a text names in any motions, with its unit: of a vector the vector."""
     quantities = _quantities_by_text(motions.mechanism)
+    text = str(text)
     if (quantity := quantities.get(text)) is None:
         quantity = quantities[text] = named(motions.mechanism, text, Where("quantity"))
     return measured(_value(quantity, motions), quantity.unit)

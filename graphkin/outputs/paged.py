@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
-from graphkin.errors import Lang
+from graphkin.errors import Lang, OutOfRange, Where
 from graphkin.outputs.files import needed
 from graphkin.outputs.paint import Ink
 from graphkin.outputs.svg import svg
@@ -72,7 +72,9 @@ def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
 
 
 def raster(drawing: str, dpi: float) -> bytes:
-    """The same of an SVG file's text."""
+    """The same of an SVG file's text. Raises OutOfRange."""
+    if not 20 <= dpi <= 2400:
+        raise OutOfRange(Where("dpi"), f"{dpi:g}")
     resvg = needed("resvg_py", "png")
     fonts = {"serif_family": SERIF, "font_files": serif_files()}
     content = bytes(resvg.svg_to_bytes(svg_string=drawing, dpi=dpi, background="#ffffff", **fonts))

@@ -8,6 +8,7 @@ from pathlib import Path
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.errors import among
+from graphkin.errors.arguments import checked
 from graphkin.outputs import drawings, svg
 from graphkin.outputs.paint import Ink
 from graphkin.planning import Method
@@ -44,6 +45,7 @@ class NotebookSheet(Sheet):
     def of(cls, sheet: Sheet, drawing: tuple[Method, Plot] | None = None) -> NotebookSheet:
         return cls(**vars(sheet), drawing=drawing)
 
+    @checked
     def save(self, path: str | Path, *, dpi: float = 200.0, ink: Ink = "accent", force: bool = False) -> Path:
         """Write it as .svg, .pdf, .png, .dxf, .tex or .ggb, by the file's ending: whole, or not at all.
 
@@ -61,15 +63,18 @@ class NotebookSheet(Sheet):
         among(Ink, ink=ink)
         return drawings.content(file, self, self.drawing, dpi, ink)
 
+    @checked
     def svg(self, ink: Ink = "accent") -> str:
         """The text of the .svg file, which `graphkin check` measures."""
         among(Ink, ink=ink)
         return svg.svg(self, ink)
 
+    @checked
     def to_png(self, dpi: float = 200.0, ink: Ink = "accent") -> bytes:
         """The bytes of the .png file. Needs graphkin[png]."""
         return self.content(Path(".x.png"), dpi, ink)
 
+    @checked
     def step_sheets(self, steps: Iterable[int] = ()) -> Iterator[NotebookSheet]:
         """One sheet a step of the construction, what it adds emphasised; steps: these alone."""
         return (NotebookSheet(**vars(sheet)) for sheet in step_sheets(self, steps))

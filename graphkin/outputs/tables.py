@@ -19,6 +19,7 @@ import numpy as np
 from graphkin.base.geometry import Array, number
 from graphkin.base.plain import Plain
 from graphkin.errors import Lang, among
+from graphkin.errors.arguments import checked
 from graphkin.model.quantities import EDGE, Unit, driven
 from graphkin.outputs.files import UnknownEnding, beside, needed
 from graphkin.studies.sweeps import Course, Road, Sweep, in_parts
@@ -203,6 +204,7 @@ class SweepFrames(Sweep):
         """Whatever takes Arrow (polars, pandas, DuckDB) takes a sweep."""
         return self.to_arrow().__arrow_c_stream__(requested_schema)
 
+    @checked
     def figure(self, lang: Lang = "en") -> DiagramPage:
         """The motion diagram, a figure of matplotlib's: to be changed, or saved. Raises NothingToDraw."""
         from graphkin.outputs import diagram
@@ -210,6 +212,7 @@ class SweepFrames(Sweep):
         among(Lang, lang=lang)
         return diagram.figure(self.course, tuple(self), lang, self.by)
 
+    @checked
     def save(self, path: str | Path, lang: Lang = "en", *, force: bool = False) -> Path:
         """Write a table (.csv, .json, .jsonl, .parquet) or the motion diagram (.svg, .png, .pdf), by the file's ending.
 

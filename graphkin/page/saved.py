@@ -9,6 +9,7 @@ from graphkin.api.drawing import Drawing, Source, method_of
 from graphkin.base.geometry import number
 from graphkin.base.value import bulky
 from graphkin.errors import Lang, among
+from graphkin.errors.arguments import checked
 from graphkin.outputs.files import UnknownEnding
 from graphkin.page import player, writer
 from graphkin.planning import Method
@@ -22,6 +23,7 @@ class SavedPage:
 
     text: str
 
+    @checked
     def save(self, path: str | Path, *, force: bool = False) -> Path:
         """Write it as .html; force: even over a file of another's."""
         file = Path(path)

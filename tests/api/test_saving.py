@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import inspect
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -112,3 +114,51 @@ def test_values_that_no_driver_takes():
         graphkin.lines_of(3)
     at = graphkin.motion("ex3-1", graphkin.replay("ex3-1", [[60, 90]]).theta["1"][None])
     assert at.omega["3"] == pytest.approx(graphkin.motion("ex3-1", [[60, 90]]).omega["3"])
+
+
+WRONG = [None, -3, [], {}, "nonsense", float("nan"), 10**400, object(), b"x", [None], {1: 2}, np.array("x"), "A" * 3000]
+"""Whatever somebody may give in place of what is wanted."""
+CALLS: list[tuple[str, tuple[object, ...], dict[str, object]]] = [
+    ("load", ("ex3-1",), {}), ("plan", ("ex3-1",), {}), ("replay", ("ex3-1",), {}), ("motion", ("ex3-1",), {}),
+    ("trial", ("ex3-1", "AB"), {}), ("structure", ("ex3-1",), {}), ("linkage", ("ex3-5",), {"fourbar": (15, 48, 55, 45)}),
+    ("sweep", ("ex3-1", "0:20:10", "omega 3"), {}), ("find", ("ex3-1", "max omega 3", "0:20:5"), {}),
+    ("centres", ("fig3-4",), {"about": "3", "bobillier": "E"}), ("centres", ("fig3-6",), {"centrodes": "3,1"}),
+    ("design", ("rocker",), {"length": 80, "swing": 40, "K": 1.3, "frame": 71}), ("handout", ("s2-2",), {"stage": "problem"}),
+    ("solve_many", (["ex3-1"],), {}), ("sweep_many", (["ex3-1"], "0:20:10"), {}), ("power", ("ex3-1",), {"trials": 1}),
+    ("tolerance", ("ex3-1",), {}), ("problems", ("no.toml", 2, "set"), {}), ("measure", ("no.svg",), {}),
+    ("grade", ("no.json", "no.csv"), {}), ("grade_into", ("results", "no.json", "no.csv"), {}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "given", "named"), CALLS, ids=[f"{call[0]}{k}" for k, call in enumerate(CALLS)])
+def test_wrong_objects_get_an_error_of_ours(
+    name: str, given: tuple[object, ...], named: dict[str, object], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    """Every argument in turn; what is no error is a result. No other exception leaves a call."""
+    monkeypatch.chdir(tmp_path)
+    call = getattr(graphkin, name)
+    for wrong in WRONG:
+        for place in range(len(given)):
+            tried(call, (*given[:place], wrong, *given[place + 1 :]), named)
+        for word in inspect.signature(call).parameters:
+            if bound(call, given, more := {**named, word: wrong}):
+                tried(call, given, more)
+
+
+def bound(call: Callable[..., object], given: tuple[object, ...], named: dict[str, object]) -> bool:
+    """False for a word whose place is taken."""
+    try:
+        inspect.signature(call).bind(*given, **named)
+    except TypeError:
+        return False
+    return True
+
+
+def tried(call: Callable[..., object], given: tuple[object, ...], named: dict[str, object]) -> None:
+    try:
+        found = call(*given, **named)
+        assert repr([*found] if isinstance(found, Iterator) else found)
+    except graphkin.GraphkinError as error:
+        assert error.message("en") != error.message("zh")
+    except TypeError as error:
+        raise AssertionError((call, given, named)) from error

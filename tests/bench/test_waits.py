@@ -26,7 +26,7 @@ from graphkin.studies.centres import centres
 from graphkin.studies.linkages.inversion import filed
 
 MOST = 2.5
-"""The power with which centres may grow: they are N(N-1)/2 for N links. A quiet machine gives 1.9 to 2.2."""
+"""The power with which centres may grow from 16 dyads to 64: they are N(N-1)/2 for N links. A quiet machine gives 2."""
 
 
 def chain(count: int) -> MechanismFile:
@@ -58,7 +58,7 @@ def test_centres_grow_with_their_number(capsys: pytest.CaptureFixture[str]) -> N
         print("\ncentres of 16, 32, 64 dyads, ms: " + ", ".join(f"{1e3 * each:.0f}" for each in took.values()))
         print("beside planning and drawing them: " + ", ".join(f"{took[count] / planned[count]:.1f}" for count in took))
         print("power of the growth: " + ", ".join(f"{each:.2f}" for each in power.values()))
-    assert power[64] < MOST
+    assert sum(power.values()) / 2 < MOST
 
 
 @pytest.mark.bench

@@ -9,6 +9,7 @@ An acceleration polygon is measured by the velocities that the student has drawn
 from __future__ import annotations
 
 import base64
+import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property, partial
@@ -290,8 +291,8 @@ def _sure(room: RoomReading) -> Velocities:
 def printed_sheets(key: str, paths: Iterable[str | Path], named: Path | None = None) -> tuple[PrintedSheet, ...]:
     """What was printed, by the list that is named; else by those in KEY's folder or beside KEY, else by those beside
     what is handed in. Raises NoSheetList, NoFile, Unreadable."""
-    own, pictures = Path(key), [path if path.is_dir() else path.parent for path in map(Path, paths)]
-    near = [*([own] if own.is_dir() else []), *own.parents[:2]] if key and own.exists() else []
+    own, pictures = Path(key), [path if os.path.isdir(path) else path.parent for path in map(Path, paths)]
+    near = [*([own] if os.path.isdir(own) else []), *own.parents[:2]] if key and os.path.exists(own) else []
     nearby = [[path for folder in dict.fromkeys(folders) for path in sorted(folder.glob(f"*{sheets_json.NAME}"))]
               for folders in (near, pictures)]  # fmt: skip
     for lists in nearby if named is None else [[named]]:

@@ -193,7 +193,7 @@ def judge_from(source: str, pencils: Pencils = USUAL, listed: Path | None = None
     Raises what loading and planning and the list raise, BadKey, NothingToMark.
     """
     path = Path(source)
-    path = _set_of(path) or path / _SET if path.is_dir() else path
+    path = _set_of(path) or path / _SET if os.path.isdir(path) else path
     if path.suffix.lower() == ".json":
         try:
             data = json.loads(text_of(path))

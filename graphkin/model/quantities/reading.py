@@ -27,6 +27,7 @@ _LONGEST_FIRST = sorted(WORDS, key=len, reverse=True)
 _AXES: dict[str, Axis] = {"x": "x", "y": "y"}
 _GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
 _OF_TWO = ("a_n", "a_t", "a_k", "a_r")  # parts of an acceleration seen from another point
+_LONGEST = 500  # of a text that may name a quantity, in letters
 _AT = r"\s*[#＃]\s*([1-9][0-9]{0,3})(?![0-9])"
 _TYPED = r"(?<![A-Za-z0-9_])(?:(?:omega|alpha|theta) (?:e [crg]\d+|[\w'′]+)|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
 
@@ -129,7 +130,7 @@ def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
     if (links := centre_of(mechanism, text)) is not None:
         return kinds.Centre("P", text[1:], links)
     words = _ONE.fullmatch(text)
-    if words is None:
+    if words is None or len(text) > _LONGEST:
         return None
     word, of = words.groups()
     if word not in WORDS:

@@ -98,6 +98,8 @@ def _each_range(ranges: Ranges) -> Iterator[tuple[str, object, Written]]:
     def shortened(span: object, name: str = "") -> str:
         return f"{name}{span}"[:60]
 
+    if not isinstance(ranges, str | Mapping | Sequence) and not np.ndim(ranges):
+        raise BadValues(WHERE, shortened(ranges))
     if isinstance(ranges, Mapping):
         yield from ((name, span, partial(shortened, span, f"{name}=")) for name, span in ranges.items())
     elif not isinstance(ranges, str) and any(not isinstance(each, str) for each in ranges):
