@@ -1,6 +1,6 @@
 /** The drawing board: a problem, papers, tools, rows of equations, boxes for answers; handed in as one file. */
 import { boardFileName, openBoard, saveBoard } from "./board_file.js";
-import { buildForms, emptyFields } from "./board_forms.js";
+import { bindForms, emptyFields } from "./board_forms.js";
 import {
   erase, nameStep, papers, setTool, showFields, takeBack, takeLine, tell, tool, toolField,
 } from "./board_hand.js";
@@ -105,7 +105,7 @@ function layFigure() {
 }
 
 const figure = layFigure();
-buildForms();
+bindForms();
 onWork(() => papers.forEach((paper) => paper.draw()));
 onWork(showSteps);
 onWork(showFileName);

@@ -11,10 +11,6 @@ import { heldData } from "./dom.js";
 /** @typedef {{value: string, unit: string, sense: string}} Answer */
 /** @typedef {{student: string, scales: Record<string, number | null>, answers: Record<string, Answer>,
  * equations: FilledEquation[], steps: Step[]}} Work */
-/** @typedef {{token: string, text: string}} Choice */
-/** @typedef {{term: string, words: Sign[]}} GivenTerm */
-/** @typedef {{plane: string, equation: number, front: Sign[], sides: GivenTerm[][]}} GivenEquation */
-/** @typedef {{key: string, words: Sign[], units: string[], sense: string}} AnswerBox */
 /** A line of the mechanism; where it lies on its paper, of one that is given there; and whether it is drawn there.
  * @typedef {{name: string, angle: number | null, at: [[number, number], [number, number]] | null,
  * drawn: boolean}} GivenLine */
@@ -28,8 +24,7 @@ import { heldData } from "./dom.js";
  * near: number, points: string[], of: Record<string, string>, vectors: string[]}} GivenPaper */
 /** What the page holds.
  * @typedef {{key: string, name: string, title: {en: string, zh: string}, problem: Record<string, unknown>,
- * papers: GivenPaper[], given: GivenMechanism, equations: GivenEquation[], choices: Record<string,
- * {directions: Choice[], magnitudes: Choice[]}>, answers: AnswerBox[], letters: Record<string, Sign[]>}} HeldBoard */
+ * papers: GivenPaper[], given: GivenMechanism, empty: Work, letters: Record<string, Sign[]>}} HeldBoard */
 
 /** @type {HeldBoard} */
 export const BOARD = heldData("board");
@@ -37,19 +32,6 @@ export const BOARD = heldData("board");
 /** The signs of a name; the student's own stands as it is. @param {string} name @returns {Sign[]} */
 export function lettersOf(name) {
   return BOARD.letters[name] ?? [[name.replaceAll("'", "′"), 1]];
-}
-
-/** @returns {Work} */
-function emptyWork() {
-  return {
-    student: String(BOARD.problem.student ?? ""),
-    scales: Object.fromEntries(BOARD.papers.map(({ plane, scale }) => [plane, scale])),
-    answers: Object.fromEntries(
-      BOARD.answers.map(({ key, units }) => [key, { value: "", unit: units[0] ?? "", sense: "" }])),
-    equations: BOARD.equations.map(({ plane, equation, sides }) =>
-      ({ plane, equation, terms: sides.flat().map(({ term }) => ({ term, direction: "", magnitude: "" })) })),
-    steps: [],
-  };
 }
 
 /** @param {string} plane @returns {GivenPaper} */
@@ -60,7 +42,7 @@ export function paperOf(plane) {
 }
 
 /** @type {Work} */
-export let work = emptyWork();
+export let work = structuredClone(BOARD.empty);
 /** @type {Step[][]} */
 let pastSteps = [];
 /** @type {(() => void)[]} */
@@ -109,7 +91,7 @@ export function recallWork() {
 
 /** Other work instead of this; what is missing in it is empty. @param {Partial<Work>} other */
 export function takeUp(other) {
-  const empty = emptyWork();
+  const empty = structuredClone(BOARD.empty);
   const filled = new Map((other.equations ?? []).map((one) => [`${one.plane} ${one.equation}`, one.terms]));
   for (const one of empty.equations) {
     const before = filled.get(`${one.plane} ${one.equation}`) ?? [];

@@ -1,7 +1,5 @@
 /** A figure: its marks as elements, which go along with the drivers. */
-import { setAttributes } from "./dom.js";
-import { LETTER_FONT, svg } from "./svg.js";
-import { plainText } from "./signs.js";
+import { partOf, setAttributes } from "./dom.js";
 
 /** @import { PlaneData, Row, Shown } from "./state.js" */
 /** @typedef {{group: SVGElement, element: SVGElement, grasp?: SVGElement, head?: SVGElement, row: Row, hidden: boolean,
@@ -17,47 +15,27 @@ function coordinate(value) {
 
 /** One plane of a mechanism on a paper of its own. */
 export class PlaneFigure {
-  /** @param {Shown} shown @param {PlaneData} plane @param {string} name of the figure, for a screen reader */
-  constructor(shown, plane, name) {
+  /** @param {Shown} shown @param {PlaneData} plane @param {HTMLElement} section which holds its drawing */
+  constructor(shown, plane, section) {
     this.shown = shown;
     this.plane = plane;
-    this.drawing = svg("svg", {
-      viewBox: `0 0 ${plane.width} ${plane.height}`, class: "drawing", role: "group", "aria-label": name,
-      "data-plane": plane.plane, "data-scale": plane.scale, "font-family": LETTER_FONT,
-      "stroke-linejoin": "round", "stroke-linecap": "round",
-    });
+    this.section = section;
+    /** @type {SVGSVGElement} */
+    this.drawing = partOf(section, "svg");
     this.drawing.style.aspectRatio = `${plane.width} / ${plane.height}`;
     this.box = "";
-    this.figure = svg("g", { "data-plane": plane.plane, "data-scale": plane.scale });
-    this.drawing.append(this.figure);
-    /** @type {Piece[]} */
-    this.pieces = plane.rows.map((row) => this.piece(row));
-  }
-
-  /** @param {Row} row @returns {Piece} */
-  piece(row) {
-    const paint = this.shown.mechanism.paints[row.paint] ?? {};
-    const element = elementOf(row);
-    setAttributes(element, { ...paint, ...statement(row) });
-    /** @type {Piece} */
-    const piece = { group: element, element, row, hidden: false, at: [] };
-    if (row.kind === "vector") {
-      piece.grasp = svg("line", { class: "grasp" });
-      piece.head = svg("path", { class: "head", fill: paint.stroke, stroke: "none" });
-      piece.group = svg("g", { class: "arrow", "data-vector": row.data?.name }, piece.grasp, piece.head, element);
-    }
-    setAttributes(piece.group, { "data-layer": row.layer, "data-step": row.step });
-    this.figure.append(piece.group);
-    return piece;
+    /** @type {SVGElement} */
+    this.figure = partOf(this.drawing, "g");
+    this.pieces = plane.rows.map((row, k) => pieceOf(row, /** @type {SVGElement} */ (this.figure.children[k])));
   }
 
   /** All marks where they are now. */
   move() {
     const { tracks } = this.shown;
     const drawn = tracks.isShown(this.plane.mask, this.plane.cells);
+    this.section.classList.toggle("empty", !drawn);
     this.figure.toggleAttribute("hidden", !drawn);
-    this.figure.style.display = drawn ? "" : "none";
-    if (!drawn) return false;
+    if (!drawn) return;
     for (const piece of this.pieces) {
       const { row } = piece;
       const hidden = !tracks.isNear(row.mask);
@@ -68,7 +46,6 @@ export class PlaneFigure {
       if (!hidden) moveTo(piece, row.numbers.map((number) => tracks.value(number, row.mask)));
     }
     this.zoom();
-    return true;
   }
 
   /** A paper that is larger where the polygon is larger than usual. */
@@ -101,30 +78,11 @@ export class PlaneFigure {
   }
 }
 
-/** A mark of two ends, which measures as a line. @param {Row} row */
-function isSegment({ kind, numbers, closed }) {
-  return kind === "vector" || (kind === "line" && numbers.length === 4 && !closed);
-}
-
-/** The element of a mark. @param {Row} row @returns {SVGElement} */
-function elementOf(row) {
-  if (isSegment(row)) return svg("line");
-  if (row.kind === "body") return svg("path", { d: row.form, "vector-effect": "none" });
-  if (row.kind === "circle" || row.kind === "point") return svg("circle", { r: row.radius });
-  if (row.kind !== "text") return svg("path");
-  return svg("text", {}, ...(row.spans ?? []).map(([x, y, text, size, leans]) =>
-    svg("tspan", { x, y, "font-size": size, "font-style": leans ? "italic" : null }, text)));
-}
-
-/** What a mark says of itself, as in drawing files. @param {Row} row */
-function statement(row) {
-  if (!row.data) return {};
-  /** @type {Record<string, string>} */
-  const said = { class: row.kind };
-  for (const [key, value] of Object.entries(row.data)) said[`data-${key}`] = value;
-  if (row.also) said["data-also"] = row.also.join(" ");
-  if (row.sign) Object.assign(said, { role: "img", "aria-label": plainText(row.sign) });
-  return said;
+/** The element of a row; an arrow's are its room for a pointer, its head and its line. @param {Row} row
+ * @param {SVGElement} group @returns {Piece} */
+function pieceOf(row, group) {
+  const [grasp, head, line] = /** @type {SVGElement[]} */ (row.kind === "vector" ? [...group.children] : []);
+  return { group, element: line ?? group, grasp, head, row, hidden: false, at: [] };
 }
 
 /** @param {Piece} piece @param {number[]} at its numbers now */
@@ -141,8 +99,10 @@ function moveTo(piece, at) {
 /** A mark's attributes where it is. @param {Row} row @param {number[]} at @returns {Record<string, string>} */
 function placeOf(row, at) {
   const [a, b, c, d, e] = at.map(coordinate);
-  if (isSegment(row)) return { x1: a, y1: b, x2: c, y2: d };
   switch (row.kind) {
+    case "vector":
+    case "segment":
+      return { x1: a, y1: b, x2: c, y2: d };
     case "body":
       return { transform: turned(at, row.base ?? [0, 0, 1, 0]) };
     case "arc":
