@@ -140,7 +140,7 @@ def _sense(quantity: Quantity, data: Attributes) -> str:
     """The second half of an answer: which way it turns, or the direction to +x."""
     if isinstance(quantity, Rotation) and quantity.word != "theta":
         ways = (worded("option", way, {"value": way}) for way in ("counter-clockwise", "clockwise"))
-        return element("select", {**data, "data-word-label": "sense of"}, element("option", {"value": ""}), *ways)
+        return element("select", {**data, "data-word-label": "sense of"}, worded("option", "which way", {"value": ""}), *ways)
     if not isinstance(quantity, Moving):
         return ""
     return f"∠ {element('input', {**data, 'data-word-label': 'angle of', **_NUMBER, 'size': 6})} °"

@@ -54,6 +54,7 @@ TOLERANCE_DEG = 2.0
 """A direction that is off by less is right, and one that a mistake turns by less is not told from the right one."""
 _MOST = 2  # mistakes that are named for one answer
 
+
 def quiz(method: Method, plot: Plot, scales: Mapping[str, float]) -> dict[str, Plain]:
     """The questions, as data of a page; scales: of the drawing, as a mechanism file has them."""
     key = make_key(method, marking_of(method, scales=scales), marks=False)

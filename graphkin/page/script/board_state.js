@@ -1,5 +1,5 @@
 /** The state of a student's work: what is drawn, in its order, and what is filled in; kept in the browser. */
-import { heldData } from "./dom.js";
+import { byId, heldData } from "./dom.js";
 
 /** @import { Sign } from "./signs.js" */
 /** @typedef {{kind: string, line?: string, angle?: number}} StepDirection */
@@ -47,7 +47,7 @@ export let work = structuredClone(BOARD.empty);
 let pastSteps = [];
 /** @type {(() => void)[]} */
 const workWatchers = [];
-const WORK_PLACE = `graphkin board ${BOARD.key}`;
+export const WORK_PLACE = `graphkin board ${BOARD.key}`;
 
 /** Do something whenever what is drawn has changed, or all of it. @param {() => void} act */
 export function onWork(act) {
@@ -70,12 +70,14 @@ function changeWork(next, past) {
   keepWork();
 }
 
-/** Remember the work for the next time this page is opened. A browser may forbid it: the work can still be saved. */
+/** Remember the work for the next time this page is opened. Where a browser forbids it, or has no room, it is said. */
 export function keepWork() {
+  const warning = byId("not-kept");
   try {
     localStorage.setItem(WORK_PLACE, JSON.stringify(work));
+    warning.hidden = true;
   } catch {
-    // private windows
+    warning.hidden = false;
   }
 }
 
@@ -89,18 +91,22 @@ export function recallWork() {
   }
 }
 
-/** Other work instead of this; what is missing in it is empty. @param {Partial<Work>} other */
+/** Other work instead of this; what is missing in it, or is something else, is empty. @param {Partial<Work>} other */
 export function takeUp(other) {
-  const empty = structuredClone(BOARD.empty);
-  const filled = new Map((other.equations ?? []).map((one) => [`${one.plane} ${one.equation}`, one.terms]));
-  for (const one of empty.equations) {
-    const before = filled.get(`${one.plane} ${one.equation}`) ?? [];
-    one.terms = one.terms.map((term) => before.find((each) => each.term === term.term) ?? term);
+  changeWork({ ...inForm(BOARD.empty, other), steps: other.steps ?? [] }, []);
+}
+
+/** What has the form of something empty: its texts, its positive numbers; of lists what is there, by its names.
+ * @param {any} empty @param {any} other @returns {any} */
+function inForm(empty, other) {
+  if (Array.isArray(empty)) {
+    const names = (/** @type {any} */ one) => JSON.stringify([one?.plane, one?.equation, one?.term]);
+    const there = Array.isArray(other) ? other : [];
+    return empty.map((one) => inForm(one, there.find((each) => names(each) === names(one))));
   }
-  changeWork({
-    student: other.student ?? empty.student, equations: empty.equations, steps: other.steps ?? [],
-    scales: { ...empty.scales, ...other.scales }, answers: { ...empty.answers, ...other.answers },
-  }, []);
+  if (empty === null || typeof empty === "number") return Number.isFinite(other) && other > 0 ? other : empty;
+  if (typeof empty !== "object") return typeof other === typeof empty ? other : empty;
+  return Object.fromEntries(Object.entries(empty).map(([key, value]) => [key, inForm(value, other?.[key])]));
 }
 
 /** Change what is drawn, so that it can be undone. @param {Step[]} steps */

@@ -28,6 +28,7 @@ export class DriverControl {
     this.events = partOf(element, ".event");
     this.bar.addEventListener("input", () => this.set(this.bar.valueAsNumber / this.axis.factor));
     this.field.addEventListener("change", () => this.set(this.field.valueAsNumber / this.axis.factor));
+    this.field.addEventListener("blur", () => this.show());
     this.bar.addEventListener("keydown", (event) => this.key(event));
     this.handle = this.axis.handle ? this.madeHandle() : null;
   }
@@ -95,7 +96,7 @@ export class DriverControl {
     const shown = this.value * this.axis.factor;
     const text = String(Math.round(shown * 1000) / 1000);
     this.bar.valueAsNumber = shown;
-    if (document.activeElement !== this.field) this.field.value = text;
+    if (!this.field.matches(":focus")) this.field.value = text;
     const said = `${text}${this.axis.unit === "°" ? "°" : " " + this.axis.unit}`;
     this.bar.setAttribute("aria-valuetext", said);
     if (this.handle && this.axis.handle) {
