@@ -266,14 +266,14 @@ def _xy(at: complex) -> list[Plain]:
 
 def _letters(papers: Sequence[Mapping[str, Plain]], given: Collection[str]) -> dict[str, Plain]:
     """The letters of each name that the student may give, and of the points given."""
-    every = dict.fromkeys(given)
+    letters = {name: _signs(names.point(name)) for name in given}
     for paper in papers:
-        for key in ("points", "vectors"):
-            offered = paper[key]
-            assert isinstance(offered, list)
-            every |= dict.fromkeys(map(str, offered))
-        every[str(paper["pole"])] = None
-    return {name: _signs(names.vector(name) if "_" in name else names.point(name)) for name in every}
+        points, vectors = paper["points"], paper["vectors"]
+        assert isinstance(points, list)
+        assert isinstance(vectors, list)
+        letters |= {name: _signs(names.point(name)) for name in map(str, [*points, paper["pole"]])}
+        letters |= {name: _signs(names.vector(name)) for name in map(str, vectors)}
+    return letters
 
 
 def _signs(text: str) -> Plain:

@@ -139,8 +139,9 @@ def _units(quantity: Quantity) -> Sequence[str]:
 def _sense(quantity: Quantity, data: Attributes) -> str:
     """The second half of an answer: which way it turns, or the direction to +x."""
     if isinstance(quantity, Rotation) and quantity.word != "theta":
-        ways = (worded("option", way, {"value": way}) for way in ("counter-clockwise", "clockwise"))
-        return element("select", {**data, "data-word-label": "sense of"}, worded("option", "which way", {"value": ""}), *ways)
+        ways = {"which way": "", "counter-clockwise": "counter-clockwise", "clockwise": "clockwise"}
+        options = (worded("option", word, {"value": value}) for word, value in ways.items())
+        return element("select", {**data, "data-word-label": "sense of"}, *options)
     if not isinstance(quantity, Moving):
         return ""
     return f"∠ {element('input', {**data, 'data-word-label': 'angle of', **_NUMBER, 'size': 6})} °"

@@ -24,6 +24,9 @@ export class PlaneFigure {
     this.drawing = partOf(section, "svg");
     this.drawing.style.aspectRatio = `${plane.width} / ${plane.height}`;
     this.box = "";
+    this.letters = 1;
+    /** @type {number[][]} where something is turned, and how far it reaches: x, y, r */
+    this.turning = [];
     /** @type {SVGElement} */
     this.figure = partOf(this.drawing, "g");
     this.pieces = plane.rows.map((row, k) => pieceOf(row, /** @type {SVGElement} */ (this.figure.children[k])));
@@ -43,27 +46,29 @@ export class PlaneFigure {
         piece.hidden = hidden;
         piece.group.style.visibility = hidden ? "hidden" : "";
       }
-      if (!hidden) moveTo(piece, row.numbers.map((number) => tracks.value(number, row.mask)));
+      if (!hidden) moveTo(piece, row.numbers.map((number) => tracks.value(number, row.mask)), this.letters);
     }
     this.zoom();
   }
 
-  /** A paper that is larger where the polygon is larger than usual. */
+  /** A paper that is larger where the polygon is larger than usual, or where there is room to be for what is turned. */
   zoom() {
     const { width, height, plane } = this.plane;
     let [left, top, right, bottom] = [0, 0, width, height];
-    for (const { row, at } of plane === "position" ? [] : this.pieces) {
-      if (row.kind !== "point") continue;
-      const [x = 0, y = 0] = at;
-      [left, top] = [Math.min(left, x - ZOOM_MARGIN), Math.min(top, y - ZOOM_MARGIN)];
-      [right, bottom] = [Math.max(right, x + ZOOM_MARGIN), Math.max(bottom, y + ZOOM_MARGIN)];
+    const points = plane === "position" ? [] : this.pieces.filter(({ row, at }) => row.kind === "point" && at.length);
+    for (const [x, y, margin] of [...points.map(({ at }) => [...at, ZOOM_MARGIN]), ...this.turning]) {
+      [left, top] = [Math.min(left, x - margin), Math.min(top, y - margin)];
+      [right, bottom] = [Math.max(right, x + margin), Math.max(bottom, y + margin)];
     }
-    const box = [left, top, right - left, bottom - top].map((side) => side.toFixed(2)).join(" ");
+    const [wide, high] = [right - left, bottom - top];
+    const box = [left, top, wide, high].map((side) => side.toFixed(2)).join(" ");
     if (box === this.box) return;
     this.box = box;
+    this.letters = Math.max(wide / width, high / height); // are as large as ever
+    for (const { element, row, at } of this.pieces) if (row.kind === "text") setAttributes(element, placeOf(row, at, this.letters));
     this.drawing.setAttribute("viewBox", box);
-    this.drawing.style.setProperty("--wide", `${(right - left).toFixed(2)}mm`);
-    this.drawing.style.setProperty("--high", `${(bottom - top).toFixed(2)}mm`);
+    this.drawing.style.setProperty("--wide", `${wide.toFixed(2)}mm`);
+    this.drawing.style.setProperty("--high", `${high.toFixed(2)}mm`);
   }
 
   /** Marks after a step are hidden, those before it grey; 0 shows the whole. @param {number} step */
@@ -85,19 +90,20 @@ function pieceOf(row, group) {
   return { group, element: line ?? group, grasp, head, row, hidden: false, at: [] };
 }
 
-/** @param {Piece} piece @param {number[]} at its numbers now */
-function moveTo(piece, at) {
+/** @param {Piece} piece @param {number[]} at its numbers now @param {number} letters how large they are */
+function moveTo(piece, at, letters) {
   if (piece.at.length && at.every((value, k) => value === piece.at[k])) return;
   piece.at = at;
   const { element, grasp, head, row } = piece;
-  const place = placeOf(row, at);
+  const place = placeOf(row, at, letters);
   setAttributes(element, place);
   if (grasp) setAttributes(grasp, place);
   head?.setAttribute("d", headPath(at));
 }
 
-/** A mark's attributes where it is. @param {Row} row @param {number[]} at @returns {Record<string, string>} */
-function placeOf(row, at) {
+/** A mark's attributes where it is. @param {Row} row @param {number[]} at @param {number} letters
+ * @returns {Record<string, string>} */
+function placeOf(row, at, letters) {
   const [a, b, c, d, e] = at.map(coordinate);
   switch (row.kind) {
     case "vector":
@@ -112,7 +118,7 @@ function placeOf(row, at) {
     case "point":
       return { cx: a, cy: b };
     case "text":
-      return { transform: `translate(${a} ${b})` };
+      return { transform: `translate(${a} ${b}) scale(${letters})` };
     default:
       return { d: cornersPath(at) + (row.closed ? "Z" : "") };
   }

@@ -57,9 +57,9 @@ export class Player {
     return undefined;
   }
 
-  /** @param {string} plane */
-  drawing(plane) {
-    return this.figures.find((each) => each.plane.plane === plane)?.drawing ?? this.figures[0].drawing;
+  /** @param {string | undefined} plane */
+  figureOf(plane) {
+    return this.figures.find((each) => each.plane.plane === plane) ?? this.figures[0];
   }
 
   /** @param {number[]} values */
@@ -85,7 +85,7 @@ export class Player {
 
   /** @param {number} step */
   goStep(step) {
-    this.shown.step = Math.min(Math.max(0, Math.round(step) || 0), this.steps.count);
+    this.shown.step = step > 0 ? this.steps.numbers.find((told) => told >= step) ?? this.steps.count : 0;
     for (const figure of this.figures) figure.showStep(this.shown.step);
     this.element.classList.toggle("by-step", this.shown.step > 0);
     this.showPlane(this.shown.mechanism.steps.find((each) => each.step === this.shown.step)?.plane);
@@ -95,9 +95,9 @@ export class Player {
 
   /** On a phone one polygon is seen at a time: that of the step. @param {string | undefined} plane */
   showPlane(plane) {
-    const section = this.figures.find((figure) => figure.plane.plane === plane)?.section;
-    const track = section?.closest(".polygons");
-    if (section && track) track.scrollLeft = section.offsetLeft - /** @type {HTMLElement} */ (track.firstElementChild).offsetLeft;
+    const { section } = this.figureOf(plane);
+    const track = section.closest(".polygons");
+    if (track) track.scrollLeft = section.offsetLeft - /** @type {HTMLElement} */ (track.firstElementChild).offsetLeft;
   }
 
   /** Arrows and the words that name them light up together. */

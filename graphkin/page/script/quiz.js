@@ -55,6 +55,7 @@ export class QuizPart {
     this.number = number;
     const question = this.quiz.questions[number];
     this.direction?.remove();
+    for (const figure of this.player.figures) figure.turning = [];
     this.player.showUpTo(question ? question.act - Number(question.kind !== "value") : null);
     this.element.dataset.quiz = question ? question.kind : "off";
     this.tries = 0;
@@ -63,11 +64,20 @@ export class QuizPart {
     this.showWords();
     if (!question) return;
     partOf(this.form, ".quiz-sense").hidden = question.sense !== "turn";
-    const drawing = this.player.drawing(question.plane);
-    drawing.parentElement?.scrollIntoView({ block: "nearest", inline: "start" });
-    const point = drawing.querySelector(`circle.point[data-name="${CSS.escape(question.point ?? "")}"]`);
-    if (point) drawing.append(this.direction = turnedDirection(question, point, partOf(this.form, "[data-quiz-angle]")));
+    const figure = this.player.figureOf(question.plane);
+    figure.section.scrollIntoView({ block: "nearest", inline: "start" });
+    const point = figure.drawing.querySelector(`circle.point[data-name="${CSS.escape(question.point ?? "")}"]`);
+    if (point) this.turn(question, figure, point);
     partOf(this.element, "[data-quiz-question]").focus({ preventScroll: true });
+  }
+
+  /** @param {Question} question @param {import("./figure.js").PlaneFigure} figure @param {Element} point */
+  turn(question, figure, point) {
+    const [x, y] = ["cx", "cy"].map((side) => Number(point.getAttribute(side)));
+    this.direction = turnedDirection(question, x, y, partOf(this.form, "[data-quiz-angle]"));
+    figure.drawing.append(this.direction);
+    figure.turning = [[x, y, QUIZ_ARROW + 2]];
+    figure.zoom();
   }
 
   /** What is asked, in the page's language. */
@@ -115,9 +125,8 @@ export class QuizPart {
 }
 
 /** A line or an arrow over a drawing that the student turns about its point. @param {Question} question
- * @param {Element} point @param {HTMLInputElement} field shows the angle, and takes it @returns {SVGElement} */
-function turnedDirection(question, point, field) {
-  const [x, y] = ["cx", "cy"].map((side) => Number(point.getAttribute(side)));
+ * @param {number} x @param {number} y @param {HTMLInputElement} field shows the angle, and takes it @returns {SVGElement} */
+function turnedDirection(question, x, y, field) {
   const turn = question.kind === "line" ? 180 : 360;
   const lines = [svg("line", { class: "quiz-wide" }), svg("line", { class: "quiz-line" })];
   const head = svg("path", { class: "quiz-head", d: turn === 180 ? "" : `M${QUIZ_ARROW} 0l-4 1.2v-2.4Z` });
