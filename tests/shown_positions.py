@@ -14,7 +14,7 @@ from graphkin.model.quantities import EDGE, driven
 if TYPE_CHECKING:
     from playwright.sync_api import Page
 
-_READ = """() => [...document.querySelectorAll('svg.drawing > g[data-plane]')].filter(g => g.style.display !== 'none').map(g => ({
+_READ = """() => [...document.querySelectorAll('svg.drawing > g[data-plane]')].filter(g => !g.hasAttribute('hidden')).map(g => ({
   plane: g.dataset.plane, scale: Number(g.dataset.scale),
   marks: [...g.querySelectorAll('.vector, .point')].filter(e => getComputedStyle(e).visibility === 'visible').map(e => ({
     data: Object.fromEntries(Object.entries(e.dataset).map(([k, v]) => ['data-' + k.replace(/[A-Z]/g, c => '-' + c.toLowerCase()), v])),

@@ -27,16 +27,17 @@ from graphkin.handouts.problem import HandoutProblem, drawn_problem
 from graphkin.handouts.stages import blocks_of, figure_of
 from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.choice_rows import Choice
-from graphkin.marking.equation_choices import equation_choices
+from graphkin.marking.equation_choices import EquationChoices, equation_choices
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.quantities import EDGE, Centre, Moving, Quantity, Rotation, Track, at_position
+from graphkin.model.quantities import Centre, Moving
 from graphkin.outputs.svg import inline
+from graphkin.page.board_forms import answer_rows, empty_answers, empty_equation, equation_table, scale_field
+from graphkin.page.elements import TAGS
 from graphkin.page.lettered import signs_of
 from graphkin.page.writer import FOLDER, page
 from graphkin.planning.asked import plane_of
 from graphkin.say import names
 from graphkin.say.catalogue import LANGUAGES, for_scripts, say
-from graphkin.say.problems import positions
 from graphkin.sheet.lettering import formula, plain
 from graphkin.sheet.marks import PointMark, Stroke, Text
 from graphkin.sheet.page import HEADINGS
@@ -48,13 +49,6 @@ _WIDER = 3.0  # of the paper, where lines of links are drawn on until they meet
 _GUIDE = 25.0  # half of a guide's line as it is chosen [mm]
 _STRAIGHT = 1e-6  # of directions that are along an axis
 _LETTERED = re.compile(r"[A-Za-z][\w@]*'*")
-_UNITS: Mapping[str, tuple[str, ...]] = {
-    "rad/s": ("rad/s", "deg/s", "r/min"), "m/s": ("m/s", "mm/s"), "rad/s^2": ("rad/s^2", "deg/s^2"),
-    "m/s^2": ("m/s^2", "mm/s^2"), "m": ("mm", "m"), "rad": ("deg", "rad"),
-}  # fmt: skip
-"""By SI unit, those in which an answer may stand."""
-
-
 @frozen
 class GivenFigure:
     """The problem's figure; of one in the position of the problem where its points are, in mm from the first, y up.
@@ -103,32 +97,45 @@ def board_page(mechanism: Mechanism, lang: Lang, whose: str = "", set_name: str 
     papers = [*_papers(drawn, figure)]
     text = toml(parsed(mechanism.text))
     origin = {"mechanism": text, "name": mechanism.name, "set": set_name, "student": whose, "number": number}
+    equations = equation_choices(drawn.drawing.method, drawn.drawing.plot)
     data: dict[str, Plain] = {
         "key": hashlib.sha256(f"{text}\0{whose}".encode()).hexdigest()[:16], "name": whose or mechanism.name,
         "title": {each: problem.title for each, problem in problems.items()}, "problem": {**origin},
         "papers": papers, "letters": _letters(papers, figure.points), "given": _given(drawn, figure),
-        "answers": [*_answer_boxes(drawn)], **_equations(drawn),
+        "empty": {"student": whose, "scales": {str(paper["plane"]): paper["scale"] for paper in papers}, "steps": [],
+                  "equations": [*map(empty_equation, equations)], "answers": empty_answers(drawn)},
     }  # fmt: skip
     words = {key.removeprefix(_SUBJECT): both for key, both in for_scripts("board").items()}
     return page(drawn.title, lang, scripts=["board"], styles=["board"], data={"words": words, "board": data},
-                body=_body(problems, figure, data))  # fmt: skip
+                body=_body(problems, figure, papers, equations))  # fmt: skip
 
 
-def _body(problems: Mapping[Lang, HandoutProblem], figure: GivenFigure, data: Mapping[str, Plain]) -> str:
+def _body(
+    problems: Mapping[Lang, HandoutProblem], figure: GivenFigure, papers: Sequence[Mapping[str, Plain]],
+    equations: Sequence[EquationChoices],
+) -> str:  # fmt: skip
     """The page before anything runs: the text in both languages, then the room for papers, tools and boxes."""
-    tags = {"en": "en", "zh": "zh-CN"}
-    told = "".join(f'<section class="told" lang="{tags[lang]}">{_told(problem, figure)}</section>'
+    told = "".join(f'<section class="told" lang="{TAGS[lang]}">{_told(problem, figure)}</section>'
                    for lang, problem in problems.items())  # fmt: skip
-    papers = data["papers"]
-    assert isinstance(papers, list)
-    planes = [paper["plane"] for paper in papers if isinstance(paper, dict)]
-    rooms = {plane: (FOLDER / "board_paper.html").read_text("utf-8").replace("PLANE", str(plane)) for plane in planes}
+    rooms = {paper["plane"]: _room(paper, equations) for paper in papers}
     parts = {"TOLD": told, "FIGURE": inline(figure.picture.sheet), "POSITION": rooms.pop("position", ""),
-             "POLYGONS": "".join(rooms.values())}  # fmt: skip
-    body = (FOLDER / "board.html").read_text("utf-8")
-    for name, part in parts.items():
-        body = body.replace(f"<!--{name}-->", part)
-    return body
+             "POLYGONS": "".join(rooms.values()), "ANSWERS": answer_rows(problems["en"])}  # fmt: skip
+    return _filled("board.html", parts)
+
+
+def _room(paper: Mapping[str, Plain], equations: Sequence[EquationChoices]) -> str:
+    """A paper's heading, its equations and its scale."""
+    plane, scale = str(paper["plane"]), paper["scale"]
+    tables = "".join(equation_table(one) for one in equations if one.plane == plane)
+    field = scale_field(plane, scale if isinstance(scale, float) else None, str(paper["unit"]))
+    return _filled("board_paper.html", {"EQUATIONS": tables, "SCALE": field}).replace("PLANE", plane)
+
+
+def _filled(name: str, parts: Mapping[str, str]) -> str:
+    text = (FOLDER / name).read_text("utf-8")
+    for key, part in parts.items():
+        text = text.replace(f"<!--{key}-->", part)
+    return text
 
 
 def _told(problem: HandoutProblem, figure: GivenFigure) -> str:
@@ -158,7 +165,7 @@ def _given_figure(problem: HandoutProblem) -> GivenFigure:
     return GivenFigure(picture, points, sides, -at[first])
 
 
-def _papers(problem: HandoutProblem, figure: GivenFigure) -> Iterator[Plain]:
+def _papers(problem: HandoutProblem, figure: GivenFigure) -> Iterator[dict[str, Plain]]:
     """A paper for the mechanism, and one for each polygon that is drawn."""
     mechanism, paper = problem.drawing.mechanism, figure.picture.sheet.paper
     first = next(iter(mechanism.named(FRAME)), "")
@@ -257,80 +264,17 @@ def _xy(at: complex) -> list[Plain]:
     return [round(at.real, 4), round(at.imag, 4)]
 
 
-def _equations(problem: HandoutProblem) -> dict[str, Plain]:
-    """The equations' terms, and by plane what can be chosen for them."""
-    equations: list[Plain] = []
-    choices: dict[str, Plain] = {}
-    for one in equation_choices(problem.drawing.method, problem.drawing.plot):
-        sides: list[Plain] = [
-            [{"term": term.name, "words": _signs(names.vector(term.name))} for term in side] for side in one.sides
-        ]
-        equations.append({"plane": one.plane, "equation": one.number, "sides": sides,
-                          "front": _signs(names.vector(one.front)) if one.front else []})  # fmt: skip
-        choices[one.plane] = {
-            "directions": [*map(_shown, one.directions)],
-            "magnitudes": [*map(_shown, one.magnitudes)],
-        }
-    return {"equations": equations, "choices": choices}
-
-
-def _letters(papers: Sequence[Plain], given: Collection[str]) -> dict[str, Plain]:
+def _letters(papers: Sequence[Mapping[str, Plain]], given: Collection[str]) -> dict[str, Plain]:
     """The letters of each name that the student may give, and of the points given."""
-    every = dict.fromkeys(given)
+    letters = {name: _signs(names.point(name)) for name in given}
     for paper in papers:
-        assert isinstance(paper, dict)
-        for key in ("points", "vectors"):
-            offered = paper[key]
-            assert isinstance(offered, list)
-            every |= dict.fromkeys(map(str, offered))
-        every[str(paper["pole"])] = None
-    return {name: _signs(names.vector(name) if "_" in name else names.point(name)) for name in every}
+        points, vectors = paper["points"], paper["vectors"]
+        assert isinstance(points, list)
+        assert isinstance(vectors, list)
+        letters |= {name: _signs(names.point(name)) for name in map(str, [*points, paper["pole"]])}
+        letters |= {name: _signs(names.vector(name)) for name in map(str, vectors)}
+    return letters
 
 
 def _signs(text: str) -> Plain:
     return [*signs_of(formula(text))]
-
-
-_PRINTED = {"given": "√", "?": "?", "0": "0"}
-
-
-def _shown(choice: Choice) -> Plain:
-    """A choice as a list shows it: `⊥AB`, `B→A`, `ω3²·l_BC`."""
-    match choice.kind:
-        case "towards":
-            text = names.arrow(*choice.points)
-        case "parallel" | "guide" | "perpendicular" | "across guide":
-            sign = "∥" if choice.kind in ("parallel", "guide") else "⊥"
-            text = sign + choice.token.partition(" ")[2].removeprefix("guide ").replace("@", "_")
-        case "product":
-            text = "·".join(_factor(factor) for factor in choice.factors)
-        case _:
-            text = _PRINTED.get(choice.token, choice.token)
-    return {"token": choice.token, "text": text}
-
-
-def _factor(factor: str) -> str:
-    """`ω3²` of `omega_3^2`; velocities and lengths as they are."""
-    word, _, low = factor.partition("_")
-    power = "²" if low.endswith("^2") else ""
-    greek = {"omega": "ω", "alpha": "α"}.get(word)
-    return f"{greek}{low.removesuffix('^2')}{power}" if greek else names.vector(factor) if word in "va" else factor
-
-
-def _answer_boxes(problem: HandoutProblem) -> Iterator[Plain]:
-    """A box for each quantity that is asked for, at each position."""
-    for at in range(1, 2 + positions(problem.drawing.mechanism)):
-        for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
-            if quantity is not None:
-                units: list[Plain] = [*_UNITS.get(quantity.unit, (EDGE[quantity.unit].name,))]
-                words = _signs(at_position(problem.goal.symbol(quantity), at))
-                yield {"key": at_position(text, at), "words": words, "units": units, "sense": _sense(quantity)}
-
-
-def _sense(quantity: Quantity) -> str:
-    """The second half of an answer: which way it turns, or the direction to +x."""
-    if isinstance(quantity, Rotation):
-        return "turns" if quantity.word != "theta" else ""
-    if isinstance(quantity, Centre | Track):
-        return "place"
-    return "directed" if isinstance(quantity, Moving) else ""

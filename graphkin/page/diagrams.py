@@ -2,20 +2,29 @@
 
 from __future__ import annotations
 
-from xml.sax.saxutils import escape
+from html import escape
+from typing import TypedDict
 
 import numpy as np
 
-from graphkin.base.plain import Plain
 from graphkin.outputs.diagram.panels import division
-from graphkin.outputs.typesetting import short
+from graphkin.outputs.typesetting import html_words, short
+from graphkin.page.elements import element
+from graphkin.sheet.lettering import Label
 
 _WIDTH, _HEIGHT, _LEFT, _RIGHT, _TOP, _FOOT = 120.0, 52.0, 14.0, 114.0, 3.0, 44.0  # [mm of its own]
 _USUAL = 2.0  # of a grid's values so many percent are left out on either side: near dead points some are endless
 
 
-def frame(values: np.ndarray, unit: str, ends: tuple[float, float], along: str, grid: bool) -> dict[str, Plain]:
-    """`drawing`: the picture; `x`, `y`: where it has 0 and how long a unit is.
+class Frame(TypedDict):
+    """Where the drawing of a diagram has 0, and how long a unit is, across and up [mm of its own]."""
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+
+def frame(values: np.ndarray, unit: str, ends: tuple[float, float], along: str, grid: bool) -> tuple[str, Frame]:
+    """The lines and figures of the grid, and where it lies.
 
     values  of the quantity at all knots, NaN where it has none; of a `grid` of several drivers
     ends    of the driver's way, in its unit `along`
@@ -32,9 +41,16 @@ def frame(values: np.ndarray, unit: str, ends: tuple[float, float], along: str, 
         lines.append(_line(x[0] + x[1] * at, x[0] + x[1] * at, _TOP, _FOOT, False))
         after = "°" if along == "°" else f" {along}"
         texts.append(_text(x[0] + x[1] * at, _FOOT + 4, "middle", _figure(at) + after))
-    inside = "".join([*lines, *texts])
-    drawing = f'<svg viewBox="0 0 {_WIDTH:g} {_HEIGHT:g}" aria-hidden="true">{inside}</svg>'
-    return {"drawing": drawing, "x": [*x], "y": [*y]}
+    return "".join([*lines, *texts]), {"x": x, "y": y}
+
+
+def diagram(name: str, label: Label, grid: str) -> str:
+    """The frame of a quantity's diagram, with room for its curve and a cursor."""
+    cursor = element("line", {"class": "diagram-cursor", "y1": _TOP, "y2": _FOOT})
+    moved = element("path", {"class": "diagram-curve"}), cursor, element("circle", {"class": "diagram-dot", "r": 1.2})
+    drawing = element("svg", {"viewBox": f"0 0 {_WIDTH:g} {_HEIGHT:g}", "aria-hidden": "true"}, grid, *moved)
+    caption = element("figcaption", {}, html_words(label), " = ", element("output", {}))
+    return element("figure", {"class": "diagram", "data-diagram": name}, caption, drawing)
 
 
 def _around(low: float, high: float, degrees: bool) -> list[float]:
@@ -51,13 +67,12 @@ def _scale(first: float, last: float, start: float, end: float) -> tuple[float, 
 
 
 def _line(x1: float, x2: float, y1: float, y2: float, axis: bool) -> str:
-    places = zip(("x1", "x2", "y1", "y2"), (x1, x2, y1, y2), strict=True)
-    named = " ".join(f'{name}="{short(at)}"' for name, at in places)
-    return f'<line class="diagram-{"axis" if axis else "grid"}" {named}/>'
+    ends = {name: short(at) for name, at in zip(("x1", "x2", "y1", "y2"), (x1, x2, y1, y2), strict=True)}
+    return element("line", {"class": f"diagram-{'axis' if axis else 'grid'}", **ends})
 
 
 def _text(x: float, y: float, anchor: str, text: str) -> str:
-    return f'<text x="{short(x)}" y="{short(y)}" text-anchor="{anchor}">{escape(text)}</text>'
+    return element("text", {"x": short(x), "y": short(y), "text-anchor": anchor}, escape(text))
 
 
 def _figure(value: float) -> str:

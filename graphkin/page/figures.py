@@ -102,7 +102,8 @@ class PageFigures:
             born = births(self.method, plane)
             polygon = PolygonFigure(self.method.mechanism, constructions(self.method)[plane], plot, window, born)
             rest = [mark for mark in figure.marks if not isinstance(mark, VectorMark | PointMark)]
-            points = [mark for mark in figure.marks if isinstance(mark, PointMark)]
+            points = [replace(mark, step=None if mark.of == "pole" else mark.step)
+                      for mark in figure.marks if isinstance(mark, PointMark)]  # fmt: skip
             marks = [*self._pencil(polygon, plot), *rest, *self._vectors(polygon), *points]
             named = [[name for name in group if name in polygon.named] for group in self.motion.as_one[plane]]
             steps = [None if polygon.construction.pole in group else born.get(group[0]) for group in named if group]

@@ -8,12 +8,11 @@ axes, which the page carries along by their origin [mm] and the cosine and sine 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Protocol
+from typing import NotRequired, Protocol, TypedDict
 
 import numpy as np
 
 from graphkin.base.geometry import Array, Value
-from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError
 from graphkin.model.mechanism import FRAME
@@ -42,7 +41,47 @@ class PageTracks(Protocol):
     def mask(self, there: np.ndarray) -> int | None: ...
 
 
-def layers(course: Course, t: Array, window: Window, room: Room, tracks: PageTracks) -> dict[str, Plain]:
+Tracked = float | list[int]  # a number, or the number of a track
+
+
+class CentreTrack(TypedDict):
+    name: str
+    x: Tracked
+    y: Tracked
+    w: Tracked
+    frame: bool
+    mask: NotRequired[int]
+
+
+class Curve(TypedDict):
+    name: str
+    label: str
+    pieces: list[str]
+
+
+class CentrodeTrack(TypedDict):
+    link: str
+    name: str
+    fixed: list[str]
+    moving: list[str]
+    x: Tracked
+    y: Tracked
+    cos: Tracked
+    sin: Tracked
+
+
+class Layers(TypedDict):
+    centres: list[CentreTrack]
+    curves: list[Curve]
+    centrodes: list[CentrodeTrack]
+
+
+def moving(track: CentreTrack | CentrodeTrack) -> dict[str, object]:
+    """What of a layer moves: the rest stands in the drawing."""
+    return {key: value for key, value in track.items() if key in ("x", "y", "w", "cos", "sin", "mask")}
+
+
+def layers(course: Course, t: Array, window: Window, room: Room, tracks: PageTracks) -> Layers:
     """All layers, as data of a page.
 
     t       of the knots on the course (n,)
@@ -69,14 +108,9 @@ class _Layers:
     def _each(self, values: Value) -> Array:
         return np.asarray(np.broadcast_to(values, self.t.shape))
 
-    def _mask(self, there: Array) -> dict[str, Plain]:
-        """The number of the flags of something that is not always there, as an entry."""
-        mask = self.tracks.mask(there)
-        return {} if mask is None else {"mask": mask}
-
     # --- instant centres ----------------------------------------------------------------------
 
-    def centres(self) -> Iterator[Plain]:
+    def centres(self) -> Iterator[CentreTrack]:
         """Those that are somewhere else than at infinity at some knot; of many links those with the frame."""
         board, machine = over(self.found, self.course.path, self.t).board, self.course.method.mechanism
         corner, unit = self.window(board.origin), board.size / self.window.scale
@@ -91,12 +125,15 @@ class _Layers:
             size = np.where(there, size, np.nan)
             if there.any() and np.nanmax(w**2 / size) > _AT_INFINITY:
                 places = [self.tracks.place(side * w / size) for side in (x, y)]
-                yield {"name": name, "x": places[0], "y": places[1], "w": self.tracks.fine(w**2 / size),
-                       "frame": FRAME in links, **self._mask(there)}  # fmt: skip
+                centre: CentreTrack = {"name": name, "x": places[0], "y": places[1], "frame": FRAME in links,
+                                       "w": self.tracks.fine(w**2 / size)}  # fmt: skip
+                if (mask := self.tracks.mask(there)) is not None:
+                    centre["mask"] = mask
+                yield centre
 
     # --- curves of points ---------------------------------------------------------------------
 
-    def curves(self) -> Iterator[Plain]:
+    def curves(self) -> Iterator[Curve]:
         """The paths of the points that go on no circle about a fixed point and on no line."""
         method = self.course.method
         t = self.t[0] + np.radians(range(361)) if self.course.full_turn else self.t
@@ -107,7 +144,7 @@ class _Layers:
             if np.isfinite(places).any() and not _plain_curve(places, fixed, method.size):
                 yield {"name": point, "label": html_words(point_label(point)), "pieces": self._pieces(places)}
 
-    def _pieces(self, places: Array) -> list[Plain]:
+    def _pieces(self, places: Array) -> list[str]:
         """A curve [m] as paths on paper, as far as it comes near the room; it is cut where it does not."""
         paper, reach = self._on_paper(places), self.room.size
         off = paper - self.room.middle
@@ -117,7 +154,7 @@ class _Layers:
 
     # --- centrodes ----------------------------------------------------------------------------
 
-    def centrodes(self) -> Iterator[Plain]:
+    def centrodes(self) -> Iterator[CentrodeTrack]:
         """The curves of each link that turns about no fixed point; of many links, of the first ones."""
         machine = self.course.method.mechanism
         for link in machine.moving[:LINKS]:
@@ -129,8 +166,8 @@ class _Layers:
             if not curves.is_point:
                 yield self._rolling(curves, link)
 
-    def _rolling(self, curves: Centrodes, link: str) -> Plain:
-        fixed, moving = list[Plain](), list[Plain]()
+    def _rolling(self, curves: Centrodes, link: str) -> CentrodeTrack:
+        fixed, moving = list[str](), list[str]()
         for piece in curves.pieces:
             paper = self._on_paper(piece.places[0])
             near = np.abs(paper - self.room.middle) < _AROUND * abs(self.room.size)

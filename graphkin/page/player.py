@@ -1,21 +1,19 @@
 """The page that plays: mechanisms with their polygons, dragged along and drawn step by step.
 
-Its data of a mechanism: `axes` (drivers, their knots), `tracks` and `masks` (see `tracks`), `planes` with rows of marks
-(see `rows`), `steps` (see `spoken`), `values`. A number in a row is a number, or `[k]` for the k-th track.
+Its data of a mechanism: `stage` (its elements), `axes` (drivers, their knots), `tracks` and `masks` (see `tracks`),
+`planes` with rows of marks (see `rows`), `steps` (see `spoken`), `values`. A number in a row is a number, or `[k]` for
+the k-th track.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
-from functools import cached_property
 from itertools import product
 from typing import assert_never
 
 import numpy as np
 
 from graphkin.base.geometry import dot
-from graphkin.base.plain import Plain
 from graphkin.base.value import bulky
 from graphkin.construction import Plane, Plot
 from graphkin.errors import GraphkinError, Lang, Where
@@ -23,18 +21,17 @@ from graphkin.model.mechanism import Driver
 from graphkin.model.pairs import RollingContact
 from graphkin.model.quantities import EDGE, Quantity, centre_of, driven, named
 from graphkin.outputs.paint import Colours
-from graphkin.outputs.stated import stated
-from graphkin.outputs.typesetting import mm, runs, short
 from graphkin.page import writer
-from graphkin.page.diagrams import frame
-from graphkin.page.figures import OWN, layer_of
+from graphkin.page.diagrams import Frame, diagram, frame
+from graphkin.page.figures import layer_of
 from graphkin.page.knots import PageKnots, cells_shown, page_knots
-from graphkin.page.layers import layers
+from graphkin.page.layers import Layers, layers, moving
 from graphkin.page.lettered import signs_of
 from graphkin.page.quiz import quiz
 from graphkin.page.reach import Reach
 from graphkin.page.rows import Row, rows
 from graphkin.page.spoken import StepWords, spoken_steps, unfolded
+from graphkin.page.stage import Stage, driver, figure, kind_of, mark_element, overlay_drawing, page_head, result
 from graphkin.page.tracks import Tracks
 from graphkin.planning import Method
 from graphkin.planning.needed import without_aids
@@ -58,10 +55,12 @@ Data = dict[str, object]
 
 def page_of(every: Sequence[Data], lang: Lang) -> str:
     """The page of mechanisms that are made."""
-    titles = [titles[lang] for each in every if isinstance(titles := each["title"], dict)]
+    titles = {str(each["name"]): title for each in every if isinstance(title := each["title"], dict)}
     words = for_scripts("page") | for_scripts("quiz") | for_scripts("layers")
-    data: Data = {"words": words, "mechanisms": list(every)}
-    return writer.page(" · ".join(titles), lang, scripts=["player"], styles=["player", "layers", "quiz"], data=data)
+    return writer.page(
+        " · ".join(title[lang] for title in titles.values()), lang, scripts=["player"],
+        styles=["player", "layers", "quiz"], data={"words": words, "mechanisms": list(every)}, body=page_head(titles),
+    )  # fmt: skip
 
 
 def played(method: Method, values: Sequence[float] | None = None) -> Data:
@@ -70,7 +69,7 @@ def played(method: Method, values: Sequence[float] | None = None) -> Data:
     method = without_aids(method)
     knots = page_knots(Reach.of(method))
     start = [float(value) for value in method.facts(None).values] if values is None else [*values]
-    return _Played(knots, Tracks([], []), start).data()
+    return _Played(knots, Tracks([], []), start, Stage([], [], [], [], [])).data()
 
 
 @bulky
@@ -78,40 +77,35 @@ class _Played:
     knots: PageKnots
     tracks: Tracks
     start: Sequence[float]
+    stage: Stage
 
     @property
     def method(self) -> Method:
         return self.knots.reach.method
 
-    @cached_property
-    def _layers(self) -> set[str]:
-        """Those that the rows are in."""
-        return set()
-
     def data(self) -> Data:
-        machine = self.method.mechanism
-        paints: dict[tuple[tuple[str, str], ...], int] = {}
-        planes = [self._plane(plane, paints) for plane in PLANES]
+        machine, figures = self.method.mechanism, self.knots.figures
+        overlays = self._overlays()
+        planes = [self._plane(plane, overlays) for plane in PLANES]
         axes = [self._axis(k) for k in range(len(self.knots.axes))]
         steps, words = self._steps()
         values = [*self._values()]
+        questions = quiz(self.method, replay_all(self.method), figures.scales)
         return {
             "name": machine.name, "title": {lang: machine.headline(lang) for lang in LANGUAGES}, "axes": axes,
-            "planes": planes, "paints": [dict(paint) for paint in paints], "wordKnots": words, "steps": steps,
-            "values": values, "layers": [layer for layer in OWN if layer in self._layers], **self._parts(),
-            "tracks": self.tracks.texts, "masks": self.tracks.masks,
+            "planes": planes, "wordKnots": words, "steps": steps, "values": values, "quiz": questions,
+            "overlays": overlays and {kind: [*map(moving, overlays[kind])] for kind in ("centres", "centrodes")},
+            "stage": self.stage.html(overlays, questions), "tracks": self.tracks.texts, "masks": self.tracks.masks,
         }  # fmt: skip
 
-    def _parts(self) -> Data:
-        """The quiz on the drawn position; of one driver, what lies over its motion."""
+    def _overlays(self) -> Layers | None:
+        """What lies over the motion of one driver."""
         reach, figures = self.knots.reach, self.knots.figures
-        parts: Data = {"quiz": quiz(self.method, replay_all(self.method), figures.scales)}
         if len(reach.axes) > 1:
-            return parts
+            return None
         (course,), (axis,) = reach.courses, self.knots.axes
         t = np.array([course.at(reach.values([float(u)])[0]) for u in axis.u])
-        window, room = figures.window("position"), figures.room("position")
-        return parts | {"overlays": layers(course, t, window, room, self.tracks)}
+        return layers(course, t, figures.window("position"), figures.room("position"), self.tracks)
 
     # --- drivers ----------------------------------------------------------------------------------
 
@@ -119,6 +113,9 @@ class _Played:
         axis, course, knots = self.knots.reach.axes[k], self.knots.reach.courses[k], self.knots.axes[k]
         unit = EDGE[driven(axis.driver.kind == "slide")]
         events = [{"value": float(course.value(event.at).real), **line} for event, line in _events(course)]
+        ends = axis.reached[0] * unit.factor, axis.reached[1] * unit.factor
+        ticks = [unit.factor * float(course.value(event.at).real) for event, _ in _events(course)]
+        self.stage.bars.append(driver(k, axis.driver.name, unit.sign, ends, ticks))
         data: Data = {
             "name": axis.driver.name, "unit": unit.sign, "factor": unit.factor, "low": axis.low, "high": axis.high,
             "wave": axis.wave, "ends": axis.reached, "round": axis.round, "u": [round(float(u), 9) for u in knots.u],
@@ -142,17 +139,18 @@ class _Played:
 
     # --- figures ----------------------------------------------------------------------------------
 
-    def _plane(self, plane: Plane, paints: dict[tuple[tuple[str, str], ...], int]) -> Data:
+    def _plane(self, plane: Plane, overlays: Layers | None) -> Data:
         figures, knots, colours = self.knots.figures, self.knots, Colours("accent", False)
         window, room, layer = figures.window(plane), figures.room(plane), Layer("mechanism", (), plane)
-        drawn = []
         in_a_row = len(knots.axes) == 1
-        for row in rows(figures.lettered(plane, knots.plots, in_a_row), leaps=in_a_row):
-            paint = paints.setdefault(colours.paint(layer, row.mark), len(paints))
-            drawn.append({**self._row(row), "paint": paint})
+        every = [*rows(figures.lettered(plane, knots.plots, in_a_row), leaps=in_a_row)]
+        marks = [mark_element(row, dict(colours.paint(layer, row.mark))) for row in every]
+        self.stage.switched.extend(map(layer_of, (row.mark for row in every)))
+        over = overlay_drawing(overlays) if overlays and plane == "position" else ""
+        self.stage.figures.append(figure(plane, window.scale, room.size, written(plane, window.scale), [*marks, over]))
         data: Data = {
-            "plane": plane, "scale": window.scale, "written": signs_of(written(plane, window.scale)),
-            "width": round(room.size.real, 3), "height": round(room.size.imag, 3), "rows": drawn,
+            "plane": plane, "scale": window.scale, "rows": [*map(self._row, every)],
+            "width": round(room.size.real, 3), "height": round(room.size.imag, 3),
             "origin": [round(window.origin.real, 4), round(window.origin.imag, 4)],
         }  # fmt: skip
         if len(knots.axes) > 1:
@@ -161,27 +159,20 @@ class _Played:
 
     def _row(self, row: Row) -> Data:
         mark = row.mark
-        data: Data = {"kind": _kind(row), "numbers": [self.tracks.place(column) for column in row.numbers.T]}
-        self._layers.add(layer := layer_of(mark))
-        more = {"step": mark.step, "layer": layer or None, "mask": self.tracks.mask(row.there)}
+        data: Data = {"kind": kind_of(row), "numbers": [self.tracks.place(column) for column in row.numbers.T]}
+        more = {"step": mark.step, "mask": self.tracks.mask(row.there)}
         data |= {key: value for key, value in more.items() if value is not None}
         match mark:
             case Stroke() if row.form:
                 at, end = row.form[row.base[0]], row.form[row.base[1]]
-                data |= {"form": _path(row.form, mark.closed), "base": [at.real, at.imag, end.real, end.imag]}
+                data |= {"base": [at.real, at.imag, end.real, end.imag]}
             case Stroke():
                 data |= {"closed": True} if mark.closed else {}
             case ArcMark():
                 data["flags"] = f"{int(abs(mark.sweep) > np.pi)} {int(mark.sweep > 0)}"
-            case PointMark():
-                data |= {"data": stated(mark), "radius": mark.radius}
             case VectorMark():
-                data |= {"data": stated(mark), "sign": signs_of(vector_label(mark.name))}
-                data |= {"also": list(mark.also)} if mark.also else {}
-            case Text():
-                data["spans"] = [[round(span.at.real, 2), round(span.at.imag, 2), span.text, short(span.size),
-                                  int(span.italic)] for span in runs(replace(mark, at=0j))]  # fmt: skip
-            case Disc():
+                data["sign"] = signs_of(vector_label(mark.name))
+            case PointMark() | Text() | Disc():
                 pass
             case _:
                 assert_never(mark)
@@ -214,14 +205,15 @@ class _Played:
                 continue
             rise = self._unwound(column) if quantity.unit == "rad" else 0.0
             sizes = unfolded(column) if len(self.knots.axes) == 1 else column
-            data: Data = {"name": name, "sign": signs_of(label_of(quantity)), "unit": unit.sign,
-                          "value": self.tracks.fine(sizes)}  # fmt: skip
+            data: Data = {"name": name, "unit": unit.sign, "value": self.tracks.fine(sizes)}
             data |= {"size": True} if np.nanmin(sizes) < 0 <= np.nanmin(column) else {}
             mask = self.tracks.mask(~np.isnan(column))
-            data["diagram"] = self._frame(sizes, rise, unit.sign, bool(data.get("size")))
+            grid, data["diagram"] = self._frame(sizes, rise, unit.sign, bool(data.get("size")))
+            self.stage.results.append(result(name, label_of(quantity)))
+            self.stage.diagrams.append(diagram(name, label_of(quantity), grid))
             yield data | ({"rise": rise} if rise else {}) | ({"mask": mask} if mask is not None else {})
 
-    def _frame(self, values: np.ndarray, rise: float, unit: str, sizes: bool) -> dict[str, Plain]:
+    def _frame(self, values: np.ndarray, rise: float, unit: str, sizes: bool) -> tuple[str, Frame]:
         """The frame of a diagram over the first driver."""
         knots, axis = self.knots.axes[0], self.knots.reach.axes[0]
         along = EDGE[driven(axis.driver.kind == "slide")]
@@ -260,29 +252,3 @@ def _events(course: Course) -> Iterator[tuple[Event, Mapping[Lang, str]]]:
         yield stop, {lang: stop_line(course, stop, lang) for lang in LANGUAGES}
     for change in course.changes:
         yield change, {lang: change_line(course, change, lang) for lang in LANGUAGES}
-
-
-# --- marks ------------------------------------------------------------------------------------------------------------
-
-
-def _kind(row: Row) -> str:
-    """The kind of element that a row is."""
-    match row.mark:
-        case Stroke():
-            return "body" if row.form else "line"
-        case Disc():
-            return "circle"
-        case ArcMark():
-            return "arc"
-        case Text():
-            return "text"
-        case VectorMark():
-            return "vector"
-        case PointMark():
-            return "point"
-        case _:
-            assert_never(row.mark)
-
-
-def _path(places: Sequence[complex], closed: bool) -> str:
-    return "M" + "L".join(f"{mm(at.real)} {mm(at.imag)}" for at in places) + ("Z" if closed else "")

@@ -10,7 +10,7 @@ each rotation that is read off, and what the file asks for. The data hold by que
     tolerance of a value; sense   "turn" where a value turns one way or the other, "sign" where it has a sign, else ""
     dimension of a value: its SI unit
     wrong     what mistakes give instead: [direction or value, numbers of mistakes]
-    words     of a direction, the sentence of the solution that draws it
+    words     the answer: of a direction, the sentence of the solution that draws it
 
 and `mistakes`, in words; `at`: the drivers' values there [rad, m]. All words are HTML in both languages.
 """
@@ -39,13 +39,13 @@ from graphkin.marking.key_making import make_key
 from graphkin.marking.mistakes import directions
 from graphkin.marking.rewrite import Mistaken, Rewrite
 from graphkin.marking.scene import Scene
-from graphkin.model.quantities import EDGE, Quantity, Rotation
+from graphkin.model.quantities import EDGE, Quantity, Rotation, Unit
 from graphkin.outputs.letters import lettered
 from graphkin.outputs.typesetting import html_words
 from graphkin.planning import Method
 from graphkin.planning.method import pages
-from graphkin.say import names
-from graphkin.say.catalogue import LANGUAGES
+from graphkin.say import names, numbers
+from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.marks import mistake_in_signs
@@ -53,6 +53,7 @@ from graphkin.say.marks import mistake_in_signs
 TOLERANCE_DEG = 2.0
 """A direction that is off by less is right, and one that a mistake turns by less is not told from the right one."""
 _MOST = 2  # mistakes that are named for one answer
+
 
 def quiz(method: Method, plot: Plot, scales: Mapping[str, float]) -> dict[str, Plain]:
     """The questions, as data of a page; scales: of the drawing, as a mechanism file has them."""
@@ -222,8 +223,17 @@ class _Questions:
             "dimension": entry.unit,
             "tolerance": float(f"{allowed * unit.factor:.3g}"), "turn": 360.0 if entry.sort == "angle" else 0.0,
             "sense": "turn" if turns else "sign" if entry.sort == "sense" else "",
+            "words": {lang: self._answer(entry, unit, turns, lang) for lang in LANGUAGES},
             "wrong": self._wrong(entry.text, [row[0] for row in self.key.singles.names], wrong),
         }  # fmt: skip
+
+    def _answer(self, entry: KeyEntry, unit: Unit, turns: bool, lang: Lang) -> str:
+        """`The answer: ω3 = 3.92 rad/s, clockwise`"""
+        size = number(entry.right * unit.factor)
+        sense = f", {say('quiz.ccw' if size > 0 else 'quiz.cw', lang)}" if turns else ""
+        after = unit.sign if unit.sign in ("", "°") else f" {unit.sign}"
+        value = numbers.number(abs(size) if turns else size, 1e-9)
+        return say("quiz.answer", lang, answer=f"{self._html(names.symbols(entry.text))} = {value}{after}{sense}")
 
     def _plane_and_page(self, rank: float) -> tuple[Plane, int]:
         """The plane in which a value is drawn, and the act that gives it."""
@@ -253,10 +263,10 @@ class _Questions:
 
         by_value: dict[float, dict[int, None]] = {}
         for k in sorted(values, key=unlikely):
-            numbers = by_value.setdefault(values[k], {})
-            if len(numbers) < _MOST:
-                numbers[self._mistake(made[k])] = None
-        return [[value, [*numbers]] for value, numbers in by_value.items()]
+            named = by_value.setdefault(values[k], {})
+            if len(named) < _MOST:
+                named[self._mistake(made[k])] = None
+        return [[value, [*named]] for value, named in by_value.items()]
 
     def _mistake(self, name: Name) -> int:
         """The number of a mistake in the page's list."""

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.outputs import files
+from graphkin.page.elements import TAGS
 
 FOLDER = Path(__file__).parent / "script"
 MARK = "graphkin page"
@@ -46,16 +47,13 @@ def page(
     held = "".join(f'<script type="application/json" id="{key}">{_json(value)}</script>\n'
                    for key, value in data.items())  # fmt: skip
     return (
-        f'<!DOCTYPE html>\n<html lang="{_TAGS[lang]}"><head><meta charset="utf-8">\n'
+        f'<!DOCTYPE html>\n<html lang="{TAGS[lang]}"><head><meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         f'<meta name="generator" content="{MARK}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<link rel="icon" href="data:,"><title>{escape(title)}</title>\n<style>{style}</style></head>\n'
         f"<body>\n{body}{held}<script>{script}</script>\n</body></html>\n"
     )
-
-
-_TAGS: Mapping[Lang, str] = {"en": "en", "zh": "zh-CN"}
 
 
 def write(path: Path, text: str, force: bool = False) -> None:

@@ -11,10 +11,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from board_student import StudentHand
+
 from graphkin.base.geometry import number, place
 from graphkin.construction import Equation, Given, Image, LayOff, Meet, Plane, Ray, Step
 from graphkin.handouts.problem import HandoutProblem
 from graphkin.marking.equation_choices import equation_choices
+from graphkin.marking.hand import redraw
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import EDGE, Centre, Moving, Rotation, Track
 from graphkin.proof.readings import readings
@@ -52,14 +55,16 @@ _FILL = """fields => {
 
 @dataclass
 class Student:
-    """One student on one page; `slips`: by the name of an arrow, or of a line's point, the factor that turns it wrong."""
+    """One student on one page; hand: what is drawn otherwise, from which all that follows is drawn."""
 
     page: Page
     problem: HandoutProblem
-    slips: dict[str, complex] = field(default_factory=dict)
+    hand: StudentHand = field(default_factory=StudentHand)
     said: dict[str, Any] = field(init=False)
 
     def __post_init__(self) -> None:
+        drawing = self.problem.drawing
+        self.plot = redraw(drawing.method, drawing.plot, self.hand)
         self.said = json.loads(self.page.locator("#board").text_content() or "")
 
     # --- hands
@@ -108,12 +113,11 @@ class Student:
                         self.arrow(term.name(plane), self.at[term.tail], self.at[term.head])
 
     def step(self, step: Step) -> None:
-        plot, scale = self.problem.drawing.plot, self.problem.scales[self.plane]
+        plot, scale = self.plot, self.problem.scales[self.plane]
         match step:
             case LayOff(term, start, tip):
                 name = term.name(self.plane)
                 arrow = place(plot.points(self.plane)[tip] - plot.points(self.plane)[start]) / scale
-                arrow *= self.slips.get(name, 1.0)
                 if abs(arrow) < 0.05 or tip in self.at:
                     self.at.setdefault(tip, self.at[start])
                     return
@@ -123,13 +127,13 @@ class Student:
                 self.at[tip] = self.at[start] + cmath.rect(round(abs(arrow), 2), math.radians(round(angle, 3)))
                 self.letter(tip)
             case Meet(Ray() as first, Ray() as second, point):
-                lines = [self.line(ray) for ray in (first, second)]
+                lines = [self.line(ray, point) for ray in (first, second)]
                 (one, along), (other, across) = lines
                 part = ((other - one).conjugate() * across).imag / (along.conjugate() * across).imag
                 self.at[point] = one + part * along
                 self.letter(point)
             case Image(point=point) if point not in self.at:
-                arrow = place(plot.points(self.plane)[point] - plot.points(self.plane)[self.pole]) / scale
+                arrow = place(plot.points(self.plane)[point]) / scale
                 self.at[point] = arrow
                 if re.fullmatch(r"\w+'*", point) and abs(arrow) > 0.05:
                     angle, node = math.degrees(cmath.phase(arrow)), self.problem.construction(self.plane).nodes[point]
@@ -156,27 +160,29 @@ class Student:
             self.tool("vector", kind="", length="", name=name)
             self.drag(self.plane, tail, head)
 
-    def line(self, ray: Ray) -> tuple[complex, complex]:
+    def line(self, ray: Ray, point: str) -> tuple[complex, complex]:
         """A line drawn with the set square along a line of the mechanism: it is pointed at, or taken from the list."""
-        along = place(self.problem.drawing.plot.direction(ray.direction)) * self.slips.get(ray.through, 1.0)
+        turned = self.hand.turned.get((point, ray.through), 1)
+        along = place(self.problem.drawing.plot.direction(ray.direction)) * turned
+        start = self.at[self.hand.through_others.get((point, ray.through), ray.through)]
         for line in sorted(self.said["given"]["lines"], key=lambda line: not line["drawn"]):
             ends = [complex(*xy) for xy in line["at"] or ()]
             own = (ends[1] - ends[0]) / abs(ends[1] - ends[0]) if ends else cmath.rect(1, math.radians(line["angle"]))
-            for tool, turned in (("parallel", own), ("perpendicular", 1j * own)):
-                if abs((turned.conjugate() * along).imag) < 1e-5:
+            for tool, laid in (("parallel", own), ("perpendicular", 1j * own)):
+                if abs((laid.conjugate() * along).imag) < 1e-5:
                     self.tool(tool)
                     if line["drawn"] and (places := line["at"]):
-                        start, end = (complex(*xy) for xy in places)
-                        self.click("position", start + 0.37 * (end - start))
+                        one, other = (complex(*xy) for xy in places)
+                        self.click("position", one + 0.37 * (other - one))
                     if self.page.locator('[data-field="line"]').input_value() == "":  # not drawn, or a point is near
                         self.tool(tool, line=line["name"])
-                    self.click(self.plane, self.at[ray.through])
-                    return self.at[ray.through], along
+                    self.click(self.plane, start)
+                    return start, along
         angle = math.degrees(cmath.phase(along)) % 180
-        for turned in (0, 180):
-            self.tool("protractor", angle=f"{angle + turned:.4f}")
-            self.click(self.plane, self.at[ray.through])
-        return self.at[ray.through], along
+        for half in (0, 180):
+            self.tool("protractor", angle=f"{angle + half:.4f}")
+            self.click(self.plane, start)
+        return start, along
 
     def fill_equations(self, wrong: dict[tuple[str, str], str] | None = None) -> None:
         """Every choice of the equations; `wrong`: by term and row what is chosen instead."""

@@ -11,10 +11,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from board_student import StudentHand
 from browsing import Browsing, axe
+from rolling_machines import FAMILIES
 from student import Student
 
-from graphkin import grade, load
+from graphkin import grade, load, loads
 from graphkin.base.geometry import number, place
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
@@ -23,6 +25,7 @@ from graphkin.model.quantities import EDGE
 from graphkin.page.board import board_page
 from graphkin.proof.readings import readings
 
+SEED = 3
 WIDE, PHONE = {"width": 1400, "height": 1000}, {"width": 390, "height": 844}
 _NUMBER = re.compile(r"(?<![\w.#])\d+\.?\d*(?:e-?\d+)?(?![\w.])")
 
@@ -110,11 +113,7 @@ def held(page: Path) -> dict[str, Any]:
 def test_drawn_with_the_pointer(name, browsing: Browsing, pages, tmp_path):
     page = browsing.open(pages(name), viewport=WIDE)
     problem = drawn_problem(load(name), "en")
-    student = Student(page, problem)
-    student.draw()
-    student.fill_equations()
-    student.fill_answers()
-    path = student.hand_in(tmp_path, "20270001")
+    path = worked_out(page, problem, tmp_path)
     assert path.name == "20270001.svg"
     root = ET.fromstring(path.read_text("utf-8"))
     assert_drawn(root, problem)
@@ -124,13 +123,42 @@ def test_drawn_with_the_pointer(name, browsing: Browsing, pages, tmp_path):
     assert record["problem"]["student"] == "20270001"
     assert [step["step"] for step in record["steps"]] == [*range(1, len(record["steps"]) + 1)]
     assert all(term["direction"] and term["magnitude"] for one in record["equations"] for term in one["terms"])
-    marked = marked_by(name, path)
-    assert (marked.score, marked.faults) == (1, ())
-    assert marked.step is None
+    assert_full_marks(marked_by(name, path))
     again = browsing.open(pages(name), viewport=WIDE)
     again.locator("#file").set_input_files(path)
     again.wait_for_function("document.querySelectorAll('line.vector').length > 2")
     assert json_of(Student(again, problem).hand_in(tmp_path / "again")) == record
+
+
+@pytest.mark.parametrize("family", ["crosshead", "line_of_centres", "on_the_rim", "pinion_drives", "rolling_line"])
+def test_random_mechanisms_are_drawn_with_the_pointer(family, browsing: Browsing, tmp_path):
+    mechanism = asking(FAMILIES[family](SEED))
+    (tmp_path / "board.html").write_text(board_page(mechanism, "en"), "utf-8")
+    page = browsing.open(tmp_path / "board.html", viewport=WIDE)
+    problem = drawn_problem(mechanism, "en")
+    path = worked_out(page, problem, tmp_path)
+    assert_drawn(ET.fromstring(path.read_text("utf-8")), problem)
+    assert_full_marks(marked_by(mechanism, path))
+
+
+def asking(text: str):
+    """A mechanism of which the rotations are asked for."""
+    machine = loads(text)
+    links = {*machine.moving} - {driver.link for driver in machine.drivers}
+    ask = [f"{word} {machine.called(link)}" for word in ("omega", "alpha") for link in sorted(links)]
+    return loads(f"ask = {json.dumps(ask)}\n{text}")
+
+
+def worked_out(page, problem, folder: Path) -> Path:
+    student = Student(page, problem)
+    student.draw()
+    student.fill_equations()
+    student.fill_answers()
+    return student.hand_in(folder, "20270001")
+
+
+def assert_full_marks(marked) -> None:
+    assert (marked.score, marked.faults, marked.step) == (1, (), None)
 
 
 @pytest.mark.parametrize("change", [{"tool": "zzz"}, {"name": 5}, {"tool": "parallel", "point": "q"}])
@@ -154,29 +182,42 @@ def test_a_file_that_cannot_be_drawn_leaves_the_work_as_it_was(change, browsing:
     assert steps_of(page) == before
 
 
-def marked_by(name: str, path: Path):
-    (graded,) = grade(name, path)
+def marked_by(problem, path: Path):
+    (graded,) = grade(problem, path)
     assert graded.marked is not None
     return graded.marked
 
 
-@pytest.mark.parametrize(
-    ("slips", "fault", "step", "named"),
-    [
-        ({"a^k_B3B2": -1}, ("a^k_B3B2", "direction", "parallel BC"), 5, "coriolis-reversed"),
-        ({"b2": 1j}, ("v_B3B2", "direction", "perpendicular BC"), 4, None),  # what follows is drawn from right values
-    ],
-)
-def test_mistakes_of_the_pointer_are_named(slips, fault, step, named, browsing: Browsing, pages, tmp_path):
-    page = browsing.open(pages("ex3-1"), viewport=WIDE)
-    student = Student(page, drawn_problem(load("ex3-1"), "en"), slips)
-    student.polygon("acceleration" if fault[0].startswith("a") else "velocity")
-    student.fill_equations({fault[:2]: fault[2]})
-    marked = marked_by("ex3-1", student.hand_in(tmp_path, "20270002"))
+MISTAKES = {
+    "driver-reversed": ("ex3-1", "velocity", 1, StudentHand(arrows={"v_B2": -1})),
+    "sliding-across": ("ex3-1", "velocity", 4, StudentHand(turned={("b3", "b2"): 1j})),
+    "velocity-along-link": ("ex3-7", "velocity", 14, StudentHand(turned={("e", "d"): 1j})),
+    "normal-not-laid-off": ("ex3-1", "acceleration", 7, StudentHand(through_others={("b3'", "n3'"): "p'"})),
+    "normal-outward": ("ex3-1", "acceleration", 3, StudentHand(arrows={"a^n_B3D": -1})),
+    "coriolis-reversed": ("ex3-1", "acceleration", 5, StudentHand(sizes={"Coriolis": -1})),
+    "coriolis-half": ("ex3-1", "acceleration", 5, StudentHand(sizes={"Coriolis": 0.5})),
+    "image-mirrored": ("ex3-5", "velocity", 10, StudentHand(mirrored=frozenset({"e", "e'"}))),
+}
+"""By name: the board, the polygon, the first wrong step, the hand."""
+
+
+@pytest.mark.parametrize("id", MISTAKES)
+def test_mistakes_of_the_pointer_are_named(id, browsing: Browsing, pages, tmp_path):
+    name, plane, step, hand = MISTAKES[id]
+    student = Student(browsing.open(pages(name), viewport=WIDE), drawn_problem(load(name), "en"), hand)
+    student.polygon(plane)
+    marked = marked_by(name, student.hand_in(tmp_path, "20270002"))
     assert marked.step is not None
     assert marked.step.step == step
-    assert [(each.term, each.row, each.written) for each in marked.faults] == [fault]
-    assert named is None or named in {each for one in marked.diagnosis.explanations for each in one.ids}
+    assert id in {each for one in marked.diagnosis.explanations for each in one.ids}
+
+
+def test_wrong_choices_of_an_equation_are_named(browsing: Browsing, pages, tmp_path):
+    student = Student(browsing.open(pages("ex3-1"), viewport=WIDE), drawn_problem(load("ex3-1"), "en"))
+    wrong = {("a^k_B3B2", "direction"): "parallel BC", ("v_B3B2", "magnitude"): "0"}
+    student.fill_equations(wrong)
+    faults = marked_by("ex3-1", student.hand_in(tmp_path, "20270002")).faults
+    assert {(each.term, each.row): each.written for each in faults} == wrong
 
 
 def json_of(path: Path) -> dict[str, object]:

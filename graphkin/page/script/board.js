@@ -1,10 +1,10 @@
 /** The drawing board: a problem, papers, tools, rows of equations, boxes for answers; handed in as one file. */
 import { boardFileName, openBoard, saveBoard } from "./board_file.js";
-import { buildForms, emptyFields } from "./board_forms.js";
+import { bindForms, emptyFields } from "./board_forms.js";
 import {
   erase, nameStep, papers, setTool, showFields, takeBack, takeLine, tell, tool, toolField,
 } from "./board_hand.js";
-import { BOARD, lettersOf, onWork, paperOf, recallWork, takeUp, work } from "./board_state.js";
+import { BOARD, lettersOf, onWork, paperOf, recallWork, takeUp, work, WORK_PLACE } from "./board_state.js";
 import { letteredPoints, lineWords, stepsOf, stepWords } from "./board_steps.js";
 import { allLines } from "./board_tools.js";
 import { button, byId, html } from "./dom.js";
@@ -82,6 +82,7 @@ function listen() {
       takeBack();
     }
   });
+  addEventListener("storage", ({ key }) => key === WORK_PLACE && recallWork()); // drawn in another tab
   addEventListener("beforeprint", () => papers.forEach((paper) => paper.printed()));
   addEventListener("afterprint", () => papers.forEach((paper) => paper.onScreen()));
 }
@@ -105,7 +106,7 @@ function layFigure() {
 }
 
 const figure = layFigure();
-buildForms();
+bindForms();
 onWork(() => papers.forEach((paper) => paper.draw()));
 onWork(showSteps);
 onWork(showFileName);

@@ -154,7 +154,7 @@ function labels(plane, pen) {
       const away = off * pen.letters * (1 + 0.8 * Math.floor(k / 16));
       const middle = { x: about.x + (away + wide / 2) * Math.cos(turn), y: about.y + away * Math.sin(turn) };
       const corners = SPREAD.map((part) => ({ x: middle.x + part * wide, y: middle.y }));
-      const room = Math.min(2 * pen.letters, ...corners.flatMap((corner) =>
+      const room = Math.min(0.9 * pen.letters, ...corners.flatMap((corner) =>
         [...taken, ...shapes.map((shape) => nearestOn(shape, corner))].map((spot) => apart(spot, corner))));
       if (room > most + 1e-9) [best, most] = [middle, room];
     }

@@ -98,7 +98,7 @@ export function saveBoard(end, figure) {
 /** Work from a file of a board. Gives the key of what is said of it. @param {string} text */
 export function openBoard(text) {
   try {
-    const held = new DOMParser().parseFromString(text, "image/svg+xml").getElementById("graphkin-board");
+    const held = new DOMParser().parseFromString(text, "text/html").getElementById("graphkin-board");
     const record = JSON.parse(held?.textContent ?? "");
     if (record.kind !== "graphkin board") return "no board";
     if (record.problem.mechanism !== BOARD.problem.mechanism) return "other problem";

@@ -1,5 +1,5 @@
 /** The state of a student's work: what is drawn, in its order, and what is filled in; kept in the browser. */
-import { heldData } from "./dom.js";
+import { byId, heldData } from "./dom.js";
 
 /** @import { Sign } from "./signs.js" */
 /** @typedef {{kind: string, line?: string, angle?: number}} StepDirection */
@@ -11,10 +11,6 @@ import { heldData } from "./dom.js";
 /** @typedef {{value: string, unit: string, sense: string}} Answer */
 /** @typedef {{student: string, scales: Record<string, number | null>, answers: Record<string, Answer>,
  * equations: FilledEquation[], steps: Step[]}} Work */
-/** @typedef {{token: string, text: string}} Choice */
-/** @typedef {{term: string, words: Sign[]}} GivenTerm */
-/** @typedef {{plane: string, equation: number, front: Sign[], sides: GivenTerm[][]}} GivenEquation */
-/** @typedef {{key: string, words: Sign[], units: string[], sense: string}} AnswerBox */
 /** A line of the mechanism; where it lies on its paper, of one that is given there; and whether it is drawn there.
  * @typedef {{name: string, angle: number | null, at: [[number, number], [number, number]] | null,
  * drawn: boolean}} GivenLine */
@@ -28,8 +24,7 @@ import { heldData } from "./dom.js";
  * near: number, points: string[], of: Record<string, string>, vectors: string[]}} GivenPaper */
 /** What the page holds.
  * @typedef {{key: string, name: string, title: {en: string, zh: string}, problem: Record<string, unknown>,
- * papers: GivenPaper[], given: GivenMechanism, equations: GivenEquation[], choices: Record<string,
- * {directions: Choice[], magnitudes: Choice[]}>, answers: AnswerBox[], letters: Record<string, Sign[]>}} HeldBoard */
+ * papers: GivenPaper[], given: GivenMechanism, empty: Work, letters: Record<string, Sign[]>}} HeldBoard */
 
 /** @type {HeldBoard} */
 export const BOARD = heldData("board");
@@ -37,19 +32,6 @@ export const BOARD = heldData("board");
 /** The signs of a name; the student's own stands as it is. @param {string} name @returns {Sign[]} */
 export function lettersOf(name) {
   return BOARD.letters[name] ?? [[name.replaceAll("'", "′"), 1]];
-}
-
-/** @returns {Work} */
-function emptyWork() {
-  return {
-    student: String(BOARD.problem.student ?? ""),
-    scales: Object.fromEntries(BOARD.papers.map(({ plane, scale }) => [plane, scale])),
-    answers: Object.fromEntries(
-      BOARD.answers.map(({ key, units }) => [key, { value: "", unit: units[0] ?? "", sense: "" }])),
-    equations: BOARD.equations.map(({ plane, equation, sides }) =>
-      ({ plane, equation, terms: sides.flat().map(({ term }) => ({ term, direction: "", magnitude: "" })) })),
-    steps: [],
-  };
 }
 
 /** @param {string} plane @returns {GivenPaper} */
@@ -60,12 +42,12 @@ export function paperOf(plane) {
 }
 
 /** @type {Work} */
-export let work = emptyWork();
+export let work = structuredClone(BOARD.empty);
 /** @type {Step[][]} */
 let pastSteps = [];
 /** @type {(() => void)[]} */
 const workWatchers = [];
-const WORK_PLACE = `graphkin board ${BOARD.key}`;
+export const WORK_PLACE = `graphkin board ${BOARD.key}`;
 
 /** Do something whenever what is drawn has changed, or all of it. @param {() => void} act */
 export function onWork(act) {
@@ -88,12 +70,14 @@ function changeWork(next, past) {
   keepWork();
 }
 
-/** Remember the work for the next time this page is opened. A browser may forbid it: the work can still be saved. */
+/** Remember the work for the next time this page is opened. Where a browser forbids it, or has no room, it is said. */
 export function keepWork() {
+  const warning = byId("not-kept");
   try {
     localStorage.setItem(WORK_PLACE, JSON.stringify(work));
+    warning.hidden = true;
   } catch {
-    // private windows
+    warning.hidden = false;
   }
 }
 
@@ -107,18 +91,22 @@ export function recallWork() {
   }
 }
 
-/** Other work instead of this; what is missing in it is empty. @param {Partial<Work>} other */
+/** Other work instead of this; what is missing in it, or is something else, is empty. @param {Partial<Work>} other */
 export function takeUp(other) {
-  const empty = emptyWork();
-  const filled = new Map((other.equations ?? []).map((one) => [`${one.plane} ${one.equation}`, one.terms]));
-  for (const one of empty.equations) {
-    const before = filled.get(`${one.plane} ${one.equation}`) ?? [];
-    one.terms = one.terms.map((term) => before.find((each) => each.term === term.term) ?? term);
+  changeWork({ ...inForm(BOARD.empty, other), steps: other.steps ?? [] }, []);
+}
+
+/** What has the form of something empty: its texts, its positive numbers; of lists what is there, by its names.
+ * @param {any} empty @param {any} other @returns {any} */
+function inForm(empty, other) {
+  if (Array.isArray(empty)) {
+    const names = (/** @type {any} */ one) => JSON.stringify([one?.plane, one?.equation, one?.term]);
+    const there = Array.isArray(other) ? other : [];
+    return empty.map((one) => inForm(one, there.find((each) => names(each) === names(one))));
   }
-  changeWork({
-    student: other.student ?? empty.student, equations: empty.equations, steps: other.steps ?? [],
-    scales: { ...empty.scales, ...other.scales }, answers: { ...empty.answers, ...other.answers },
-  }, []);
+  if (empty === null || typeof empty === "number") return Number.isFinite(other) && other > 0 ? other : empty;
+  if (typeof empty !== "object") return typeof other === typeof empty ? other : empty;
+  return Object.fromEntries(Object.entries(empty).map(([key, value]) => [key, inForm(value, other?.[key])]));
 }
 
 /** Change what is drawn, so that it can be undone. @param {Step[]} steps */

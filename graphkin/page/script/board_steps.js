@@ -62,9 +62,15 @@ function givenShapes(plane) {
   return givenLines(plane).filter(({ drawn }) => drawn).map(({ shape }) => shape);
 }
 
+/** @type {WeakMap<Step[], Map<string, Snap[]>>} of each drawing, by plane */
+const SNAP_PLACES = new WeakMap();
+
 /** All places of a paper to which a pencil is drawn: points, ends of what is drawn, crossings. Nothing else is.
  * @param {string} plane @returns {Snap[]} */
 function snapPlaces(plane) {
+  const every = SNAP_PLACES.get(work.steps) ?? new Map();
+  SNAP_PLACES.set(work.steps, every);
+  if (every.has(plane)) return every.get(plane);
   /** @type {Snap[]} */
   const places = letteredPoints(plane).map(({ name, spot }) => ({ spot, kind: "point", name }));
   /** @type {Shape[]} */
@@ -79,6 +85,7 @@ function snapPlaces(plane) {
     for (const spot of spots) places.push({ spot, kind: "crossing", name: "" });
     shapes.push(shape);
   }
+  every.set(plane, places);
   return places;
 }
 

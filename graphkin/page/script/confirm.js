@@ -1,8 +1,8 @@
 /** What was found on photographs, over the photographs: points are dragged, what is right is ticked and saved. */
-import { byId, button, heldData, html, saveFile, tickBox } from "./dom.js";
+import { byId, button, heldData, html, saveFile } from "./dom.js";
 import { within } from "./numbers.js";
 import { dragged, svg } from "./svg.js";
-import { fillWords, inEachLanguage, labelled, language, say, setLanguage, spoken } from "./words.js";
+import { fillWords, inEachLanguage, language, say, setLanguage, spoken } from "./words.js";
 
 /** @import { Both } from "./words.js" */
 /** A room as it was measured; points in mm from the pole, y up.
@@ -33,8 +33,9 @@ class RoomView {
     this.paper = svg("svg", { class: "paper", viewBox: `${x} ${y} ${width} ${height}`, width: "100%", role: "group" },
       svg("image", { x, y, width, height, href: room.crop }), this.lines, this.corners);
     this.missing = html("p", {});
-    const tick = tickBox({}, room.confirmed, (on) => this.confirm(on), html("span", { "data-word": "confirm" }));
-    this.tick = /** @type {HTMLInputElement} */ (tick.firstElementChild);
+    this.tick = html("input", { type: "checkbox" });
+    this.tick.addEventListener("change", () => this.confirm(this.tick.checked));
+    const tick = html("label", {}, this.tick, " ", html("span", { "data-word": "confirm" }));
     const [heading, told] = [html("h2", {}), html("ul", {}, ...reasons.map(() => html("li", {})))];
     this.element = html("section", {}, heading, html("p", { class: "seen" }, reading.picture), told,
       html("div", { class: "paper-place" }, this.paper), this.missing,
@@ -97,7 +98,7 @@ class RoomView {
     }
     const away = letters.filter((letter) => !(letter in points));
     for (const letter of away) this.handle(letter)?.remove();
-    const puts = away.map((letter) => labelled(button({ "data-put": letter }, () => this.put(letter), letter), "put", { letter }));
+    const puts = away.map((letter) => button({ "data-put": letter, "data-letter": letter, "data-word-label": "put" }, () => this.put(letter), letter));
     this.missing.replaceChildren(...(away.length ? [html("span", { "data-word": "not drawn" }), " ", ...puts] : []));
     fillWords(this.element);
   }

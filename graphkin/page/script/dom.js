@@ -1,10 +1,15 @@
 /** Elements of the page. */
 
-/** An element that the page surely has. @param {string} id @returns {HTMLElement} */
-export function byId(id) {
-  const element = document.getElementById(id);
-  if (!element) throw new Error(`no element ${id}`);
+/** An element that is surely there. @param {ParentNode} within @param {string} selector @returns {any} */
+export function partOf(within, selector) {
+  const element = within.querySelector(selector);
+  if (!element) throw new Error(`no element ${selector}`);
   return element;
+}
+
+/** @param {string} id @returns {HTMLElement} */
+export function byId(id) {
+  return partOf(document, `[id="${id}"]`);
 }
 
 /** The data that the page holds under a name. @param {string} id @returns {any} */
@@ -39,20 +44,12 @@ export function button(attributes, act, ...inside) {
   return element;
 }
 
-/** A box that is ticked, with words behind it. @param {Attributes} attributes @param {boolean} on
- * @param {(on: boolean) => void} act @param {...Node} words */
-export function tickBox(attributes, on, act, ...words) {
-  const box = html("input", { type: "checkbox", ...attributes });
-  box.checked = on;
-  box.addEventListener("change", () => act(box.checked));
-  return html("label", {}, box, " ", ...words);
-}
-
-/** One of some values is chosen, or none. @param {Attributes} attributes @param {string} none how none is called
- * @param {[value: string, text: string, word?: string][]} choices */
-export function choice(attributes, none, choices) {
-  const options = choices.map(([value, text, word]) => html("option", { value, "data-word": word }, text));
-  return html("select", attributes, html("option", { value: "" }, none), ...options);
+/** What the buttons within do, by their `data-action`. @param {Node} within @param {Record<string, () => void>} acts */
+export function onActions(within, acts) {
+  within.addEventListener("click", (event) => {
+    const pressed = /** @type {Element} */ (event.target).closest("[data-action]");
+    acts[pressed?.getAttribute("data-action") ?? ""]?.();
+  });
 }
 
 /** A key that does something here goes no further. @param {Event} event */

@@ -1,9 +1,9 @@
 /** What is dragged: a bar for each driver, its crank pin on the mechanism, keys; and the motion that runs by itself. */
-import { button, html, setAttributes, takeEvent } from "./dom.js";
+import { partOf, setAttributes, takeEvent } from "./dom.js";
 import { within } from "./numbers.js";
 import { knotEnds, onTheWay, parameterAt, valueAt } from "./state.js";
 import { dragged, svg } from "./svg.js";
-import { inEachLanguage, labelled, say, spoken } from "./words.js";
+import { say, spoken } from "./words.js";
 
 /** @import { Shown } from "./state.js" */
 
@@ -14,45 +14,31 @@ const SECONDS = 8; // of a turn that runs by itself
 
 /** The bar and the handle of one driver. */
 export class DriverControl {
-  /** @param {Shown} shown @param {number} number @param {(values: number[]) => void} go */
-  constructor(shown, number, go) {
+  /** @param {Shown} shown @param {number} number @param {HTMLElement} element @param {(values: number[]) => void} go */
+  constructor(shown, number, element, go) {
     this.shown = shown;
     this.number = number;
     this.axis = shown.mechanism.axes[number];
     this.go = go;
-    const [low, high] = this.axis.ends.map((end) => end * this.axis.factor);
-    this.bar = html("input", {
-      type: "range", min: low, max: high, step: "any", "data-driver": this.axis.name, id: `bar-${number}`,
-    });
-    this.field = html("input", { type: "number", step: "any", class: "value", "data-value": this.axis.name });
-    this.events = html("p", { class: "event", role: "status" });
-    this.element = html("div", { class: "driver" }, html("label", { for: `bar-${number}` }, this.axis.name),
-      this.ticked(low, high), this.field, html("span", { class: "unit" }, this.axis.unit), this.events);
+    /** @type {HTMLInputElement} */
+    this.bar = partOf(element, "[data-driver]");
+    /** @type {HTMLInputElement} */
+    this.field = partOf(element, "[data-value]");
+    /** @type {HTMLElement} */
+    this.events = partOf(element, ".event");
     this.bar.addEventListener("input", () => this.set(this.bar.valueAsNumber / this.axis.factor));
     this.field.addEventListener("change", () => this.set(this.field.valueAsNumber / this.axis.factor));
+    this.field.addEventListener("blur", () => this.show());
     this.bar.addEventListener("keydown", (event) => this.key(event));
     this.handle = this.axis.handle ? this.madeHandle() : null;
-    for (const control of [this.bar, this.field]) labelled(control, "page.drive", { name: this.axis.name });
-    inEachLanguage(() => this.showEvent());
-  }
-
-  /** The bar with a tick at each dead point and change point. @param {number} low @param {number} high */
-  ticked(low, high) {
-    const ticks = this.axis.events.map((event) => {
-      const tick = html("i", { class: "tick" });
-      tick.style.left = `${(100 * (event.value * this.axis.factor - low)) / (high - low)}%`;
-      return tick;
-    });
-    return html("span", { class: "bar" }, this.bar, ...ticks);
   }
 
   madeHandle() {
     const handle = svg("circle", {
       class: "handle", r: 4.5, "data-driver": this.axis.name, tabindex: 0, role: "slider",
-      "aria-valuemin": this.bar.min, "aria-valuemax": this.bar.max,
+      "data-word-label": "page.handle", "aria-valuemin": this.bar.min, "aria-valuemax": this.bar.max,
     });
     handle.addEventListener("keydown", (event) => this.key(event));
-    labelled(handle, "page.handle", { name: this.axis.name });
     dragged(handle, handle, false, (place) => this.set(this.nearestTo(place)));
     return handle;
   }
@@ -110,7 +96,7 @@ export class DriverControl {
     const shown = this.value * this.axis.factor;
     const text = String(Math.round(shown * 1000) / 1000);
     this.bar.valueAsNumber = shown;
-    if (document.activeElement !== this.field) this.field.value = text;
+    if (!this.field.matches(":focus")) this.field.value = text;
     const said = `${text}${this.axis.unit === "°" ? "°" : " " + this.axis.unit}`;
     this.bar.setAttribute("aria-valuetext", said);
     if (this.handle && this.axis.handle) {
@@ -128,15 +114,15 @@ export class DriverControl {
   }
 }
 
-/** The motion that runs by itself: round, or there and back. @param {DriverControl} driver */
-export function runOf(driver) {
+/** The motion that runs by itself: round, or there and back. @param {DriverControl} driver
+ * @param {HTMLElement} control the button that says what it would do */
+export function runOf(driver, control) {
   const { axis } = driver;
   const [low, last] = knotEnds(axis);
   const high = axis.round ? low + axis.period : last;
   let frame = 0;
   let before = 0;
   let sense = axis.rate < 0 ? -1 : 1;
-  const control = button({ class: "run", "data-action": "run", "data-word": "page.play" }, toggle);
   const go = (/** @type {number} */ now) => {
     const way = (Math.min(0.1, (now - before) / 1000) * (high - low)) / SECONDS;
     const u = parameterAt(axis, driver.value) + sense * way;
@@ -145,20 +131,12 @@ export function runOf(driver) {
     driver.set(valueAt(axis, axis.round ? u : within(u, low, high)));
     frame = requestAnimationFrame(go);
   };
-  function stop() {
+  const run = (/** @type {boolean} */ on) => {
     cancelAnimationFrame(frame);
-    frame = 0;
-    label();
-  }
-  function toggle() {
-    if (frame) return stop();
     before = performance.now();
-    frame = requestAnimationFrame(go);
-    return label();
-  }
-  function label() {
-    control.setAttribute("data-word", frame ? "page.pause" : "page.play");
-    control.textContent = say(frame ? "page.pause" : "page.play");
-  }
-  return { control, toggle, stop };
+    frame = on ? requestAnimationFrame(go) : 0;
+    control.dataset.word = on ? "page.pause" : "page.play";
+    control.textContent = say(control.dataset.word);
+  };
+  return { toggle: () => run(!frame), stop: () => run(false) };
 }

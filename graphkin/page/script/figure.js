@@ -1,7 +1,5 @@
 /** A figure: its marks as elements, which go along with the drivers. */
-import { setAttributes } from "./dom.js";
-import { LETTER_FONT, svg } from "./svg.js";
-import { plainText } from "./signs.js";
+import { partOf, setAttributes } from "./dom.js";
 
 /** @import { PlaneData, Row, Shown } from "./state.js" */
 /** @typedef {{group: SVGElement, element: SVGElement, grasp?: SVGElement, head?: SVGElement, row: Row, hidden: boolean,
@@ -17,47 +15,30 @@ function coordinate(value) {
 
 /** One plane of a mechanism on a paper of its own. */
 export class PlaneFigure {
-  /** @param {Shown} shown @param {PlaneData} plane @param {string} name of the figure, for a screen reader */
-  constructor(shown, plane, name) {
+  /** @param {Shown} shown @param {PlaneData} plane @param {HTMLElement} section which holds its drawing */
+  constructor(shown, plane, section) {
     this.shown = shown;
     this.plane = plane;
-    this.drawing = svg("svg", {
-      viewBox: `0 0 ${plane.width} ${plane.height}`, class: "drawing", role: "group", "aria-label": name,
-      "data-plane": plane.plane, "data-scale": plane.scale, "font-family": LETTER_FONT,
-      "stroke-linejoin": "round", "stroke-linecap": "round",
-    });
+    this.section = section;
+    /** @type {SVGSVGElement} */
+    this.drawing = partOf(section, "svg");
     this.drawing.style.aspectRatio = `${plane.width} / ${plane.height}`;
     this.box = "";
-    this.figure = svg("g", { "data-plane": plane.plane, "data-scale": plane.scale });
-    this.drawing.append(this.figure);
-    /** @type {Piece[]} */
-    this.pieces = plane.rows.map((row) => this.piece(row));
-  }
-
-  /** @param {Row} row @returns {Piece} */
-  piece(row) {
-    const paint = this.shown.mechanism.paints[row.paint] ?? {};
-    const element = elementOf(row);
-    setAttributes(element, { ...paint, ...statement(row) });
-    /** @type {Piece} */
-    const piece = { group: element, element, row, hidden: false, at: [] };
-    if (row.kind === "vector") {
-      piece.grasp = svg("line", { class: "grasp" });
-      piece.head = svg("path", { class: "head", fill: paint.stroke, stroke: "none" });
-      piece.group = svg("g", { class: "arrow", "data-vector": row.data?.name }, piece.grasp, piece.head, element);
-    }
-    setAttributes(piece.group, { "data-layer": row.layer, "data-step": row.step });
-    this.figure.append(piece.group);
-    return piece;
+    this.letters = 1;
+    /** @type {number[][]} where something is turned, and how far it reaches: x, y, r */
+    this.turning = [];
+    /** @type {SVGElement} */
+    this.figure = partOf(this.drawing, "g");
+    this.pieces = plane.rows.map((row, k) => pieceOf(row, /** @type {SVGElement} */ (this.figure.children[k])));
   }
 
   /** All marks where they are now. */
   move() {
     const { tracks } = this.shown;
     const drawn = tracks.isShown(this.plane.mask, this.plane.cells);
+    this.section.classList.toggle("empty", !drawn);
     this.figure.toggleAttribute("hidden", !drawn);
-    this.figure.style.display = drawn ? "" : "none";
-    if (!drawn) return false;
+    if (!drawn) return;
     for (const piece of this.pieces) {
       const { row } = piece;
       const hidden = !tracks.isNear(row.mask);
@@ -65,28 +46,29 @@ export class PlaneFigure {
         piece.hidden = hidden;
         piece.group.style.visibility = hidden ? "hidden" : "";
       }
-      if (!hidden) moveTo(piece, row.numbers.map((number) => tracks.value(number, row.mask)));
+      if (!hidden) moveTo(piece, row.numbers.map((number) => tracks.value(number, row.mask)), this.letters);
     }
     this.zoom();
-    return true;
   }
 
-  /** A paper that is larger where the polygon is larger than usual. */
+  /** A paper that is larger where the polygon is larger than usual, or where there is room to be for what is turned. */
   zoom() {
     const { width, height, plane } = this.plane;
     let [left, top, right, bottom] = [0, 0, width, height];
-    for (const { row, at } of plane === "position" ? [] : this.pieces) {
-      if (row.kind !== "point") continue;
-      const [x = 0, y = 0] = at;
-      [left, top] = [Math.min(left, x - ZOOM_MARGIN), Math.min(top, y - ZOOM_MARGIN)];
-      [right, bottom] = [Math.max(right, x + ZOOM_MARGIN), Math.max(bottom, y + ZOOM_MARGIN)];
+    const points = plane === "position" ? [] : this.pieces.filter(({ row, at }) => row.kind === "point" && at.length);
+    for (const [x, y, margin] of [...points.map(({ at }) => [...at, ZOOM_MARGIN]), ...this.turning]) {
+      [left, top] = [Math.min(left, x - margin), Math.min(top, y - margin)];
+      [right, bottom] = [Math.max(right, x + margin), Math.max(bottom, y + margin)];
     }
-    const box = [left, top, right - left, bottom - top].map((side) => side.toFixed(2)).join(" ");
+    const [wide, high] = [right - left, bottom - top];
+    const box = [left, top, wide, high].map((side) => side.toFixed(2)).join(" ");
     if (box === this.box) return;
     this.box = box;
+    this.letters = Math.max(wide / width, high / height); // are as large as ever
+    for (const { element, row, at } of this.pieces) if (row.kind === "text") setAttributes(element, placeOf(row, at, this.letters));
     this.drawing.setAttribute("viewBox", box);
-    this.drawing.style.setProperty("--wide", `${(right - left).toFixed(2)}mm`);
-    this.drawing.style.setProperty("--high", `${(bottom - top).toFixed(2)}mm`);
+    this.drawing.style.setProperty("--wide", `${wide.toFixed(2)}mm`);
+    this.drawing.style.setProperty("--high", `${high.toFixed(2)}mm`);
   }
 
   /** Marks after a step are hidden, those before it grey; 0 shows the whole. @param {number} step */
@@ -101,48 +83,32 @@ export class PlaneFigure {
   }
 }
 
-/** A mark of two ends, which measures as a line. @param {Row} row */
-function isSegment({ kind, numbers, closed }) {
-  return kind === "vector" || (kind === "line" && numbers.length === 4 && !closed);
+/** The element of a row; an arrow's are its room for a pointer, its head and its line. @param {Row} row
+ * @param {SVGElement} group @returns {Piece} */
+function pieceOf(row, group) {
+  const [grasp, head, line] = /** @type {SVGElement[]} */ (row.kind === "vector" ? [...group.children] : []);
+  return { group, element: line ?? group, grasp, head, row, hidden: false, at: [] };
 }
 
-/** The element of a mark. @param {Row} row @returns {SVGElement} */
-function elementOf(row) {
-  if (isSegment(row)) return svg("line");
-  if (row.kind === "body") return svg("path", { d: row.form, "vector-effect": "none" });
-  if (row.kind === "circle" || row.kind === "point") return svg("circle", { r: row.radius });
-  if (row.kind !== "text") return svg("path");
-  return svg("text", {}, ...(row.spans ?? []).map(([x, y, text, size, leans]) =>
-    svg("tspan", { x, y, "font-size": size, "font-style": leans ? "italic" : null }, text)));
-}
-
-/** What a mark says of itself, as in drawing files. @param {Row} row */
-function statement(row) {
-  if (!row.data) return {};
-  /** @type {Record<string, string>} */
-  const said = { class: row.kind };
-  for (const [key, value] of Object.entries(row.data)) said[`data-${key}`] = value;
-  if (row.also) said["data-also"] = row.also.join(" ");
-  if (row.sign) Object.assign(said, { role: "img", "aria-label": plainText(row.sign) });
-  return said;
-}
-
-/** @param {Piece} piece @param {number[]} at its numbers now */
-function moveTo(piece, at) {
+/** @param {Piece} piece @param {number[]} at its numbers now @param {number} letters how large they are */
+function moveTo(piece, at, letters) {
   if (piece.at.length && at.every((value, k) => value === piece.at[k])) return;
   piece.at = at;
   const { element, grasp, head, row } = piece;
-  const place = placeOf(row, at);
+  const place = placeOf(row, at, letters);
   setAttributes(element, place);
   if (grasp) setAttributes(grasp, place);
   head?.setAttribute("d", headPath(at));
 }
 
-/** A mark's attributes where it is. @param {Row} row @param {number[]} at @returns {Record<string, string>} */
-function placeOf(row, at) {
+/** A mark's attributes where it is. @param {Row} row @param {number[]} at @param {number} letters
+ * @returns {Record<string, string>} */
+function placeOf(row, at, letters) {
   const [a, b, c, d, e] = at.map(coordinate);
-  if (isSegment(row)) return { x1: a, y1: b, x2: c, y2: d };
   switch (row.kind) {
+    case "vector":
+    case "segment":
+      return { x1: a, y1: b, x2: c, y2: d };
     case "body":
       return { transform: turned(at, row.base ?? [0, 0, 1, 0]) };
     case "arc":
@@ -152,7 +118,7 @@ function placeOf(row, at) {
     case "point":
       return { cx: a, cy: b };
     case "text":
-      return { transform: `translate(${a} ${b})` };
+      return { transform: `translate(${a} ${b}) scale(${letters})` };
     default:
       return { d: cornersPath(at) + (row.closed ? "Z" : "") };
   }

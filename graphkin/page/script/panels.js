@@ -1,9 +1,9 @@
 /** What is told beside the figures: the construction step by step, in the sentences of the solution, whose terms and the
  * figures' arrows light up together; results; the arrow that is pointed at. */
-import { button, html } from "./dom.js";
+import { html, partOf } from "./dom.js";
 import { directionOf, modulo } from "./numbers.js";
 import { measured, printed, signNodes } from "./signs.js";
-import { fillWords, inEachLanguage, language, say } from "./words.js";
+import { language, say } from "./words.js";
 
 /** @import { Shown, Template } from "./state.js" */
 
@@ -12,21 +12,15 @@ const NOISE = 4; // smaller numbers are none [of the least that a track tells ap
 
 /** The panel of steps. */
 export class StepsPanel {
-  /** @param {Shown} shown @param {(step: number) => void} go */
-  constructor(shown, go) {
+  /** @param {Shown} shown @param {HTMLElement} element */
+  constructor(shown, element) {
     this.shown = shown;
     this.numbers = shown.mechanism.steps.map(({ step }) => step);
     this.count = Math.max(0, ...this.numbers);
-    const back = button({ "data-word-label": "page.back", "data-action": "back" }, () => go(this.before()), "◀");
-    const next = button({ "data-word-label": "page.next", "data-action": "next" }, () => go(this.after()), "▶");
-    const whole = button({ "data-word": "page.whole", "data-action": "whole" }, () => go(0));
-    this.number = html("span", { class: "step-number", "aria-live": "polite" });
-    this.text = html("div", { class: "step-text" });
-    this.element = html("section", { class: "panel steps", "aria-labelledby": "steps-heading" },
-      html("h2", { id: "steps-heading", "data-word": "page.steps" }),
-      html("div", { class: "row" }, back, next, whole, this.number), this.text);
-    fillWords(this.element);
-    inEachLanguage(() => this.show());
+    /** @type {HTMLElement} */
+    this.number = partOf(element, ".step-number");
+    /** @type {HTMLElement} */
+    this.text = partOf(element, ".step-text");
   }
 
   /** The step after the one shown; the last is followed by itself. */
@@ -101,16 +95,12 @@ function entryElement(template, numbers) {
 
 const UNITS = { velocity: "m/s", acceleration: "m/s²" };
 
-/** The list of results. @param {Shown} shown */
-export function resultsOf({ mechanism: { values }, tracks }) {
-  const cells = values.map((value) => html("td", { "data-result": value.name }));
-  const rows = values.map((value, k) => html("tr", {}, html("th", { scope: "row" }, ...signNodes(value.sign)), cells[k]));
-  const move = () => values.forEach((value, k) => {
+/** The results where the drivers are. @param {Shown} shown @param {NodeListOf<HTMLElement>} cells */
+export function showResults({ mechanism: { values }, tracks }, cells) {
+  values.forEach((value, k) => {
     const text = tracks.isNear(value.mask) ? measured(quantityAt(value, tracks), value.unit) : "–";
     if (cells[k].textContent !== text) cells[k].textContent = text;
   });
-  return { move, element: html("section", { class: "panel results", "aria-labelledby": "results-heading" },
-    html("h2", { id: "results-heading", "data-word": "page.values" }), html("table", {}, html("tbody", {}, ...rows))) };
 }
 
 /** A quantity where the tracks are; an angle that turns on and on rises each time the driver comes round.

@@ -1,14 +1,14 @@
 /** The page: figures, bars, steps and results of the mechanism that is shown; language, hash, contents. */
-import { button, byId, heldData, html, setAttributes, tickBox } from "./dom.js";
+import { byId, heldData, html, onActions, partOf, setAttributes } from "./dom.js";
 import { DriverControl, runOf } from "./drivers.js";
 import { PlaneFigure } from "./figure.js";
-import { LayersPart } from "./layers.js";
+import { layersOf } from "./layers.js";
 import { numberIn } from "./numbers.js";
-import { arrowSize, resultsOf, StepsPanel } from "./panels.js";
+import { arrowSize, showResults, StepsPanel } from "./panels.js";
 import { QuizPart } from "./quiz.js";
-import { plainText, signNodes } from "./signs.js";
+import { signNodes } from "./signs.js";
 import { Shown } from "./state.js";
-import { fillWords, inEachLanguage, language, say, setLanguage, spoken } from "./words.js";
+import { fillWords, inEachLanguage, language, say, setLanguage, spoken, typeset } from "./words.js";
 
 /** @import { Mechanism } from "./state.js" */
 
@@ -19,84 +19,47 @@ const MECHANISMS = heldData("mechanisms");
 export class Player {
   /** @param {Mechanism} mechanism */
   constructor(mechanism) {
+    const [element] = /** @type {HTMLElement[]} */ (typeset(mechanism.stage));
+    this.element = element;
     this.shown = new Shown(mechanism);
-    this.figures = mechanism.planes.map((plane) => new PlaneFigure(this.shown, plane, say(`page.${plane.plane}`)));
-    this.steps = new StepsPanel(this.shown, (step) => this.goStep(step));
-    this.results = resultsOf(this.shown);
-    this.drivers = mechanism.axes.map((_, k) => new DriverControl(this.shown, k, (values) => this.goTo(values)));
-    const first = this.drivers[0];
-    this.run = first ? runOf(first) : null;
-    this.told = html("p", { class: "told", role: "status" });
+    this.figures = mechanism.planes.map((plane) => new PlaneFigure(this.shown, plane, partOf(element, `.figure.${plane.plane}`)));
+    this.steps = new StepsPanel(this.shown, partOf(element, ".steps"));
+    this.drivers = [...element.querySelectorAll(".driver")].map((bar, k) =>
+      new DriverControl(this.shown, k, /** @type {HTMLElement} */ (bar), (values) => this.goTo(values)));
+    this.run = runOf(this.drivers[0], partOf(element, ".run"));
+    this.told = partOf(element, ".told");
     this.asked = 0;
     this.figures[0].drawing.append(...this.drivers.flatMap(({ handle }) => handle ?? []));
-    const panels = [this.steps.element, this.told, this.results.element, this.layersElement()];
-    this.element = html("div", { class: "player" },
-      this.figuresElement(), html("div", { class: "panels" }, ...panels), this.bars());
+    this.moveLayers = layersOf(element, this.shown);
     this.quizzing = false;
-    this.addParts();
-    fillWords(this.element);
+    const quiz = mechanism.quiz.questions.length ? new QuizPart(mechanism.quiz, this, partOf(element, ".quiz")).acts : {};
+    onActions(element, {
+      back: () => this.goStep(this.steps.before()), next: () => this.goStep(this.steps.after()), whole: () => this.goStep(0),
+      run: this.run.toggle, ...quiz,
+    });
+    fillWords(element);
     this.pointing();
     this.light(null);
     this.move();
     this.goStep(0);
   }
 
-  figuresElement() {
-    const [position, ...polygons] = this.figures.map(({ drawing, plane: { plane, written } }) => {
-      const heading = html("h2", {}, html("span", { "data-word": `page.${plane}` }), " ");
-      const header = html("header", {}, heading, html("span", { class: "scale" }, ...signNodes(written)));
-      const note = plane === "position" ? "page.not reached" : "page.too large";
-      return html("section", { class: `figure ${plane}` }, header, drawing, html("p", { class: "note", "data-word": note }));
-    });
-    return html("div", { class: "figures" }, position, html("div", { class: "polygons", tabindex: 0, role: "group" }, ...polygons));
-  }
-
-  layersElement() {
-    const boxes = this.shown.mechanism.layers.map((layer) =>
-      tickBox({ "data-toggle": layer, checked: true }, true, (shown) => this.showLayer(layer, shown),
-        html("span", { "data-word": `page.layer ${layer}` })));
-    return html("section", { class: "panel layers" }, html("h2", { "data-word": "page.layers" }), ...boxes);
-  }
-
-  /** What lies over the motion, and the quiz. */
-  addParts() {
-    const { overlays, quiz } = this.shown.mechanism;
-    const part = new LayersPart(overlays, this.figures[0], this.shown);
-    this.element.querySelector(".panel.layers")?.append(part.element);
-    this.element.querySelector(".figures")?.append(part.figures);
-    if (!quiz?.questions.length) return;
-    const asked = html("div", { class: "panel" }, new QuizPart(quiz, this).element);
-    this.element.querySelector(".panels")?.append(asked);
-  }
-
   /** Its acts up to one at the position of the quiz; all, as the page was, at the end. @param {number | null} act */
   showUpTo(act) {
     this.quizzing = act !== null;
     this.element.classList.toggle("quizzing", this.quizzing);
-    this.run?.stop();
+    this.run.stop();
     if (act === null) return this.goStep(this.shown.step);
-    this.shown.values = [...this.shown.mechanism.quiz?.at ?? []];
+    this.shown.values = [...this.shown.mechanism.quiz.at];
     this.move();
     // the mechanism is given; half of the first act is nothing of it
     for (const each of this.figures) each.showStep(each.plane.plane === "position" ? 0 : act || 0.5);
     return undefined;
   }
 
-  /** @param {string} plane */
-  drawing(plane) {
-    return this.figures.find((each) => each.plane.plane === plane)?.drawing ?? this.figures[0].drawing;
-  }
-
-  /** @param {string} layer @param {boolean} shown */
-  showLayer(layer, shown) {
-    const pieces = this.figures.flatMap((figure) => figure.pieces).filter(({ row }) => row.layer === layer);
-    for (const { group } of pieces) group.style.display = shown ? "" : "none";
-  }
-
-  bars() {
-    const help = html("p", { class: "keys", "data-word": "page.keys" });
-    const controls = [...(this.run ? [this.run.control] : []), ...this.drivers.map((driver) => driver.element)];
-    return html("div", { class: "bars" }, ...controls, help);
+  /** @param {string | undefined} plane */
+  figureOf(plane) {
+    return this.figures.find((each) => each.plane.plane === plane) ?? this.figures[0];
   }
 
   /** @param {number[]} values */
@@ -113,16 +76,16 @@ export class Player {
   move() {
     const { shown } = this;
     for (const tracks of [shown.tracks, shown.words]) tracks.moveTo(shown.parameters());
-    for (const figure of this.figures) figure.drawing.parentElement?.classList.toggle("empty", !figure.move());
+    for (const each of this.figures) each.move();
     for (const driver of this.drivers) driver.show();
-    this.results.move();
+    showResults(shown, this.element.querySelectorAll("[data-result]"));
     if (shown.step) this.steps.show();
-    for (const act of shown.onMove) act();
+    this.moveLayers();
   }
 
   /** @param {number} step */
   goStep(step) {
-    this.shown.step = Math.min(Math.max(0, Math.round(step) || 0), this.steps.count);
+    this.shown.step = step > 0 ? this.steps.numbers.find((told) => told >= step) ?? this.steps.count : 0;
     for (const figure of this.figures) figure.showStep(this.shown.step);
     this.element.classList.toggle("by-step", this.shown.step > 0);
     this.showPlane(this.shown.mechanism.steps.find((each) => each.step === this.shown.step)?.plane);
@@ -132,9 +95,9 @@ export class Player {
 
   /** On a phone one polygon is seen at a time: that of the step. @param {string | undefined} plane */
   showPlane(plane) {
-    const section = this.figures.find((figure) => figure.plane.plane === plane)?.drawing.parentElement;
-    const track = section?.closest(".polygons");
-    if (section && track) track.scrollLeft = section.offsetLeft - /** @type {HTMLElement} */ (track.firstElementChild).offsetLeft;
+    const { section } = this.figureOf(plane);
+    const track = section.closest(".polygons");
+    if (track) track.scrollLeft = section.offsetLeft - /** @type {HTMLElement} */ (track.firstElementChild).offsetLeft;
   }
 
   /** Arrows and the words that name them light up together. */
@@ -167,7 +130,7 @@ export class Player {
     const [before = "", after = ""] = say(none ? "page.nothing" : "page.size", words).split("\0");
     const sentence = this.sentenceOf(row?.step);
     this.told.replaceChildren(before, ...signNodes(row?.sign ?? []), after, ...(sentence ? [html("br"), sentence] : []));
-    this.told.setAttribute("data-told", plainText(row?.sign ?? []));
+    this.told.setAttribute("data-told", line.getAttribute("aria-label"));
   }
 
   /** @param {number | undefined} step */
@@ -221,7 +184,7 @@ function keepHash() {
 
 /** @param {Mechanism} mechanism */
 function showMechanism(mechanism) {
-  player?.run?.stop();
+  player?.run.stop();
   player = null;
   const made = new Player(mechanism);
   player = made;
@@ -237,16 +200,6 @@ function showTitle({ title }) {
   byId("title").textContent = document.title = spoken(title);
 }
 
-function contentsElement() {
-  const entries = MECHANISMS.map(({ name, title }) => {
-    const link = html("a", { href: `#show=${encodeURIComponent(name)}`, "data-show": name });
-    inEachLanguage(() => (link.textContent = spoken(title)));
-    return html("li", {}, link);
-  });
-  const details = html("details", {}, html("summary", { "data-word": "page.contents" }), html("ol", {}, ...entries));
-  return html("nav", { id: "contents", "data-word-label": "page.contents" }, details);
-}
-
 /** @param {KeyboardEvent} event */
 function onKey(event) {
   const target = /** @type {Element | null} */ (event.target);
@@ -257,24 +210,24 @@ function onKey(event) {
   const step = { PageDown: steps.after(), PageUp: steps.before(), Home: 0 }[event.key];
   if (step === undefined && event.key !== " ") return drivers[0]?.key(event);
   event.preventDefault();
-  if (step === undefined) run?.toggle();
+  if (step === undefined) run.toggle();
   else player.goStep(step);
 }
 
 function startPage() {
-  const switcher = button({ "data-action": "language", "data-word": "page.language" }, () => {
-    setLanguage(language() === "zh" ? "en" : "zh");
-    keepHash();
-  });
-  const printer = button({ "data-action": "print", "data-word": "page.print" }, () => print());
-  const head = html("header", { class: "top" }, html("h1", { id: "title" }), switcher, printer);
-  document.body.prepend(head, ...(MECHANISMS.length > 1 ? [contentsElement()] : []), html("main", { id: "page" }));
   goToHash();
+  onActions(partOf(document, "header"), {
+    print,
+    language() {
+      setLanguage(language() === "zh" ? "en" : "zh");
+      keepHash();
+    },
+  });
   fillWords(document);
   inEachLanguage(() => {
     if (!player) return;
     showTitle(player.shown.mechanism);
-    for (const figure of player.figures) figure.drawing.setAttribute("aria-label", say(`page.${figure.plane.plane}`));
+    player.drivers.forEach((driver) => driver.showEvent());
     player.steps.show();
     player.light(null);
   });

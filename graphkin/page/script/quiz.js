@@ -1,5 +1,5 @@
 /** Questions on the drawn position, one after another. Only answers are compared here: all of them come with the page. */
-import { button, choice, html, setAttributes, takeEvent } from "./dom.js";
+import { html, partOf, setAttributes, takeEvent } from "./dom.js";
 import { directionOf, modulo, numberIn } from "./numbers.js";
 import { dragged, svg } from "./svg.js";
 import { inEachLanguage, say, spoken, typeset } from "./words.js";
@@ -7,7 +7,7 @@ import { inEachLanguage, say, spoken, typeset } from "./words.js";
 /** @import { Both } from "./words.js" */
 /** `wrong`: what mistakes give, and their numbers; `turn`: a value begins anew after so much of its unit.
  * @typedef {{kind: "line" | "arrow" | "value", plane: string, act: number, name: string, right: number, wrong: [number,
- * number[]][], point?: string, from?: string, words?: Both, dimension?: string, unit?: string,
+ * number[]][], point?: string, from?: string, words: Both, dimension?: string, unit?: string,
  * sense?: "turn" | "sign" | "", tolerance?: number, turn?: number}} Question */
 /** `at`: the drivers' values [rad, m]; `tolerance`: of a direction [deg].
  * @typedef {{questions: Question[], mistakes: Both[], at: number[], tolerance: number, units: {name: string,
@@ -23,199 +23,141 @@ const QUIZ_KEYS = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1, Pag
 
 /** The quiz as a part of the page. */
 export class QuizPart {
-  /** @param {Quiz} quiz @param {import("./player.js").Player} player */
-  constructor(quiz, player) {
+  /** @param {Quiz} quiz @param {import("./player.js").Player} player @param {HTMLElement} element */
+  constructor(quiz, player, element) {
     this.quiz = quiz;
     this.player = player;
-    this.element = html("section", { class: "quiz", "data-quiz": "off" });
+    this.element = element;
+    /** @type {HTMLFormElement} */
+    this.form = partOf(element, "form");
+    /** @type {HTMLElement} */
+    this.verdict = partOf(element, ".quiz-verdict");
     this.number = -1; // of the question that is asked
     this.tries = 0;
     this.done = false;
     this.score = 0; // questions that were answered right at once
     /** @type {SVGElement | null} */
     this.direction = null;
-    inEachLanguage(() => this.draw());
+    this.form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.judge(this.quiz.questions[this.number]);
+    });
+    this.form.addEventListener("input", () => this.done || this.tell(""));
+    this.acts = {
+      quiz: () => this.ask(this.score = 0), "show-answer": () => this.reveal("shown"),
+      "next-question": () => this.ask(this.number + 1), "leave-quiz": () => this.ask(-1),
+    };
+    inEachLanguage(() => this.showWords());
   }
 
-  ask() {
-    const question = this.quiz.questions[this.number];
-    this.player.showUpTo(question.kind === "value" ? question.act : question.act - 1);
-    this.player.drawing(question.plane).parentElement?.scrollIntoView({ block: "nearest", inline: "start" });
+  /** Ask a question, or begin and end where there is none. @param {number} number */
+  ask(number) {
+    this.number = number;
+    const question = this.quiz.questions[number];
+    this.direction?.remove();
+    for (const figure of this.player.figures) figure.turning = [];
+    this.player.showUpTo(question ? question.act - Number(question.kind !== "value") : null);
+    this.element.dataset.quiz = question ? question.kind : "off";
     this.tries = 0;
     this.done = false;
-    this.draw();
-    /** @type {HTMLElement | null} */ (this.element.querySelector("[data-quiz-question]"))?.focus({ preventScroll: true });
+    this.form.reset();
+    this.showWords();
+    if (!question) return;
+    partOf(this.form, ".quiz-sense").hidden = question.sense !== "turn";
+    const figure = this.player.figureOf(question.plane);
+    figure.section.scrollIntoView({ block: "nearest", inline: "start" });
+    const point = figure.drawing.querySelector(`circle.point[data-name="${CSS.escape(question.point ?? "")}"]`);
+    if (point) this.turn(question, figure, point);
+    partOf(this.element, "[data-quiz-question]").focus({ preventScroll: true });
   }
 
-  /** @param {HTMLElement} place @param {string} verdict @param {Node[]} [words] */
-  tell(place, verdict, words = []) {
-    place.dataset.quizVerdict = verdict;
-    place.replaceChildren(...words);
+  /** @param {Question} question @param {import("./figure.js").PlaneFigure} figure @param {Element} point */
+  turn(question, figure, point) {
+    const [x, y] = ["cx", "cy"].map((side) => Number(point.getAttribute(side)));
+    this.direction = turnedDirection(question, x, y, partOf(this.form, "[data-quiz-angle]"));
+    figure.drawing.append(this.direction);
+    figure.turning = [[x, y, QUIZ_ARROW + 2]];
+    figure.zoom();
   }
 
-  draw() {
-    this.direction?.remove();
-    this.direction = null;
+  /** What is asked, in the page's language. */
+  showWords() {
     const question = this.quiz.questions[this.number];
-    this.element.dataset.quiz = question ? question.kind : "off";
-    this.element.replaceChildren(html("h2", {}, say("quiz.title")), ...(question ? this.asked(question) : this.beginning()));
+    const [count, score, asked] = [".quiz-count", "[data-quiz-score]", "[data-quiz-question]"].map((part) => partOf(this.element, part));
+    const all = this.quiz.questions.length;
+    score.textContent = this.number < all ? say("quiz.about") : say("quiz.score", { right: this.score, count: all });
+    this.tell("");
+    if (!question) return;
+    count.textContent = say("quiz.count", { number: this.number + 1, count: all });
+    asked.dataset.quizQuestion = String(this.number);
+    asked.replaceChildren(...typeset(say(`quiz.${question.kind}`, { name: question.name, from: question.from })));
   }
 
-  /** @returns {Node[]} */
-  beginning() {
-    const again = this.number >= this.quiz.questions.length;
-    const score = { right: this.score, count: this.quiz.questions.length };
-    const words = again ? say("quiz.score", score) : say("quiz.about");
-    const start = button({ "data-action": "quiz" }, () => {
-      this.number = this.score = 0;
-      this.ask();
-    }, say("quiz.start"));
-    return [html("p", { "data-quiz-score": again }, words), start];
-  }
-
-  /** @param {Question} question @returns {Node[]} */
-  asked(question) {
-    const count = { number: this.number + 1, count: this.quiz.questions.length };
-    const words = say(`quiz.${question.kind}`, { name: question.name, from: question.from ?? "" });
-    const verdict = html("div", { class: "quiz-verdict", role: "status", "data-quiz-verdict": "" });
-    const form = question.kind === "value" ? quizValueForm(this.quiz, question) : this.directionForm(question);
-    form.addEventListener("submit", (event) => {
-      event.preventDefault();
-      this.judge(question, form, verdict);
-    });
-    form.addEventListener("input", () => {
-      if (!this.done) this.tell(verdict, "");
-    });
-    return [
-      html("p", { class: "quiz-count" }, say("quiz.count", count)),
-      html("p", { "data-quiz-question": this.number, tabindex: -1 }, ...typeset(words)), form, verdict, this.buttons(question, verdict),
-    ];
+  /** @param {string} verdict @param {Node[]} words */
+  tell(verdict, ...words) {
+    this.verdict.dataset.quizVerdict = verdict;
+    this.verdict.replaceChildren(...words);
   }
 
   /** @param {Question} question */
-  directionForm(question) {
-    const angle = html("input", { type: "number", step: "any", value: "0", "data-quiz-angle": true });
-    const label = typeset(say("quiz.handle", { name: question.name })).map((node) => node.textContent).join("");
-    const drawing = this.player.drawing(question.plane);
-    const point = drawing.querySelector(`circle.point[data-name="${CSS.escape(question.point ?? "")}"]`);
-    if (point) {
-      const at = { x: Number(point.getAttribute("cx")), y: Number(point.getAttribute("cy")) };
-      this.direction = turnedDirection(question, at, angle, label);
-      drawing.append(this.direction);
-    }
-    return html("form", {}, html("label", {}, say("quiz.angle"), " ", angle, " °"), " ", quizSubmit());
-  }
-
-  /** @param {Question} question @param {HTMLFormElement} form @param {HTMLElement} verdict */
-  judge(question, form, verdict) {
-    const judged = question.kind === "value" ? judgeValue(this.quiz, question, form) : judgeAngle(this.quiz, question, form);
-    const words = say(`quiz.${judged.words}`, { name: question.name, off: judged.off ?? "" });
-    this.tell(verdict, judged.verdict, typeset(words));
+  judge(question) {
+    const judged = (question.kind === "value" ? judgeValue : judgeAngle)(this.quiz, question, this.form);
+    this.tell(judged.verdict, ...typeset(say(`quiz.${judged.words}`, { name: question.name, off: judged.off })));
     (judged.mistakes ?? []).forEach((mistake, k) => {
       const or = k ? [html("em", {}, say("quiz.or")), " "] : [];
       const told = typeset(spoken(this.quiz.mistakes[mistake]));
-      verdict.append(html("p", { "data-quiz-mistake": mistake }, ...or, ...told));
+      this.verdict.append(html("p", { "data-quiz-mistake": mistake }, ...or, ...told));
     });
     if (judged.verdict === "unread" || this.done) return;
-    this.tries += 1;
-    if (judged.verdict !== "right") return;
-    this.score += this.tries === 1 ? 1 : 0;
-    this.reveal(question, verdict);
+    if (judged.verdict === "right") this.reveal("right", ...this.verdict.childNodes);
+    else this.tries += 1;
   }
 
-  /** The answer in words, and the act that it belongs to. @param {Question} question @param {HTMLElement} verdict */
-  reveal(question, verdict) {
+  /** The answer in words, and the act that it belongs to. @param {"right" | "shown"} verdict @param {Node[]} words */
+  reveal(verdict, ...words) {
+    const question = this.quiz.questions[this.number];
+    if (verdict === "right" && this.tries === 0) this.score += 1;
+    this.tries += 1;
     this.done = true;
-    const answer = question.words ? spoken(question.words) : quizValueInWords(question);
-    verdict.append(html("p", { "data-quiz-answer": true }, ...typeset(answer)));
+    this.tell(verdict, ...words, html("p", { "data-quiz-answer": true }, ...typeset(spoken(question.words))));
     this.player.showUpTo(question.act);
   }
-
-  /** @param {Question} question @param {HTMLElement} verdict */
-  buttons(question, verdict) {
-    const show = button({ "data-action": "show-answer" }, () => {
-      this.tell(verdict, "shown");
-      this.tries += 1;
-      this.reveal(question, verdict);
-    }, say("quiz.show"));
-    const next = button({ "data-action": "next-question" }, () => {
-      this.number += 1;
-      if (this.number < this.quiz.questions.length) this.ask();
-      else this.leave(this.number);
-    }, say("quiz.next"));
-    const leave = button({ "data-action": "leave-quiz" }, () => this.leave(-1), say("quiz.leave"));
-    return html("p", { class: "quiz-buttons" }, show, " ", next, " ", leave);
-  }
-
-  /** @param {number} number */
-  leave(number) {
-    this.number = number;
-    this.player.showUpTo(null);
-    this.draw();
-  }
-}
-
-/** @param {Quiz} quiz @param {Question} question */
-function quizValueForm(quiz, question) {
-  const number = html("input", { type: "text", inputmode: "decimal", autocomplete: "off", "data-quiz-number": true });
-  const unit = choice({ "data-quiz-unit": true }, say("quiz.choose"), quiz.units.map(({ name }) => [name, name]));
-  const ways = /** @type {[string, string][]} */ (["ccw", "cw"].map((way) => [way, say(`quiz.${way}`)]));
-  const sense = choice({ "data-quiz-sense": true }, say("quiz.choose"), ways);
-  const fields = { number, unit, ...(question.sense === "turn" ? { sense } : {}) };
-  const labels = Object.entries(fields).flatMap(([word, field]) =>
-    [html("label", {}, say(`quiz.${word}`), " ", field), " "]);
-  return html("form", {}, ...labels, quizSubmit());
-}
-
-function quizSubmit() {
-  return html("button", { type: "submit", "data-action": "check" }, say("quiz.check"));
-}
-
-/** `ω3 = 3.92 rad/s, clockwise` @param {Question} question @returns {string} */
-function quizValueInWords(question) {
-  const size = question.sense === "turn" ? Math.abs(question.right) : question.right;
-  const unit = question.unit === "°" || !question.unit ? question.unit : ` ${question.unit}`;
-  const sense = question.sense === "turn" ? `, ${say(question.right > 0 ? "quiz.ccw" : "quiz.cw")}` : "";
-  const shown = `${Number(size.toPrecision(4))}`.replace("-", "−");
-  return say("quiz.answer", { answer: `${question.name} = ${shown}${unit}${sense}` });
 }
 
 /** A line or an arrow over a drawing that the student turns about its point. @param {Question} question
- * @param {{x: number, y: number}} at the place of its point @param {HTMLInputElement} field shows the angle, and takes it
- * @param {string} label for a screen reader @returns {SVGElement} */
-function turnedDirection(question, at, field, label) {
+ * @param {number} x @param {number} y @param {HTMLInputElement} field shows the angle, and takes it @returns {SVGElement} */
+function turnedDirection(question, x, y, field) {
   const turn = question.kind === "line" ? 180 : 360;
   const lines = [svg("line", { class: "quiz-wide" }), svg("line", { class: "quiz-line" })];
   const head = svg("path", { class: "quiz-head", d: turn === 180 ? "" : `M${QUIZ_ARROW} 0l-4 1.2v-2.4Z` });
   const handle = svg("circle", {
-    class: "quiz-handle", r: 3, tabindex: 0, role: "slider", "aria-label": label, "aria-valuemin": 0, "aria-valuemax": turn,
+    class: "quiz-handle", r: 3, tabindex: 0, role: "slider", "aria-labelledby": "quiz-question", "aria-valuemin": 0, "aria-valuemax": turn,
   });
   const show = (/** @type {number} */ angle) => {
     const along = { x: Math.cos((angle * Math.PI) / 180), y: -Math.sin((angle * Math.PI) / 180) };
     const [from, to] = turn === 180 ? [-QUIZ_REACH, QUIZ_REACH] : [0, QUIZ_ARROW];
-    const ends = { x1: at.x + from * along.x, y1: at.y + from * along.y, x2: at.x + to * along.x, y2: at.y + to * along.y };
+    const ends = { x1: x + from * along.x, y1: y + from * along.y, x2: x + to * along.x, y2: y + to * along.y };
     for (const line of lines) setAttributes(line, ends);
-    const grip = { cx: at.x + QUIZ_HANDLE * along.x, cy: at.y + QUIZ_HANDLE * along.y };
+    const grip = { cx: x + QUIZ_HANDLE * along.x, cy: y + QUIZ_HANDLE * along.y };
     setAttributes(handle, { ...grip, "aria-valuenow": angle, "aria-valuetext": `${angle}°` });
-    head.setAttribute("transform", `translate(${at.x} ${at.y}) rotate(${-angle})`);
+    head.setAttribute("transform", `translate(${x} ${y}) rotate(${-angle})`);
   };
   const turnTo = (/** @type {number} */ angle) => {
-    const within = Math.round(modulo(angle, turn) * 10) / 10;
-    field.value = String(within >= turn ? 0 : within);
+    field.value = String(modulo(Math.round(angle * 10) / 10, turn));
     field.dispatchEvent(new Event("input", { bubbles: true }));
   };
   const group = svg("g", { class: "quiz-direction", "data-quiz-direction": question.kind }, ...lines, head, handle);
-  dragged(group, handle, true, ({ x, y }) => turnTo(directionOf(x - at.x, at.y - y)));
+  dragged(group, handle, true, (to) => turnTo(directionOf(to.x - x, y - to.y)));
   handle.addEventListener("keydown", (event) => {
     const way = QUIZ_KEYS[event.key];
     if (!way) return;
     takeEvent(event);
     turnTo(Number(field.value) + way);
   });
-  field.addEventListener("input", () => {
+  field.oninput = () => {
     const typed = numberIn(field.value);
     if (typed !== null) show(typed);
-  });
+  };
   field.value = String(Math.abs(((question.right + 20) % 90) - 20) < 10 ? 45 : 0); // not where the answer is
   show(Number(field.value));
   return group;

@@ -40,11 +40,6 @@ export function signNodes(signs, filled = (text) => text) {
   });
 }
 
-/** A label to be read aloud: v_B3B2, a^k_B3B2. @param {Sign[]} signs */
-export function plainText(signs) {
-  return signs.map(([base, , low, high]) => base + (high ? `^${high}` : "") + (low ? `_${low}` : "")).join("");
-}
-
 /** A name in a line of words. @param {Sign[]} signs */
 export function nameWords(signs) {
   return html("span", { class: "name" }, ...signNodes(signs));

@@ -11,19 +11,19 @@ import { Tracks } from "./tracks.js";
  * wave: [number, number] | null, round: boolean, u: number[], period: number, start: number, rate: number,
  * events: PathEvent[], handle?: [Changing, Changing]}} Axis */
 /** A mark of a figure.
- * @typedef {{kind: "line" | "body" | "circle" | "arc" | "text" | "vector" | "point", numbers: Changing[],
- * paint: number, step?: number, layer?: string, mask?: number, closed?: boolean, form?: string, base?: [number, number,
- * number, number], flags?: string, data?: Record<string, string>, radius?: number, sign?: Sign[], also?: string[],
- * spans?: [number, number, string, string, number][]}} Row */
-/** @typedef {{plane: "position" | "velocity" | "acceleration", scale: number, written: Sign[], width: number,
- * height: number, origin: [number, number], rows: Row[], mask?: number, cells?: number | null}} PlaneData */
+ * @typedef {{kind: "line" | "segment" | "body" | "circle" | "arc" | "text" | "vector" | "point", numbers: Changing[],
+ * step?: number, mask?: number, closed?: boolean, base?: [number, number, number, number], flags?: string,
+ * sign?: Sign[]}} Row */
+/** @typedef {{plane: "position" | "velocity" | "acceleration", scale: number, width: number, height: number,
+ * origin: [number, number], rows: Row[], mask?: number, cells?: number | null}} PlaneData */
 /** @typedef {{kind: string, words: Sign[][], numbers?: number[], sizes?: number[], turns?: number[], mask?: number}} Template */
 /** @typedef {{step: number, plane: string, en: Template[][], zh: Template[][]}} StepData */
-/** @typedef {{name: string, sign: Sign[], unit: string, value: Changing, mask?: number, rise?: number,
- * size?: boolean, diagram: {drawing: string, x: [number, number], y: [number, number]}}} ValueData */
-/** @typedef {{name: string, title: Both, axes: Axis[], planes: PlaneData[], paints: Record<string, string>[],
- * wordKnots: number[][], quiz?: import("./quiz.js").Quiz, overlays?: import("./layers.js").Layers, steps: StepData[],
- * values: ValueData[], layers: string[], tracks: (string | [number, string])[], masks: string[]}} Mechanism */
+/** @typedef {{name: string, unit: string, value: Changing, mask?: number, rise?: number, size?: boolean,
+ * diagram: {x: [number, number], y: [number, number]}}} ValueData */
+/** `stage`: the elements, as HTML.
+ * @typedef {{name: string, title: Both, axes: Axis[], planes: PlaneData[], wordKnots: number[][], stage: string,
+ * quiz: import("./quiz.js").Quiz, overlays: import("./layers.js").Layers | null, steps: StepData[],
+ * values: ValueData[], tracks: (string | [number, string])[], masks: string[]}} Mechanism */
 
 /** One mechanism as it is shown. */
 export class Shown {
@@ -36,8 +36,6 @@ export class Shown {
     /** @type {number[]} the drivers' values [rad, m] */
     this.values = mechanism.axes.map((axis) => axis.start);
     this.step = 0;
-    /** @type {(() => void)[]} */
-    this.onMove = [];
   }
 
   /** The parameters of the drivers' values. */

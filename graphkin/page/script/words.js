@@ -16,7 +16,7 @@ export function language() {
   return shown;
 }
 
-/** @param {string} key @param {Record<string, string | number>} [values] what stands in for `{name}` */
+/** @param {string} key @param {Record<string, string | number | undefined>} [values] what stands in for `{name}` */
 export function say(key, values = {}) {
   const words = WORDS[key];
   if (!words) throw new Error(`no words ${key}`);
@@ -34,13 +34,6 @@ export function inEachLanguage(act) {
   act();
 }
 
-/** A name for a screen reader in each language. @template {Element} T @param {T} element @param {string} key
- * @param {Record<string, string | number>} values @returns {T} */
-export function labelled(element, key, values) {
-  inEachLanguage(() => element.setAttribute("aria-label", say(key, values)));
-  return element;
-}
-
 /** @param {string} lang */
 export function setLanguage(lang) {
   if (lang !== "en" && lang !== "zh") return;
@@ -50,16 +43,13 @@ export function setLanguage(lang) {
   for (const act of followers) act();
 }
 
-/** The words of all elements that bear `data-word` (their text) or `data-word-label` (their name for a screen reader).
- * @param {ParentNode} within */
+/** The words of all elements that bear `data-word` (their text) or `data-word-label` (their name for a screen reader),
+ * with their own data in them. @param {ParentNode} within */
 export function fillWords(within) {
-  for (const element of within.querySelectorAll("[data-word]")) {
-    element.textContent = say(element.getAttribute("data-word") ?? "");
-  }
-  for (const element of within.querySelectorAll("[data-word-label]")) {
-    const name = say(element.getAttribute("data-word-label") ?? "");
-    element.setAttribute("aria-label", name);
-    element.setAttribute("title", name);
+  for (const element of /** @type {NodeListOf<HTMLElement>} */ (within.querySelectorAll("[data-word], [data-word-label]"))) {
+    const { word, wordLabel } = element.dataset;
+    if (word) element.textContent = say(word, element.dataset);
+    else if (wordLabel) element.title = element.ariaLabel = say(wordLabel, element.dataset);
   }
 }
 
