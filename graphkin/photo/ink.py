@@ -45,15 +45,15 @@ class Ink:
     seen   the part of the room that is on the picture; printed: along the line through the pole, of length 1
     """
 
-    def __init__(self, page: Page, room: SheetRoom, direction: float) -> None:
-        self.pole, self.low, self.printed = room.pole, room.low, cmath.rect(1.0, direction)
+    def __init__(self, page: Page, room: SheetRoom) -> None:
+        self.pole, self.low, self.printed = room.pole, room.low, cmath.rect(1.0, room.direction)
         size = room.high - room.low
         x = (np.arange(round(size.real / STEP)) + 0.5) * STEP
         y = (np.arange(round(size.imag / STEP)) + 0.5) * STEP
         dark = page.darkness(room.low + x[None, :] + 1j * y[:, None])
         self.seen = float(np.isfinite(dark).mean())
         self.dark = np.nan_to_num(dark).astype(np.float32)
-        self._without_print(direction)
+        self._without_print()
         self._find_strokes()
 
     def _find_strokes(self) -> None:
@@ -151,7 +151,7 @@ class Ink:
 
     # --- what is printed --------------------------------------------------------------------------
 
-    def _without_print(self, direction: float) -> None:
+    def _without_print(self) -> None:
         """Takes away what each printed line darkens where no pencil went over it, and what all dots do alike."""
         rows, columns = self.dark.shape
         reach, bold = round(_LINE / STEP), 0.0
@@ -165,7 +165,7 @@ class Ink:
                     _take_off(band, np.minimum(printed, 1.2 * usual + 0.02))
                 bold = max(bold, float(np.max(usual)))
         self._without_dots()
-        self._without_line(direction, bold * _DARKER)
+        self._without_line(bold * _DARKER)
         at = self.pixels(np.zeros(1, dtype=complex))[0]
         y, x = np.ogrid[:rows, :columns]
         self.dark[(x - at.real) ** 2 + (y - at.imag) ** 2 < (_POLE / STEP) ** 2] = 0.0
@@ -185,10 +185,10 @@ class Ink:
             for patch in patches:
                 _take_off(patch, usual)
 
-    def _without_line(self, direction: float, darkest: float) -> None:
+    def _without_line(self, darkest: float) -> None:
         """The line through the pole."""
         rows, columns = self.dark.shape
-        at, along = self.pixels(np.zeros(1, dtype=complex))[0], cmath.rect(1.0, -direction)
+        at, along = self.pixels(np.zeros(1, dtype=complex))[0], self.printed.conjugate()
         y, x = np.mgrid[:rows, :columns]
         off = ((y - at.imag) * along.real - (x - at.real) * along.imag) * STEP
         there = np.abs(off) < _LINE

@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.photo.fitting import Fit
 from graphkin.photo.ink import STRANGE, Ink, Page
-from graphkin.photo.predicted import Corner, Predicted, Way
+from graphkin.photo.predicted import Corner, Way
 from graphkin.photo.searching import MISSING, SLIP, Candidate, candidates
 from graphkin.photo.sheets import SheetRoom, Unsure
 
@@ -41,19 +41,19 @@ class PageReading:
     unsure: tuple[Unsure, ...] = ()
 
 
-def measured(page: Page, room: SheetRoom, predicted: Predicted) -> PageReading:
-    """The corners of what was drawn in a room."""
-    ink = Ink(page, room, predicted.direction)
+def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
+    """The corners of what was drawn in a room, by one of some ways; their letters are those of the first."""
+    ink = Ink(page, room)
     if ink.length < _BLANK:
         return PageReading({}, page.rms, (Unsure("blank"),))
     fits = list[_Fit]()
-    for one in candidates(ink, predicted):
+    for one in candidates(ink, ways):
         if one.score > max((fit.score for fit in fits), default=-np.inf) - _HOPELESS:
             fits.append(_Fit(ink, one))
     if not fits:
         return PageReading({}, page.rms, (Unsure("unexplained"),))
     fits.sort(key=lambda fit: -fit.score)
-    best, key = fits[0], predicted.ways[0]
+    best, key = fits[0], ways[0]
     vertices = {letter: corner.at for letter, corner in best.named(key).items()}
     unsure = [*best.unsure()]
     if ink.seen < 1:

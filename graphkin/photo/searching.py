@@ -16,7 +16,7 @@ from graphkin.base.geometry import unit
 from graphkin.base.value import bulky
 from graphkin.marking.rewrite import Spot
 from graphkin.photo.ink import NEAR, STRANGE, Ink
-from graphkin.photo.predicted import Predicted, Stroke, Way
+from graphkin.photo.predicted import Stroke, Way
 
 _SHORT = 0.15  # what is shorter is a point [mm]
 _EACH = 1.0  # strokes are looked at every so many mm
@@ -57,9 +57,9 @@ def drawn_strokes(way: Way, corners: np.ndarray) -> list[Stroke]:
     return [stroke for stroke in way.strokes if abs(corners[stroke.head] - corners[stroke.tail]) > _SHORT]
 
 
-def candidates(ink: Ink, predicted: Predicted) -> list[Candidate]:
+def candidates(ink: Ink, ways: Sequence[Way]) -> list[Candidate]:
     """The likeliest constructions, the best first."""
-    found = [one for way in predicted.ways for one in _scored(ink, way, way.corners)]
+    found = [one for way in ways for one in _scored(ink, way, way.corners)]
     for one in _best(ink, found)[:_TRIED]:
         if not _is_complete(ink, one):  # some hand may have drawn what another one did not
             hands = _scored(ink, one.way, one.way.hands(one.column, {}))
@@ -98,19 +98,19 @@ def _best(ink: Ink, some: Sequence[Candidate]) -> list[Candidate]:
 
 def _slipped(ink: Ink, one: Candidate) -> Iterator[Candidate]:
     """With one place more drawn otherwise, the best of each; the best of all in finer steps."""
-    each = [(best, spot) for spot in one.way.spots if spot not in one.factors
-            and (best := _varied(ink, one, spot, _tries(ink, one, spot))) is not None]  # fmt: skip
+    each = [(best, spot) for spot, arrow in one.way.spots.items() if spot not in one.factors
+            and (best := _varied(ink, one, spot, _tries(ink, one, arrow))) is not None]  # fmt: skip
     for rough, spot in sorted(each, key=lambda pair: -pair[0].score)[:2]:
         finer = _FINE if spot[0] != "line" else _FINE / np.abs(_FINE)
         yield rough
         yield from filter(None, [_varied(ink, one, spot, finer * rough.factors[spot])])
 
 
-def _tries(ink: Ink, one: Candidate, spot: Spot) -> np.ndarray:
+def _tries(ink: Ink, one: Candidate, arrow: tuple[str, str] | None) -> np.ndarray:
     """Factors: directions of a line; an arrow along itself, or to wherever a stroke is."""
-    if spot[0] == "line":
+    if arrow is None:
         return _TURNS
-    start, tip = (one.corners[one.way.letters.index(name)] for name in one.way.arrow(spot))
+    start, tip = (one.corners[one.way.letters.index(name)] for name in arrow)
     return np.r_[_TIMES, (ink.places() - start) / (tip - start)] if abs(tip - start) > _SHORT else np.empty(0)
 
 
