@@ -107,39 +107,28 @@ class Fit:
 
     def _solve(self, far_off: float) -> np.ndarray:
         """The corners that fit best; their standard deviations. One that would move farther [mm] is not known."""
-        drawn = [(stroke, line) for stroke, line in self.lines.items() if line.covered > _DRAWN]
-        seen = [row for stroke, line in drawn for row in self._beside(stroke, line)]
-        rows = [*seen, *self._ending()]
-        free = [k for k in range(len(self.at)) if k != self.pole]
+        drawn = {stroke: line for stroke, line in self.lines.items() if line.covered > _DRAWN}
+        seen = [row for stroke, line in drawn.items() for row in self._beside(stroke, line)]
+        rows, free = [*seen, *self._ending()], np.delete(np.arange(len(self.at)), self.pole)
+        both, corners = np.r_[free, free + len(self.at)], self.candidate.corners[free]
+        prior = np.linalg.inv(self.hand[np.ix_(both, both)])
         times = np.array([[row.times.get(k, 0j) / row.off for k in free] for row in rows]).reshape(-1, len(free))
         told, values = np.hstack([times.real, -times.imag]), np.array([row.value / row.off for row in rows])
-        corners = self.candidate.corners[free]
-        expected = np.r_[corners.real, corners.imag]
-        weight = np.ones(len(rows))
-        both = np.r_[free, np.array(free) + len(self.at)]
-        prior = np.linalg.inv(self.hand[np.ix_(both, both)])
-        for _ in range(4):
-            cover = np.linalg.inv(told.T @ (told * weight[:, None]) + prior)
-            found = cover @ (told.T @ (values * weight) + prior @ expected)
-            far = np.abs(told @ found - values)
-            weight = np.minimum(1.0, _ODD / np.maximum(far, 1e-9))
-        lines = far[: len(seen)]  # where one ends may be misread
-        self.strain = float(np.clip(lines - _ODD, 0.0, 10.0).sum())
-        gap, count = found - expected, max(1, len(seen))
-        self.departs = float((weight[: len(seen)] @ lines**2 + gap @ prior @ gap - count) / np.sqrt(2 * count))
-        odd = (row.times for row, size in zip(seen, lines, strict=True) if size > 1.5 * _ODD)
-        self.odd = {k for each in odd for k in each}
-        half, there, off = len(free), self.at.copy(), np.zeros(len(self.at))
-        there[free] = found[:half] + 1j * found[half:]
-        weak = np.linalg.inv(told.T @ (told * weight[:, None]) + prior / _DISTRUST**2)
-        off[free] = _known(weak, times, far)  # a hand may have drawn what no construction has
+        found, far, weight = _weighed(told, values, prior, expected := np.r_[corners.real, corners.imag])
+        there, off = self.at.copy(), np.zeros(len(self.at))
+        there[free] = found[: len(free)] + 1j * found[len(free) :]
+        cover = np.linalg.inv((told.T * weight) @ told + prior / _DISTRUST**2)
+        off[free] = _known(cover, times, far)  # a hand may have drawn what no construction has
         off[np.abs(there - self.at) > far_off] = np.inf
         self.at = np.where(np.isfinite(off), there, self.at)
         for k in free:  # those on one place are known alike
             off[k] = off[np.abs(self.at - self.at[k]) < _ONE].max()
-        ends = ((k, line) for stroke, line in drawn for k in (stroke.tail, stroke.head) if line.length > _SHORT)
-        self.odd |= {k for k, line in ends if abs(line.beside(self.at[k])) > _ASIDE}
-        self.odd -= {self.pole}
+        far, gap, count = far[: len(seen)], found - expected, max(1, len(seen))  # where one ends may be misread
+        self.strain = float(np.clip(far - _ODD, 0.0, 10.0).sum())
+        self.departs = float((weight[: len(seen)] @ far**2 + gap @ prior @ gap - count) / np.sqrt(2 * count))
+        self.odd = {k for row, size in zip(seen, far, strict=True) if size > 1.5 * _ODD for k in row.times}
+        ends = ((k, line) for stroke, line in drawn.items() for k in (stroke.tail, stroke.head) if line.length > _SHORT)
+        self.odd = (self.odd | {k for k, line in ends if abs(line.beside(self.at[k])) > _ASIDE}) - {self.pole}
         return off
 
     def _beside(self, stroke: Stroke, line: Line) -> Iterator[_Row]:
@@ -174,6 +163,20 @@ class Fit:
                     alone = len(away[k]) == 1
                     self.ends |= {k} if alone else set()
                     yield _Row({k: line.along.conjugate()}, (line.along.conjugate() * end).real, _END[not alone])
+
+
+def _weighed(
+    told: np.ndarray, values: np.ndarray, prior: np.ndarray, expected: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """What fits observations `told @ found = values` and what is expected best; by how many standard deviations each
+    observation is off, and what it counts for: less where it is far off."""
+    weight = np.ones(len(values))
+    for _ in range(4):
+        pull = told.T * weight
+        found = np.linalg.solve(pull @ told + prior, pull @ values + prior @ expected)
+        far = np.abs(told @ found - values)
+        weight = np.minimum(1.0, _ODD / np.maximum(far, 1e-9))
+    return found, far, weight
 
 
 def _known(cover: np.ndarray, times: np.ndarray, far: np.ndarray) -> np.ndarray:

@@ -35,7 +35,7 @@ class Candidate:
     """A construction that may have been drawn.
 
     column   of the way; corners (letters,) [mm from the pole, y up]
-    score    ink along it less strokes without ink [mm]; missing, explained: both
+    score    ink along it less strokes without ink, which are missing [mm]
     factors  of places that are drawn otherwise than the column has them
     """
 
@@ -44,7 +44,6 @@ class Candidate:
     corners: np.ndarray
     score: float
     missing: float
-    explained: float
     factors: Mapping[Spot, complex] = field(default_factory=dict)
 
     @property
@@ -142,7 +141,7 @@ def _scored(ink: Ink, way: Way, corners: np.ndarray) -> list[Candidate]:
         at, miss = corners[rows[k]], float(misses[k])
         some = compress(way.strokes, drawn[k] & (lengths[k] > _SHORT))
         explained = ink.along([(at[stroke.tail], at[stroke.head]) for stroke in some], NEAR)
-        found.append(Candidate(way, int(rows[k]), at, explained - MISSING * miss, miss, explained))
+        found.append(Candidate(way, int(rows[k]), at, explained - MISSING * miss, miss))
     return found
 
 
