@@ -172,7 +172,7 @@ def _sheets(
                 continue
             grid, low = next(rooms), complex(each["x"], each["y"])
             high = low + complex(grid.width, grid.height)
-            own.append(SheetRoom(grid.plane, 1, low + grid.pole, low, high, grid.scale))
+            own.append(SheetRoom(grid.plane, 1, low + grid.pole, low, high, grid.scale, grid.direction))
         yield PrintedSheet(first + number - 1, *owner, page.width, page.height, tuple(own))
 
 

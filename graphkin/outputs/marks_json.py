@@ -28,7 +28,8 @@ HEAD = f'{{"kind": "{KIND}", "format": {FORMAT},\n"results": ['
 END = "]}"
 Json = dict[str, Plain]
 Record = Mapping[str, Any]  # a record as it is read
-_LINE = ("format", "student", "file", "status", "reason", "score", "departure", "equations", "step", "remarks")
+_LINE = ("format", "student", "file", "status", "reason", "score", "departure", "equations", "step", "remarks",
+         "measured", "error", "unsure")  # fmt: skip
 _QUANTITY = ("given", "right", "carried", "tolerance", "verdict", "sense")
 _MISTAKE = ("ids", "probability", "margin", "explains")
 

@@ -22,7 +22,9 @@ _REACHES = (2.0, 1.2, 0.8)  # a line is sought so far from where it is expected,
 _TELLS = 20.0  # lines that are longer tell how the hand wobbles [mm]
 _ONE = 0.15  # corners so near each other are one [mm]
 _BESIDE = 0.9  # strokes that are no farther from each other are seen as one [mm]
-_ASTRAY = 0.5  # a line that need not be drawn, and runs farther off than it was sought, is another one [mm]
+_ASTRAY = 0.1  # a line that need not be drawn is another one so much farther off than half of where it is sought [mm]
+_ASIDE, _SHORT = 0.35, 4.0  # a line that is not short passes no farther beside its corners [mm]
+_DISTRUST = 3.0  # so many times less than it lays corners the hand counts where it is told how well they are known
 _DRAWN = 0.5  # a line has ink over so much of its length
 _THROUGH = 0.03  # a line goes so near by the corners at its ends, beside the hand's wobble [mm]
 _END = 0.15, 0.4  # where a line ends is known so well; the same where others do, too [mm]
@@ -46,8 +48,8 @@ class Fit:
     hand     the covariance of corners as hands draw them
     wobble   of this hand [mm]
     ends     corners at which a single line ends
-    odd      corners by number whose lines contradict each other, or how a hand draws; strain: by how many standard
-             deviations, all in all, beyond what is usual
+    odd      corners by number that lie beside their lines; strain: by how many standard deviations, all in all, beyond
+             what is usual; departs: by how many all of it is less likely than what hands draw usually is
     """
 
     def __init__(self, ink: Ink, candidate: Candidate) -> None:
@@ -73,7 +75,7 @@ class Fit:
             ends = self.at[[stroke.tail, stroke.head]]
             if line.covered < _DRAWN and self.ink.is_printed(ends).all():
                 line = Line.printed(ends, self.ink.printed)
-            astray = max(abs(line.beside(self.at[k])) for k in (stroke.tail, stroke.head)) > reach + _ASTRAY
+            astray = max(abs(line.beside(self.at[k])) for k in (stroke.tail, stroke.head)) > reach / 2 + _ASTRAY
             if stroke.needed or (line.covered > 0.95 and not astray):
                 self.lines[stroke] = line
         long = [line.scatter for line in self.lines.values() if line.length > _TELLS]
@@ -105,49 +107,29 @@ class Fit:
 
     def _solve(self, far_off: float) -> np.ndarray:
         """The corners that fit best; their standard deviations. One that would move farther [mm] is not known."""
-        drawn = [(stroke, line) for stroke, line in self.lines.items() if line.covered > _DRAWN]
-        seen = [row for stroke, line in drawn for row in self._beside(stroke, line)]
-        rows = [*seen, *self._ending()]
-        free = [k for k in range(len(self.at)) if k != self.pole]
-        times = np.array([[row.times.get(k, 0j) / row.off for k in free] for row in rows]).reshape(-1, len(free))
-        self.seen, self.values = np.hstack([times.real, -times.imag]), np.array([row.value / row.off for row in rows])
-        expected, weight = self.real(self.candidate.corners), np.ones(len(rows))
-        both = np.r_[free, np.array(free) + len(self.at)]
+        drawn = {stroke: line for stroke, line in self.lines.items() if line.covered > _DRAWN}
+        seen = [row for stroke, line in drawn.items() for row in self._beside(stroke, line)]
+        rows, free = [*seen, *self._ending()], np.delete(np.arange(len(self.at)), self.pole)
+        both, corners = np.r_[free, free + len(self.at)], self.candidate.corners[free]
         prior = np.linalg.inv(self.hand[np.ix_(both, both)])
-        for _ in range(4):
-            cover = np.linalg.inv(self.seen.T @ (self.seen * weight[:, None]) + prior)
-            found = cover @ (self.seen.T @ (self.values * weight) + prior @ expected)
-            far = np.abs(self.seen @ found - self.values)
-            weight = np.minimum(1.0, _ODD / np.maximum(far, 1e-9))
-        lines = far[: len(seen)]  # where one ends may be misread
-        self.weight = weight * (np.arange(len(rows)) < len(seen))
-        self.strain = float(np.clip(lines - _ODD, 0.0, 10.0).sum())
-        odd = (row.times for row, size in zip(seen, lines, strict=True) if size > 1.5 * _ODD)
-        self.odd = {k for each in odd for k in each} - {self.pole}
-        half, there, off = len(free), self.at.copy(), np.zeros(len(self.at))
-        there[free] = found[:half] + 1j * found[half:]
-        off[free] = _known(cover, times, far)
+        times = np.array([[row.times.get(k, 0j) / row.off for k in free] for row in rows]).reshape(-1, len(free))
+        told, values = np.hstack([times.real, -times.imag]), np.array([row.value / row.off for row in rows])
+        found, far, weight = _weighed(told, values, prior, expected := np.r_[corners.real, corners.imag])
+        there, off = self.at.copy(), np.zeros(len(self.at))
+        there[free] = found[: len(free)] + 1j * found[len(free) :]
+        cover = np.linalg.inv((told.T * weight) @ told + prior / _DISTRUST**2)
+        off[free] = _known(cover, times, far)  # a hand may have drawn what no construction has
         off[np.abs(there - self.at) > far_off] = np.inf
         self.at = np.where(np.isfinite(off), there, self.at)
         for k in free:  # those on one place are known alike
             off[k] = off[np.abs(self.at - self.at[k]) < _ONE].max()
+        far, gap, count = far[: len(seen)], found - expected, max(1, len(seen))  # where one ends may be misread
+        self.strain = float(np.clip(far - _ODD, 0.0, 10.0).sum())
+        self.departs = float((weight[: len(seen)] @ far**2 + gap @ prior @ gap - count) / np.sqrt(2 * count))
+        self.odd = {k for row, size in zip(seen, far, strict=True) if size > 1.5 * _ODD for k in row.times}
+        ends = ((k, line) for stroke, line in drawn.items() for k in (stroke.tail, stroke.head) if line.length > _SHORT)
+        self.odd = (self.odd | {k for k, line in ends if abs(line.beside(self.at[k])) > _ASIDE}) - {self.pole}
         return off
-
-    def real(self, corners: np.ndarray) -> np.ndarray:
-        """Corners (.., letters) without the pole, as all x, then all y."""
-        free = np.delete(corners, self.pole, axis=-1)
-        return np.concatenate([free.real, free.imag], axis=-1)
-
-    def misfits(self) -> tuple[np.ndarray, int]:
-        """By how much what is seen departs from each column of the way as a hand draws it, and from the candidate
-        itself: sums of squares in standard deviations (columns + 1,), and of how many."""
-        both = [k for k in range(2 * len(self.at)) if k % len(self.at) != self.pole]
-        weight = np.sqrt(self.weight)
-        seen, values = self.seen * weight[:, None], self.values * weight
-        known = np.linalg.inv(np.eye(len(values)) + seen @ self.hand[np.ix_(both, both)] @ seen.T)
-        every = np.vstack([self.way.corners, self.candidate.corners])
-        off = values - np.nan_to_num(self.real(every), nan=1e3) @ seen.T
-        return np.einsum("ki,ij,kj->k", off, known, off), len(values)
 
     def _beside(self, stroke: Stroke, line: Line) -> Iterator[_Row]:
         """Both ends of a line lie on it, as well as it is known: off alike, and by its turn times their distance."""
@@ -181,6 +163,20 @@ class Fit:
                     alone = len(away[k]) == 1
                     self.ends |= {k} if alone else set()
                     yield _Row({k: line.along.conjugate()}, (line.along.conjugate() * end).real, _END[not alone])
+
+
+def _weighed(
+    told: np.ndarray, values: np.ndarray, prior: np.ndarray, expected: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """What fits observations `told @ found = values` and what is expected best; by how many standard deviations each
+    observation is off, and what it counts for: less where it is far off."""
+    weight = np.ones(len(values))
+    for _ in range(4):
+        pull = told.T * weight
+        found = np.linalg.solve(pull @ told + prior, pull @ values + prior @ expected)
+        far = np.abs(told @ found - values)
+        weight = np.minimum(1.0, _ODD / np.maximum(far, 1e-9))
+    return found, far, weight
 
 
 def _known(cover: np.ndarray, times: np.ndarray, far: np.ndarray) -> np.ndarray:

@@ -41,19 +41,19 @@ class Ink:
 
     dark   (rows, columns) of squares of the side STEP; usual: darkness in the middle of a stroke
     pencil  width of a stroke [mm]
-    mask   strokes, `wide` mm wide, as booleans; near: what is no farther off than NEAR
+    mask   strokes, `wide` mm wide, as booleans; near: 1 where one is no farther off than NEAR
     seen   the part of the room that is on the picture; printed: along the line through the pole, of length 1
     """
 
-    def __init__(self, page: Page, room: SheetRoom, direction: float) -> None:
-        self.pole, self.low, self.printed = room.pole, room.low, cmath.rect(1.0, direction)
+    def __init__(self, page: Page, room: SheetRoom) -> None:
+        self.pole, self.low, self.printed = room.pole, room.low, cmath.rect(1.0, room.direction)
         size = room.high - room.low
         x = (np.arange(round(size.real / STEP)) + 0.5) * STEP
         y = (np.arange(round(size.imag / STEP)) + 0.5) * STEP
         dark = page.darkness(room.low + x[None, :] + 1j * y[:, None])
         self.seen = float(np.isfinite(dark).mean())
         self.dark = np.nan_to_num(dark).astype(np.float32)
-        self._without_print(direction)
+        self._without_print()
         self._find_strokes()
 
     def _find_strokes(self) -> None:
@@ -74,7 +74,7 @@ class Ink:
         part = cv2.resize(self.mask.astype(np.float32), small, interpolation=cv2.INTER_AREA)
         self.coarse = part * (_SHRINK * STEP) ** 2
         round_ = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * round(NEAR / STEP) + 1,) * 2)
-        self.near = cv2.dilate(self.mask.astype(np.uint8), round_) > 0
+        self.near = cv2.dilate(self.mask.astype(np.uint8), round_)
 
     @staticmethod
     def _width(mask: np.ndarray) -> float:
@@ -94,11 +94,11 @@ class Ink:
         import cv2
 
         ends = self.pixels(np.array(lines, dtype=complex).reshape(-1, 2)) / _SHRINK
-        drawn = np.zeros(self.coarse.shape, np.uint8)
+        drawn = np.zeros(self.coarse.shape, np.float32)
         for both in ends[(np.abs(ends) < 1e4).all(axis=1)]:
             one, other = ((round(16 * at.real), round(16 * at.imag)) for at in both)
-            cv2.line(drawn, one, other, (1,), max(1, round(2 * reach / STEP / _SHRINK)), shift=4)
-        return float(self.coarse[drawn > 0].sum()) / self.wide
+            cv2.line(drawn, one, other, (1.0,), max(1, round(2 * reach / STEP / _SHRINK)), shift=4)
+        return float(np.vdot(drawn, self.coarse)) / self.wide
 
     def strange(self, lines: Sequence[tuple[complex, complex]]) -> float:
         """The longest extent of what does not lie along some lines [mm]."""
@@ -131,20 +131,19 @@ class Ink:
 
     def at(self, places: np.ndarray) -> np.ndarray:
         """The darkness at places of any shape; 0 outside."""
+        return self._sampled(self.dark, places, straight=True)
+
+    def is_near(self, places: np.ndarray) -> np.ndarray:
+        """1 where a stroke is near, else 0."""
+        return self._sampled(self.near, places, straight=False)
+
+    def _sampled(self, raster: np.ndarray, places: np.ndarray, straight: bool) -> np.ndarray:
         import cv2
 
         at = np.atleast_2d(self.pixels(places)).astype(np.complex64)
-        dark = cv2.remap(self.dark, at.real.copy(), at.imag.copy(), cv2.INTER_LINEAR, borderValue=0)
-        return np.asarray(dark).reshape(np.shape(places))
-
-    def is_near(self, places: np.ndarray) -> np.ndarray:
-        """True where a stroke is near."""
-        at, (rows, columns) = self.pixels(places), self.near.shape
-        with np.errstate(invalid="ignore"):
-            x, y = np.rint(np.nan_to_num(at.real, nan=-9)), np.rint(np.nan_to_num(at.imag, nan=-9))
-        there = (x >= 0) & (y >= 0) & (x < columns) & (y < rows)
-        found: np.ndarray = self.near[np.where(there, y, 0).astype(int), np.where(there, x, 0).astype(int)]
-        return np.asarray(found & there)
+        how = cv2.INTER_LINEAR if straight else cv2.INTER_NEAREST
+        found = cv2.remap(raster, at.view(np.float32).reshape(*at.shape, 2), None, how, borderValue=0)
+        return np.asarray(found).reshape(np.shape(places))
 
     def is_printed(self, places: np.ndarray) -> np.ndarray:
         """True on the line through the pole, which hides what is drawn along it."""
@@ -152,7 +151,7 @@ class Ink:
 
     # --- what is printed --------------------------------------------------------------------------
 
-    def _without_print(self, direction: float) -> None:
+    def _without_print(self) -> None:
         """Takes away what each printed line darkens where no pencil went over it, and what all dots do alike."""
         rows, columns = self.dark.shape
         reach, bold = round(_LINE / STEP), 0.0
@@ -166,7 +165,7 @@ class Ink:
                     _take_off(band, np.minimum(printed, 1.2 * usual + 0.02))
                 bold = max(bold, float(np.max(usual)))
         self._without_dots()
-        self._without_line(direction, bold * _DARKER)
+        self._without_line(bold * _DARKER)
         at = self.pixels(np.zeros(1, dtype=complex))[0]
         y, x = np.ogrid[:rows, :columns]
         self.dark[(x - at.real) ** 2 + (y - at.imag) ** 2 < (_POLE / STEP) ** 2] = 0.0
@@ -186,10 +185,10 @@ class Ink:
             for patch in patches:
                 _take_off(patch, usual)
 
-    def _without_line(self, direction: float, darkest: float) -> None:
+    def _without_line(self, darkest: float) -> None:
         """The line through the pole."""
         rows, columns = self.dark.shape
-        at, along = self.pixels(np.zeros(1, dtype=complex))[0], cmath.rect(1.0, -direction)
+        at, along = self.pixels(np.zeros(1, dtype=complex))[0], self.printed.conjugate()
         y, x = np.mgrid[:rows, :columns]
         off = ((y - at.imag) * along.real - (x - at.real) * along.imag) * STEP
         there = np.abs(off) < _LINE

@@ -110,8 +110,8 @@ def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float,
     across = np.arange(-round(half / 0.05), round(half / 0.05) + 1) * 0.05
     covered, scatter, count, beside, usual_wide = 0.0, 0.3, 1.0, 1.0, 0.0
     length = abs(end - start)
-    for again in range(4):
-        if goes_on and again in (1, 2) and abs(end - start) < _LONG:
+    for again in range(3):
+        if goes_on and again and abs(end - start) < _LONG:
             start, end = _goes_on(ink, start, end), _goes_on(ink, end, start)
         length = abs(end - start)
         along = (end - start) / length
@@ -156,21 +156,18 @@ def _goes_on(ink: Ink, end: complex, start: complex) -> complex:
 
 def _straight(x: np.ndarray, y: np.ndarray) -> tuple[float, float, float, float]:
     """Slope, height at 0, scatter and weight of the straight line through most of some points."""
-    weight = np.ones(len(x))
-    slope = there = 0.0
-    scatter = 1.0
-    there = float(np.median(y))
-    for _ in range(8):
-        total = weight.sum()
+    slope, there, scatter, weight = 0.0, float(np.median(y)), 1.0, np.ones(len(x))
+    for _ in range(6):
+        total = float(weight.sum())
         if total < 2:
             break
-        mean = (weight * x).sum() / total
-        spread = (weight * (x - mean) ** 2).sum()
-        height = (weight * y).sum() / total
-        slope = float((weight * (x - mean) * y).sum() / spread) if spread > 1e-6 else 0.0
-        there = float(height - slope * mean)
-        left = y - there - slope * x
-        scatter = max(0.01, 1.4826 * float(np.median(np.abs(left))))
+        mean, height = float(weight @ x) / total, float(weight @ y) / total
+        own = weight * (x - mean)
+        spread = float(own @ (x - mean))
+        slope = float(own @ y) / spread if spread > 1e-6 else 0.0
+        there = height - slope * mean
+        left = np.abs(y - there - slope * x)
+        scatter = max(0.01, 1.4826 * float(np.partition(left, len(left) // 2)[len(left) // 2]))
         weight = np.clip(1 - (left / (4 * max(scatter, _SWAYS))) ** 2, 0, None) ** 2
     return slope, there, scatter, float(weight.sum())
 

@@ -7,63 +7,62 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.marking.key import Name
 from graphkin.photo.fitting import Fit
 from graphkin.photo.ink import STRANGE, Ink, Page
-from graphkin.photo.predicted import Corner, Predicted, Way
+from graphkin.photo.predicted import Corner, Way
 from graphkin.photo.searching import MISSING, SLIP, Candidate, candidates
 from graphkin.photo.sheets import SheetRoom, Unsure
 
 _SHORT = 4.0  # shorter lines may have less ink [mm]
 _COVERED = 0.75  # a stroke has ink over so much of its length
-_OFF = 0.22  # corners with a larger standard deviation are not sure [mm]
-_ALIKE, _APART = 6.0, 0.3  # constructions that score so alike and lie so far apart are not told apart [mm]
+_OFF = 0.26  # corners with a larger standard deviation are not sure [mm]
+_ALIKE, _APART = 6.0, 0.4  # constructions that score so alike and lie so far apart are not told apart [mm]
 _CLOSE = 0.6  # ink belongs to a refined line when it is no farther off [mm]
 _ONE = 0.15  # corners so near each other are one [mm]
 _FAR = 2.0  # where a single line ends no farther from where a construction has it, it ends on purpose [mm]
 _STRAIN = 2.0  # what contradicts counts so much [mm a standard deviation]
 _BLANK = 15.0  # less than so much ink is no drawing [mm]
-_LIKELY, _BETTER, _TORN = 5.0, 10.0, 5.0
-"""A construction is named if it departs from what is seen by so many standard deviations more than usual at most; one
-that departs by so much more than another is not told apart from that, nor the right one by twice as much. None is where
-lines contradict each other by so many standard deviations all in all."""
+_HOPELESS = 20.0  # one that scores so much less before its lines are refined is not looked at [mm]
+_LIKELY, _TORN = 5.0, 5.0
+"""A construction was drawn if it departs from what is seen by so many standard deviations more than usual at most; none
+was where lines contradict each other by so many, all in all."""
 
 
 @frozen
 class PageReading:
     """The measures of a room.
 
-    vertices      by letter of the key's construction [mm from the pole, y up], best guesses where not sure
-    error         estimated standard deviation [mm]
-    construction  the mistakes that draw what was measured, each of them alone; () where it is right, None where neither
+    vertices  by letter of the key's construction [mm from the pole, y up], best guesses where not sure
+    error     estimated standard deviation [mm]
     """
 
     vertices: Mapping[str, complex]
     error: float
     unsure: tuple[Unsure, ...] = ()
-    construction: tuple[tuple[Name, ...], ...] | None = None
 
 
-def measured(page: Page, room: SheetRoom, predicted: Predicted) -> PageReading:
-    """The corners of what was drawn in a room."""
-    ink = Ink(page, room, predicted.direction)
+def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
+    """The corners of what was drawn in a room, by one of some ways; their letters are those of the first."""
+    ink = Ink(page, room)
     if ink.length < _BLANK:
         return PageReading({}, page.rms, (Unsure("blank"),))
-    fits = [_Fit(ink, one) for one in candidates(ink, predicted)]
+    fits = list[_Fit]()
+    for one in candidates(ink, ways):
+        if one.score > max((fit.score for fit in fits), default=-np.inf) - _HOPELESS:
+            fits.append(_Fit(ink, one))
     if not fits:
         return PageReading({}, page.rms, (Unsure("unexplained"),))
     fits.sort(key=lambda fit: -fit.score)
-    best, key = fits[0], predicted.ways[0]
+    best, key = fits[0], ways[0]
     vertices = {letter: corner.at for letter, corner in best.named(key).items()}
     unsure = [*best.unsure()]
     if ink.seen < 1:
         unsure.append(Unsure("outside"))
-    names = best.names()
     unsure += _alike(fits, key)
     left = {letter for one in unsure for letter in one.letters}  # these count for nothing
     offs = [corner.off for letter, corner in best.corners.items() if letter not in left and np.isfinite(corner.off)]
-    error = float(np.hypot(page.rms, max(offs, default=0.0)))
-    return PageReading(vertices, error, tuple(unsure), names)
+    error = float(np.hypot(page.rms, np.sqrt(np.mean(np.square(offs or [0.0])))))
+    return PageReading(vertices, error, tuple(unsure))
 
 
 def _alike(fits: Sequence[_Fit], key: Way) -> Iterator[Unsure]:
@@ -84,8 +83,6 @@ class _Fit(Fit):
     def __init__(self, ink: Ink, candidate: Candidate) -> None:
         super().__init__(ink, candidate)
         self.score = self._score()
-        self._off, count = self.misfits()
-        self._likely = count + _LIKELY * np.sqrt(2 * count)
 
     def _score(self) -> float:
         """Ink along the refined lines, less needed strokes without any and places that are drawn otherwise [mm]."""
@@ -104,16 +101,6 @@ class _Fit(Fit):
         pairs = ((name, by_name.get(node.of, "")) for name, node in key.construction.nodes.items())
         return {name: own[other] for name, other in pairs if other in own}
 
-    def names(self) -> tuple[tuple[Name, ...], ...] | None:
-        """The mistakes whose construction this is."""
-        columns, likely = self._off[:-1], self._likely
-        least = float(columns.min())
-        if least > likely or self.strain > _TORN:
-            return None
-        if columns[0] <= min(least + 2 * _BETTER, likely):
-            return ()
-        return tuple(tuple(one.name for one in self.way.columns[k]) for k in np.flatnonzero(columns <= least + _BETTER))
-
     def unsure(self) -> Iterator[Unsure]:
         key = self.way.letters
         for stroke, line in self.lines.items():
@@ -131,7 +118,7 @@ class _Fit(Fit):
             is_far = np.nanmin(np.abs(self.way.corners[:, k] - self.at[k])) > _FAR
             if is_far or not self.ink.inside(around).all():
                 yield Unsure("far", (key[k],))
-        if self._strange() > STRANGE or self.strain > _TORN or self._off[-1] > self._likely:
+        if self._strange() > STRANGE or self.strain > _TORN or self.departs > _LIKELY:
             yield Unsure("unexplained")
 
     def _strange(self) -> float:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from graphkin.base.value import bulky
 from graphkin.errors import BrokenSubmission, PictureKind, TooMuch, WantsExtra, Where
+from graphkin.photo.markers import CORNERS
 from graphkin.submissions.archives import foreign
 
 Pixels = NDArray[np.uint8]
@@ -31,7 +32,8 @@ _MOST, _PLENTY = 150e6, 45e6
 _COVERS, _WORDS = 0.6, 40  # part of a page that hides what lies below; visible letters that are no text to speak of
 _UNSEEN = 3  # a PDF's word for letters that are there to be searched and copied
 _PAGES = 3  # of a PDF that tell what it is
-_DRAWN = 4.2  # pixels a point with which a page is looked at on which no picture is
+_DRAWN, _SEEN = 4.2, 2.0  # pixels a point with which a page is looked at on which no picture is; to find markers on it
+_STAMP = 0.1  # part of a page up to which a picture is none of the page
 
 
 @bulky
@@ -47,15 +49,26 @@ class Picture:
 
 
 def is_picture(name: str, content: bytes) -> bool:
-    """True of a file to be looked at; of a PDF, if there are pictures on its first pages and no text to speak of. One
-    that cannot be opened is no picture, nor is any where PDFs cannot be looked at."""
+    """True of a file to be looked at; of a PDF, if there are pictures on its first pages and no text to speak of, or a
+    sheet, which was drawn on with a tablet. One that cannot be opened is no picture, nor is any where PDFs cannot be
+    looked at."""
     if _PDF not in content[:_GLANCE]:
         return name.lower().endswith(_NAMES) or _kind(content) != ""
     try:
-        pages = [(fine, letters) for _, fine, letters in islice(_pages(content, Where(name)), _PAGES)]
+        pages = [*islice(_pages(content, Where(name)), _PAGES)]
+        scanned = any(fine for _, fine, _ in pages) and all(letters <= _WORDS for _, _, letters in pages)
+        return scanned or any(_is_sheet(_grey(page, _SEEN)) for page, _, _ in pages)
     except (BrokenSubmission, TooMuch, WantsExtra):
         return False
-    return any(fine for fine, _ in pages) and all(letters <= _WORDS for _, letters in pages)
+
+
+def _is_sheet(grey: Pixels) -> bool:
+    """True where markers are seen that stand in corners."""
+    import cv2
+
+    known = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_250)
+    _, ids, _ = cv2.aruco.ArucoDetector(known).detectMarkers(grey)
+    return ids is not None and bool(np.sum(ids < CORNERS) > 1)
 
 
 def pictures_in(name: str, content: bytes, where: Where) -> Iterator[Picture]:
@@ -136,7 +149,7 @@ def _glance(page: Any, where: Where) -> tuple[float, int]:
             raw.FPDFPageObj_GetBounds(each, left, low, right, top)
             covered = (right.value - left.value) * (top.value - low.value) / (wide * high)
             covered = covered if 0 < covered < 1 and each.level == 0 else 1.0  # inside a form measures are its own
-            fine = max(fine, math.sqrt(pixels / (covered * wide * high)))
+            fine = max(fine, math.sqrt(pixels / (covered * wide * high)) if covered > _STAMP else 0.0)
             letters = 0 if covered > _COVERS else letters
         elif each.type == raw.FPDF_PAGEOBJ_TEXT and raw.FPDFTextObj_GetTextRenderMode(each) != _UNSEEN:
             letters += raw.FPDFTextObj_GetText(each, text, None, 0) // 2 - 1  # UTF-16, with a zero at its end
@@ -148,6 +161,11 @@ def _rendered(content: bytes, where: Where) -> Iterator[Picture]:
     for number, (page, fine, _) in enumerate(_pages(content, where), 1):
         with foreign(where, "PDF", _EXTRA):
             scale = min(fine or _DRAWN, math.sqrt(_PLENTY / math.prod(page.get_size())))
-            image = page.render(scale=scale, grayscale=True).to_numpy()
-        grey = np.array(image.reshape(*image.shape[:2], -1)[:, :, 0])
+            grey = _grey(page, scale)
         yield Picture(Where(where.file, where.line, f"p. {number}"), grey)
+
+
+def _grey(page: Any, scale: float) -> Pixels:
+    """A page of a PDF with so many pixels a point."""
+    image = page.render(scale=scale, grayscale=True).to_numpy()
+    return np.array(image.reshape(*image.shape[:2], -1)[:, :, 0])

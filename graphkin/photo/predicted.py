@@ -5,9 +5,8 @@ What a student has drawn and measured before counts as it is: an acceleration po
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import combinations
 
 import numpy as np
@@ -65,7 +64,6 @@ class Way:
 
     letters   of its corners; strokes between them
     columns   mistakes, the right drawing first
-    corners   (columns, letters) [mm from the pole, y up]
     own       measured corners of the velocity plane, SI
     """
 
@@ -76,8 +74,12 @@ class Way:
     letters: tuple[str, ...]
     strokes: tuple[Stroke, ...]
     columns: tuple[tuple[Rewrite, ...], ...]
-    corners: np.ndarray
     own: Mapping[str, complex]
+
+    @cached_property
+    def corners(self) -> np.ndarray:
+        """Of each column (columns, letters) [mm from the pole, y up]."""
+        return self._on_paper(_OwnHand(self.columns, {}, {"velocity": self.own}).drawn(self.method, self.plot))
 
     @property
     def pole(self) -> int:
@@ -88,32 +90,23 @@ class Way:
         """Where the right drawing has corners [mm], to a tenth."""
         return frozenset(complex(round(at.real, 1) + 0.0, round(at.imag, 1) + 0.0) for at in self.corners[0])
 
-    @property
-    def spots(self) -> Iterator[Spot]:
-        """The places where a length or a direction may be off."""
-        plane = self.construction.plane
+    @cached_property
+    def spots(self) -> dict[Spot, tuple[str, str] | None]:
+        """The places where a length or a direction may be off; the corners of an arrow that is laid off, or of a side
+        of a figure, None for a line."""
+        plane, found = self.construction.plane, dict[Spot, tuple[str, str] | None]()
         for step in self.construction.steps:
             match step:
-                case LayOff():
-                    yield "laid", plane, step.tip
+                case LayOff(start=start, tip=tip):
+                    found["laid", plane, tip] = (start, tip)
                 case Meet():
-                    yield from (("line", plane, step, ray) for ray in (step.first, step.second) if isinstance(ray, Ray))
-                case Image():
-                    yield "image", plane, step.point
+                    rays = (ray for ray in (step.first, step.second) if isinstance(ray, Ray))
+                    found.update(dict.fromkeys(("line", plane, step, ray) for ray in rays))
+                case Image(base=(tail, _), point=point):
+                    found["image", plane, point] = (tail, point)
                 case _:
                     pass
-
-    def arrow(self, spot: Spot) -> tuple[str, str]:
-        """The corners between which an arrow lies that is laid off, or a side of a figure."""
-        for step in self.construction.steps:
-            match step:
-                case LayOff(start=start, tip=tip) if spot == ("laid", self.construction.plane, tip):
-                    return start, tip
-                case Image(base=(tail, _), point=point) if spot == ("image", self.construction.plane, point):
-                    return tail, point
-                case _:
-                    pass
-        raise KeyError(spot)
+        return found
 
     def altered(self, column: int, factors: Factors) -> np.ndarray:
         """Corners (n, letters) of a column with arrows, directions and figures that are otherwise, by arrays (n,)."""
@@ -150,20 +143,10 @@ class Way:
         return np.stack(every, axis=1) / self.scale
 
 
-@frozen
-class Predicted:
-    """All that may have been drawn in a room.
-
-    ways       the method of the key first, then other right ones
-    direction  of the line through the pole that is printed [rad]
-    """
-
-    ways: tuple[Way, ...]
-    direction: float
-
-
-def predicted(method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, complex] | None = None) -> Predicted:
-    """The constructions that may have been drawn in a room.
+def predicted(
+    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, complex] | None = None
+) -> tuple[Way, ...]:  # fmt: skip
+    """All that may have been drawn in a room: the method of the key first, then other right ones.
 
     plot      the right one, at the room's position
     velocity  corners of the student's own velocity polygon by letter, SI, as far as they are measured
@@ -173,16 +156,7 @@ def predicted(method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str
         way = _way(other, plot, room, velocity or {}, ())
         if all(way.places != known.places for known in ways):
             ways.append(way)
-    return Predicted(tuple(ways), first_direction(ways[0].construction, plot))
-
-
-def first_direction(construction: Construction, plot: Plot) -> float:
-    """The direction of the first arrow that is laid off [rad], which is given with the driver and printed."""
-    points = plot.points(construction.plane)
-    for step in construction.steps:
-        if isinstance(step, LayOff) and abs(arrow := place(points[step.term.head] - points[step.term.tail])) > 0:
-            return cmath.phase(arrow) % math.pi
-    return 0.0
+    return tuple(ways)
 
 
 def _way(
@@ -195,9 +169,7 @@ def _way(
     own = _own(method.velocity, velocity) if room.plane == "acceleration" else {}
     columns = ((), *((one,) for one in mistakes if one.edits))
     strokes = tuple(_strokes(construction, letters, resting))
-    base = Way(method, plot, construction, room.scale, letters, strokes, columns, np.empty(0), own)
-    corners = base._on_paper(_OwnHand(columns, {}, {"velocity": own}).drawn(method, plot))
-    return Way(method, plot, construction, room.scale, letters, base.strokes, columns, corners, own)
+    return Way(method, plot, construction, room.scale, letters, strokes, columns, own)
 
 
 def _own(construction: Construction, velocity: Mapping[str, complex]) -> dict[str, complex]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
+from itertools import compress
 
 import numpy as np
 
@@ -15,17 +16,16 @@ from graphkin.base.geometry import unit
 from graphkin.base.value import bulky
 from graphkin.marking.rewrite import Spot
 from graphkin.photo.ink import NEAR, STRANGE, Ink
-from graphkin.photo.predicted import Predicted, Stroke, Way
+from graphkin.photo.predicted import Stroke, Way
 
 _SHORT = 0.15  # what is shorter is a point [mm]
-_EACH = 0.5  # strokes are looked at every so many mm
+_EACH = 1.0  # strokes are looked at every so many mm
 MISSING = 1.5  # a stroke without ink counts so many times as much as ink without a stroke
 SLIP = 8.0  # so much ink must be explained by each place that is otherwise [mm]
-_FEW, _MOST, _SLIPS = 5, 40, 3
-"""Constructions that are kept; those that are looked at closely; slips in one."""
+_FEW, _TRIED, _MOST, _SLIPS = 5, 3, 15, 3
+"""Constructions that are kept; of these, those that are varied; those that are looked at closely; slips in one."""
 _COMPLETE = 0.04  # a construction is complete when a smaller part of its strokes has no ink
 _TURNS = np.exp(1j * np.radians(np.arange(-89, 91, 1.0)))
-_ONCE = np.ones(1)
 _FINE = np.outer(np.linspace(0.98, 1.02, 9), np.exp(1j * np.radians(np.linspace(-1, 1, 9)))).ravel()
 _TIMES = np.r_[-np.geomspace(3.0, 0.1, 60), 0.0, np.geomspace(0.1, 5.0, 200)]
 
@@ -35,7 +35,7 @@ class Candidate:
     """A construction that may have been drawn.
 
     column   of the way; corners (letters,) [mm from the pole, y up]
-    score    ink along it less strokes without ink [mm]; missing, explained: both
+    score    ink along it less strokes without ink, which are missing [mm]
     factors  of places that are drawn otherwise than the column has them
     """
 
@@ -44,7 +44,6 @@ class Candidate:
     corners: np.ndarray
     score: float
     missing: float
-    explained: float
     factors: Mapping[Spot, complex] = field(default_factory=dict)
 
     @property
@@ -57,13 +56,10 @@ def drawn_strokes(way: Way, corners: np.ndarray) -> list[Stroke]:
     return [stroke for stroke in way.strokes if abs(corners[stroke.head] - corners[stroke.tail]) > _SHORT]
 
 
-def candidates(ink: Ink, predicted: Predicted) -> list[Candidate]:
+def candidates(ink: Ink, ways: Sequence[Way]) -> list[Candidate]:
     """The likeliest constructions, the best first."""
-    every = [one for way in predicted.ways for one in _scored(ink, way, way.corners)]
-    right = _scored(ink, predicted.ways[0], predicted.ways[0].corners[:1])
-    best, found = _best(ink, every), [*every]
-    best += [one for one in right if all(one.column != other.column for other in best)]
-    for one in best:
+    found = [one for way in ways for one in _scored(ink, way, way.corners)]
+    for one in _best(ink, found)[:_TRIED]:
         if not _is_complete(ink, one):  # some hand may have drawn what another one did not
             hands = _scored(ink, one.way, one.way.hands(one.column, {}))
             own = max(hands, key=lambda each: each.score, default=one)
@@ -76,9 +72,7 @@ def candidates(ink: Ink, predicted: Predicted) -> list[Candidate]:
                 break
             one = other
             found.append(one)
-    best = _best(ink, found)
-    known = {other.column for other in best if other.way is predicted.ways[0] and not other.factors}
-    return best + [one for one in right if one.column not in known]
+    return _best(ink, found)
 
 
 def _is_complete(ink: Ink, one: Candidate) -> bool:
@@ -102,63 +96,64 @@ def _best(ink: Ink, some: Sequence[Candidate]) -> list[Candidate]:
 
 
 def _slipped(ink: Ink, one: Candidate) -> Iterator[Candidate]:
-    """With one place more drawn otherwise, the best of each."""
-    for spot in one.way.spots:
-        if spot in one.factors:
-            continue
-        if spot[0] == "line":
-            tries = _TURNS
-        else:  # along the arrow, or to wherever a stroke is
-            start, tip = (one.corners[one.way.letters.index(name)] for name in one.way.arrow(spot))
-            if abs(tip - start) < _SHORT:
-                continue
-            tries = np.r_[_TIMES, (ink.places() - start) / (tip - start)]
-        for finer in (_ONCE, _FINE if spot[0] != "line" else _FINE / np.abs(_FINE)):
-            tries = np.outer(finer, tries).ravel()
-            factors = {key: np.full(len(tries), value) for key, value in one.factors.items()} | {spot: tries}
-            scored = _scored(ink, one.way, one.way.altered(one.column, factors))
-            best = max(scored, key=lambda each: each.score, default=None)
-            if best is None:
-                break
-            own = {**one.factors, spot: complex(tries[best.column])}
-            yield replace(best, score=best.score - SLIP * len(own), factors=own, column=one.column)
-            tries = tries[best.column : best.column + 1]
+    """With one place more drawn otherwise, the best of each; the best of all in finer steps."""
+    each = [(best, spot) for spot, arrow in one.way.spots.items() if spot not in one.factors
+            and (best := _varied(ink, one, spot, _tries(ink, one, arrow))) is not None]  # fmt: skip
+    for rough, spot in sorted(each, key=lambda pair: -pair[0].score)[:2]:
+        finer = _FINE if spot[0] != "line" else _FINE / np.abs(_FINE)
+        yield rough
+        yield from filter(None, [_varied(ink, one, spot, finer * rough.factors[spot])])
+
+
+def _tries(ink: Ink, one: Candidate, arrow: tuple[str, str] | None) -> np.ndarray:
+    """Factors: directions of a line; an arrow along itself, or to wherever a stroke is."""
+    if arrow is None:
+        return _TURNS
+    start, tip = (one.corners[one.way.letters.index(name)] for name in arrow)
+    return np.r_[_TIMES, (ink.places() - start) / (tip - start)] if abs(tip - start) > _SHORT else np.empty(0)
+
+
+def _varied(ink: Ink, one: Candidate, spot: Spot, tries: np.ndarray) -> Candidate | None:
+    """The best of a candidate with one place by these factors."""
+    if not tries.size:
+        return None
+    factors = {key: np.full(len(tries), value) for key, value in one.factors.items()} | {spot: tries}
+    scored = _scored(ink, one.way, one.way.altered(one.column, factors))
+    if not scored:
+        return None
+    best = max(scored, key=lambda each: each.score)
+    own = {**one.factors, spot: complex(tries[best.column])}
+    return replace(best, score=best.score - SLIP * len(own), factors=own, column=one.column)
 
 
 def _scored(ink: Ink, way: Way, corners: np.ndarray) -> list[Candidate]:
     """Corners (n, letters) as candidates, without those that are hopeless or nowhere."""
-    whole = np.flatnonzero(np.isfinite(corners).all(axis=1) & (np.abs(corners) < 1e4).all(axis=1))
-    if not whole.size:
+    rows = np.flatnonzero(np.isfinite(corners).all(axis=1) & (np.abs(corners) < 1e4).all(axis=1))
+    if not rows.size:
         return []
-    hits, misses = _along(ink, way, corners[whole])
-    order = np.argsort(-(hits - MISSING * misses), kind="stable")[:_MOST]
+    lengths, inked, bare = _along(ink, way, corners[rows])
+    needed = np.array([stroke.needed for stroke in way.strokes])
+    drawn = needed | (inked > 0.95)
+    misses = (bare * lengths)[:, needed].sum(axis=1)
+    hits = np.where(drawn, inked * lengths, 0.0).sum(axis=1)
     found = []
-    for k in order:
-        at = corners[whole[k]]
-        lines = [(at[s.tail], at[s.head]) for s in drawn_strokes(way, at) if s.needed or _has_ink(ink, at, s)]
-        explained = ink.along(lines, NEAR)
-        miss = float(misses[k])
-        found.append(Candidate(way, int(whole[k]), at, explained - MISSING * miss, miss, explained))
+    for k in np.argsort(MISSING * misses - hits, kind="stable")[:_MOST]:
+        at, miss = corners[rows[k]], float(misses[k])
+        some = compress(way.strokes, drawn[k] & (lengths[k] > _SHORT))
+        explained = ink.along([(at[stroke.tail], at[stroke.head]) for stroke in some], NEAR)
+        found.append(Candidate(way, int(rows[k]), at, explained - MISSING * miss, miss))
     return found
 
 
-def _has_ink(ink: Ink, at: np.ndarray, stroke: Stroke) -> bool:
-    share = np.linspace(0, 1, 60)
-    return bool(ink.is_near(at[stroke.tail] + share * (at[stroke.head] - at[stroke.tail])).mean() > 0.95)
-
-
-def _along(ink: Ink, way: Way, corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Millimetres of the strokes of each row that have ink, and of the needed ones that have none."""
-    hits, misses = np.zeros(len(corners)), np.zeros(len(corners))
-    for stroke in way.strokes:
-        tail, arrow = corners[:, stroke.tail], corners[:, stroke.head] - corners[:, stroke.tail]
-        longest = float(np.abs(arrow).max(initial=0.0))
-        share = (np.arange(max(2, min(120, round(longest / _EACH)))) + 0.5) / max(2, min(120, round(longest / _EACH)))
-        places = tail[:, None] + share * arrow[:, None]
-        part, length = ink.is_near(places).mean(axis=1), np.abs(arrow)
-        if stroke.needed:
-            hits += part * length
-            misses += (~ink.is_near(places) & ~ink.is_printed(places)).mean(axis=1) * length
-        else:
-            hits += np.where(part > 0.95, length, 0.0)
-    return hits, misses
+def _along(ink: Ink, way: Way, corners: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of each stroke of each row (rows, strokes) its length, the part that has ink, and that which has none and is not
+    hidden by a printed line."""
+    tails, heads = (corners[:, [getattr(s, end) for s in way.strokes]] for end in ("tail", "head"))
+    lengths, inked, bare = np.abs(heads - tails), np.zeros(tails.shape), np.zeros(tails.shape)
+    for k, longest in enumerate(lengths.max(axis=0)):
+        count = max(2, min(120, round(longest / _EACH)))
+        places = tails[:, k, None] + (np.arange(count) + 0.5) / count * (heads - tails)[:, k, None]
+        near = ink.is_near(places)
+        inked[:, k] = near.mean(axis=1)
+        bare[:, k] = ((near == 0) & ~ink.is_printed(places)).mean(axis=1)
+    return lengths, inked, bare

@@ -17,7 +17,7 @@ class SheetRoom:
     position  of the problem, where it asks for several: 1 is the drawn one
     pole      where it is printed; low, high: corners of the room, left upper and right lower [mm from the left upper
               corner of the paper, x right, y down]
-    scale     SI units per mm
+    scale     SI units per mm; direction: of the line through the pole that is printed [rad]
     """
 
     plane: Plane
@@ -26,6 +26,7 @@ class SheetRoom:
     low: complex
     high: complex
     scale: float
+    direction: float = 0.0
 
 
 @frozen

@@ -89,6 +89,14 @@ def test_the_record_says_what_was_measured(records, folder: Path):
         assert isinstance(record["unsure"], list)
 
 
+def test_what_was_measured_is_in_the_terminal_s_json(records, folder: Path):
+    told = ran("grade", folder / "hw", folder / "marks.json", "--json")
+    for line in map(json.loads, told.splitlines()):
+        assert {key: line[key] for key in ("measured", "error", "unsure")} == {
+            key: records[line["student"]][key] for key in ("measured", "error", "unsure")
+        }
+
+
 def test_what_is_saved_is_marked_again_without_pictures(records, folder: Path, tmp_path: Path):
     page = (folder / "look.html").read_text("utf-8")
     assert "data:image/jpeg" in page

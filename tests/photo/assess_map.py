@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from cameras import ASIDE, CAMERAS, Photograph, photograph
-from printed_page import A4, PER_MM, printed
+from printed_pages import A4, FINE, printed
 
 from graphkin.errors import GraphkinError, Where
 from graphkin.photo.pictures import pictures_in
@@ -37,7 +37,7 @@ def main(count: int, names: Sequence[str]) -> None:
     for name in names:
         rows, refused = [], []
         for seed in range(count):
-            photo = photograph(printed(laser=seed % 2 == 0), PER_MM, (CAMERAS | ASIDE)[name], seed)
+            photo = photograph(printed(laser=seed % 2 == 0), FINE, (CAMERAS | ASIDE)[name], seed)
             start = time.process_time()
             (page,) = pages(photo.content)
             took = time.process_time() - start

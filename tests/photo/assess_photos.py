@@ -11,7 +11,7 @@ import argparse
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -26,17 +26,25 @@ from cameras import CAMERAS, photograph
 from pencil import HAND, NEAT, PER_MM, FlatPage, PrintedPaper, Work, paper_of
 
 from graphkin.construction import LayOff, Meet, Plane, Ray
-from graphkin.errors import NOWHERE
+from graphkin.errors import NOWHERE, UnsureDrawing
+from graphkin.homework.grading.batch import marked
+from graphkin.homework.grading.keys import key_from
+from graphkin.homework.grading.sets import OneKey
 from graphkin.marking.consequences import rewrites
+from graphkin.marking.marker import Marker
+from graphkin.marking.records import Graded
 from graphkin.marking.rewrite import Rewrite
 from graphkin.photo.measuring import PageReading, measured
 from graphkin.photo.pictures import pictures_in
 from graphkin.photo.predicted import predicted
 from graphkin.photo.registering import RegisteredPage, registered
+from graphkin.submissions import Handed, Limits, MeasuredDrawing
+from graphkin.submissions.students import Owner
 
 TUNED = ("ex3-1", "ex3-5", "ex3-7", "fig3-1", "p3-15", "p3-12", "fig2-32", "s4-ex5", "p3-3a", "p3-19", "s4-ex7", "p3-11b")
 ASIDE = ("p3-24a", "p3-20", "s3-cam", "s4-ex2", "p3-7", "ex3-4")
 FLAT = "flat page"
+_WRONG = {"wrong", "carried"}  # verdicts of what is not as it should be
 WRONG, MOVED = 0.5, 1.5  # a corner off by more is wrong; a mistake is there to be seen that moves one by so much [mm]
 
 
@@ -91,13 +99,14 @@ class Case:
 
 @dataclass
 class Outcome:
-    """What came of a picture: errors of the corners that are sure, those of others, the worst that goes unsaid [mm]."""
+    """What came of a picture: errors of the corners that are sure, those of others, the worst that goes unsaid [mm]; if it is named as it
+    should be, None where a mistake does not show in what is asked."""
 
     case: Case
     sure: list[float] = field(default_factory=list)
     unsure: list[float] = field(default_factory=list)
     silent: float = 0.0
-    named: bool = False
+    named: bool | None = False
     refused: str = ""
     reasons: list[str] = field(default_factory=list)
     seconds: float = 0.0
@@ -150,12 +159,38 @@ def _page(case: Case, work: Work, outcome: Outcome) -> FlatPage | RegisteredPage
     return None
 
 
-def _is_named(work: Work, readings: dict[Plane, PageReading]) -> bool:
-    """Right work is called right; a mistake is among those named; a slip is not called right."""
-    names = [reading.construction for reading in readings.values()]
-    if work.mistakes:
-        return any((work.mistakes[0].name,) in (one or ()) for one in names)
-    return any(one != () for one in names) if work.slips else all(one == () for one in names)
+@lru_cache(16)
+def _judge(mechanism: str) -> OneKey:
+    return OneKey(Marker(key_from(mechanism)))
+
+
+def verdicts(work: Work, points: Mapping[Plane, Mapping[str, complex]], unsure: Sequence[UnsureDrawing] = (), error: float = 0.0) -> tuple[bool, set[str]]:
+    """What the judge says of corners [mm from the pole]: that something is wrong, and the mistakes that would explain it best."""
+    problem, rooms = work.paper.problem, work.paper.rooms
+    poles: dict[Plane, str] = {"velocity": problem.drawing.method.velocity.pole, "acceleration": problem.drawing.method.acceleration.pole}
+    drawn = {(plane, letter): at for plane, own in points.items() for letter, at in ({poles[plane]: 0j} | dict(own)).items()}
+    drawing = MeasuredDrawing(drawn, {plane: rooms[plane].scale for plane in points}, error=error, unsure=tuple(unsure))
+    (record,) = marked([Handed(Owner("s", "s"), "a.jpg", drawing=drawing)], _judge(problem.drawing.method.mechanism.name), Limits(), "")
+    if not isinstance(record, Graded) or record.marked is None:
+        return False, set()
+    best = record.marked.diagnosis.explanations[:1]
+    return any(one.verdict in _WRONG for one in record.marked.judged), {id for one in best for id in one.ids}
+
+
+def said(work: Work, readings: Mapping[Plane, PageReading]) -> tuple[bool, set[str]]:
+    """What it says of what was measured."""
+    unsure = [UnsureDrawing(NOWHERE, plane, one.reason, one.letters) for plane, reading in readings.items() for one in reading.unsure]
+    points = {plane: one.vertices for plane, one in readings.items()}
+    return verdicts(work, points, unsure, max(one.error for one in readings.values()))
+
+
+def _is_named(work: Work, readings: Mapping[Plane, PageReading]) -> bool | None:
+    """The judge finds nothing wrong in right work, and something in a slip; it names a mistake. None where it would not by the true corners."""
+    wrong, names = said(work, readings)
+    if not work.mistakes:
+        return wrong == bool(work.slips)
+    id = work.mistakes[0].name[0]
+    return id in names if id in verdicts(work, work.corners)[1] else None
 
 
 def cases(mechanisms: Sequence[str], cameras: Sequence[str], count: int) -> Iterator[Case]:
@@ -176,15 +211,15 @@ def report(outcomes: Sequence[Outcome]) -> None:
               f"median {np.median(sure):.3f}, 95 % {np.quantile(sure, 0.95):.3f}, 99 % {np.quantile(sure, 0.99):.3f} mm; "
               f"{len(unsure)} of {len(sure) + len(unsure)} unsure, {sum(off < WRONG for off in unsure)} of these right")  # fmt: skip
     for kind in ("right", "mistake", "slip"):
-        some = [one for one in outcomes if one.case.kind == kind and not one.refused]
-        print(f"{kind}: {sum(one.named for one in some)} of {len(some)} named, {sum(bool(one.reasons) for one in some)} unsure somewhere")
+        some = [one for one in outcomes if one.case.kind == kind and not one.refused and one.named is not None]
+        print(f"{kind}: {sum(bool(one.named) for one in some)} of {len(some)} named, {sum(bool(one.reasons) for one in some)} unsure somewhere")
     silent = [one for one in outcomes if one.silent > WRONG]
     print(f"wrong and unsaid: {len(silent)} of {len(outcomes)}")
     for one in silent:
         print("  ", one.case, one.truth, f"{one.where} {one.silent:.2f} mm", one.reasons)
     print("not named:")
     for one in outcomes:
-        if not one.named and not one.refused:
+        if one.named is False and not one.refused:
             print("  ", one.case, one.truth, f"{one.silent:.2f} mm", one.reasons)
     print("reasons:", Counter(text.split(":")[1][:6] for one in outcomes for text in one.reasons))
     print("refused:", Counter(one.refused for one in outcomes if one.refused))

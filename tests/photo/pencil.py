@@ -78,7 +78,7 @@ class PrintedPaper:
             assert grid.width <= 160
             assert grid.height <= 120
             high = low + complex(grid.width, grid.height)
-            rooms[plane] = SheetRoom(plane, 1, low + grid.pole, low, high, self.problem.scales[plane])
+            rooms[plane] = SheetRoom(plane, 1, low + grid.pole, low, high, grid.scale, grid.direction)
         return rooms
 
     @cached_property

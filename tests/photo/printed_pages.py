@@ -1,24 +1,73 @@
-"""Pages as `graphkin handout --scan` prints them, drawn on by students with pencils, and photographed."""
+"""Pages as `graphkin handout --scan` prints them: as they come out of a printer, drawn on with pencils, photographed."""
 
 from __future__ import annotations
 
+import io
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 
 import numpy as np
-from cameras import CAMERAS, Camera, LaidSheet, Photograph, Scanner, taken
+from cameras import CAMERAS, Camera, LaidSheet, Photograph, Scanner, lasered, taken
 from pencil import NEAT, PER_MM, Habits, PrintedPaper, Work
 
 import graphkin
 from graphkin.construction import Plane
+from graphkin.handouts import handout
 from graphkin.handouts.problem import drawn_problem
+from graphkin.handouts.typst import pdf
 from graphkin.marking.rewrite import Rewrite
 from graphkin.outputs.sheets_json import read_sheets
 from graphkin.photo.sheets import PrintedSheet, SheetRoom
 
-SCAN = CAMERAS["scanner"] if "scanner" in CAMERAS else Scanner()
-SIZE = 210 + 297j
+A4 = 210.0, 297.0
+FINE = 24.0  # pixels a mm of what nobody has drawn on
+
+
+def rastered(document: bytes | Path, page: int, per_mm: float) -> np.ndarray:
+    """A page of a PDF in grey."""
+    import pypdfium2
+
+    sheet = pypdfium2.PdfDocument(document)[page]
+    scale = (per_mm * A4[1] - 0.02) / sheet.get_size()[1]  # not a row of pixels more: the page would be drawn out
+    raster = sheet.render(scale=scale, grayscale=True).to_numpy()
+    grey = np.array(raster.reshape(*raster.shape[:2], -1)[:, :, 0])
+    assert grey.shape == (round(A4[1] * per_mm), round(A4[0] * per_mm))
+    return grey
+
+
+@cache
+def sheets_pdf(name: str, first: int, stage: str = "blank") -> bytes:
+    return pdf(handout([graphkin.load(name)], stage, "en"), scan=first)
+
+
+@cache
+def printed(name: str = "ex3-1", first: int = 31415, page: int = 1, laser: bool = True) -> np.ndarray:
+    """The second page of a worksheet has room for a velocity polygon; its number is one above the first's."""
+    grey = rastered(sheets_pdf(name, first), page, FINE)
+    return lasered(grey, FINE) if laser else grey
+
+
+def drawn_on_tablet(document: bytes | Path, lines: Mapping[int, Sequence[tuple[complex, complex]]]) -> bytes:
+    """A PDF with lines on its pages, by number [mm from the left upper corner, y down], as vectors."""
+    import pypdfium2
+    import pypdfium2.raw as raw
+
+    pages, out = pypdfium2.PdfDocument(document), io.BytesIO()
+    for number, own in lines.items():
+        page = pages[number]
+        for ends in own:
+            (x0, y0), (x1, y1) = ((72 / 25.4 * at.real, 72 / 25.4 * (A4[1] - at.imag)) for at in ends)
+            path = raw.FPDFPageObj_CreateNewPath(x0, y0)
+            raw.FPDFPath_LineTo(path, x1, y1)
+            raw.FPDFPageObj_SetStrokeWidth(path, 1.2)
+            raw.FPDFPageObj_SetStrokeColor(path, 20, 20, 90, 255)
+            raw.FPDFPath_SetDrawMode(path, raw.FPDF_FILLMODE_NONE, True)
+            raw.FPDFPage_InsertObject(page, path)
+        page.gen_content()
+    pages.save(out)
+    return out.getvalue()
 
 
 @dataclass(frozen=True)
@@ -40,11 +89,7 @@ class PdfPage(PrintedPaper):
 
     @cached_property
     def light(self) -> np.ndarray:
-        import pypdfium2
-
-        page = pypdfium2.PdfDocument(self.pdf)[self.page]
-        grey = page.render(scale=PER_MM * 25.4 / 72, grayscale=True).to_numpy()
-        return np.ascontiguousarray(grey.reshape(grey.shape[0], grey.shape[1], -1)[:, :, 0])
+        return rastered(self.pdf, self.page, PER_MM)
 
 
 @dataclass(frozen=True)
@@ -73,5 +118,5 @@ class Printed:
 
 def photographed(*pages: np.ndarray, camera: Camera | Scanner = CAMERAS["phone"], seed: int = 1, turned: float = 0.0) -> Photograph:
     """One or several pages on one picture, beside each other."""
-    laid = [LaidSheet(page, PER_MM, k * (SIZE.real + 8), turned) for k, page in enumerate(pages)]
+    laid = [LaidSheet(page, PER_MM, k * (A4[0] + 8), turned) for k, page in enumerate(pages)]
     return taken(laid, camera, seed)

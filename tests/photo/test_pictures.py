@@ -97,11 +97,17 @@ def test_text_stays_text(content: bytes, picture: bool):
     assert is_picture("a.pdf", content) is picture
 
 
-def test_a_printed_sheet_is_no_picture():
+def test_a_sheet_that_was_drawn_on_with_a_tablet_is_a_picture():
+    """It has text and no picture on it, but markers."""
     pytest.importorskip("typst")
-    from printed_page import sheets_pdf
+    from printed_pages import drawn_on_tablet, sheets_pdf
 
-    assert not is_picture("a.pdf", sheets_pdf("ex3-1", 31415))
+    content = drawn_on_tablet(sheets_pdf("ex3-1", 31415), {1: [(40 + 60j, 90 + 75j)]})
+    assert is_picture("a.pdf", content)
+    page = read("a.pdf", content)[1].grey
+    fine = page.shape[0] / 297
+    x, y = (round(at * fine) for at in (65, 67.5))
+    assert page[y - 3 : y + 4, x - 3 : x + 4].min() < 60
 
 
 def locked() -> bytes:

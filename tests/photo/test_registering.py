@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from assess_map import PLACES, off, pages
 from cameras import ASIDE, CAMERAS, PHONE, SCANNER, LaidSheet, Photograph, photograph, taken
-from printed_page import A4, PER_MM, printed
+from printed_pages import A4, FINE, printed
 
 from graphkin.errors import PhotographAgain, Where
 from graphkin.photo.markers import corners, dots, edges
@@ -24,7 +24,7 @@ def found(grey: np.ndarray, **asked) -> list:
 
 @cache
 def phone() -> Photograph:
-    return photograph(printed(), PER_MM, PHONE, 2)
+    return photograph(printed(), FINE, PHONE, 2)
 
 
 @cache
@@ -55,7 +55,7 @@ def test_cameras_tell_the_truth():
 @pytest.mark.parametrize("name", ["phone", "tilted", "scanner", "copier"])
 def test_places_of_a_page_are_found(name: str):
     """To a tenth of a mm, and to what the page says of itself."""
-    photo = phone() if name == "phone" else photograph(printed(), PER_MM, (CAMERAS | ASIDE)[name], 4)
+    photo = phone() if name == "phone" else photograph(printed(), FINE, (CAMERAS | ASIDE)[name], 4)
     (seen,) = [page()] if name == "phone" else pages(photo.content)
     astray = np.quantile(off(seen, photo), 0.95)
     assert seen.number == 31416
@@ -68,10 +68,10 @@ def test_lines_beside_dots_do_not_pull_at_them():
     """As those of a grid may, beside every dot of a room."""
     raster = printed(laser=False).copy()
     for k in range(6, 17):
-        low, right = round((10 * k + 0.5) * PER_MM), round((10 * k - 0.6) * PER_MM)
+        low, right = round((10 * k + 0.5) * FINE), round((10 * k - 0.6) * FINE)
         raster[low : low + 5, 720:4320] = np.minimum(raster[low : low + 5, 720:4320], 170)
         raster[1440:4080, right - 5 : right] = np.minimum(raster[1440:4080, right - 5 : right], 170)
-    photo = photograph(raster, PER_MM, replace(PHONE, curl=0.5), 8)
+    photo = photograph(raster, FINE, replace(PHONE, curl=0.5), 8)
     (seen,) = pages(photo.content)
     between = (PLACES.real > 60) & (PLACES.real < 160) & (PLACES.imag > 65) & (PLACES.imag < 165)
     assert np.quantile(off(seen, photo)[between], 0.95) < 0.02
@@ -79,7 +79,7 @@ def test_lines_beside_dots_do_not_pull_at_them():
 
 def test_two_sheets_on_one_picture():
     """Side by side, the second one upside down."""
-    sheets = [LaidSheet(printed(), PER_MM, -108, 0.05), LaidSheet(printed(page=2), PER_MM, 108, np.pi + 0.03)]
+    sheets = [LaidSheet(printed(), FINE, -108, 0.05), LaidSheet(printed(page=2), FINE, 108, np.pi + 0.03)]
     photo = taken(sheets, replace(PHONE, quarters=(0,), tilt=5.0, fill=0.98), 3)
     seen = sorted(found(photo.grey), key=lambda page: page.number)
     assert [page.number for page in seen] == [31416, 31417]
@@ -155,7 +155,7 @@ REFUSED = {
     "cut": lambda: (cut(phone().grey), "corners"),
     "black and white": lambda: (filtered(phone().grey), "faint"),
     "washed out": lambda: (washed_out(100), "faint"),
-    "crumpled": lambda: (photograph(printed(), PER_MM, replace(PHONE, wave=9.0), 2).grey, "bent"),
+    "crumpled": lambda: (photograph(printed(), FINE, replace(PHONE, wave=9.0), 2).grey, "bent"),
     "blurred": lambda: (cv2.GaussianBlur(phone().grey, (0, 0), 20.0), "none"),
     "desk": lambda: (photograph(np.full((1485, 1050), 250, np.uint8), 5.0, PHONE, 1).grey, "none"),
     "small": lambda: (np.full((1, 1), 250, np.uint8), "none"),
