@@ -80,11 +80,13 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
         values, name = entry.signed, unbraced(in_signs(entry.name))
         if entry.is_place or not np.isfinite(values).any():
             continue
-        if np.nanmax(values) - np.nanmin(values) <= CONSTANT * np.nanmax(np.abs(values)):
+        least = CONSTANT * np.nanmax(np.abs(values))
+        if np.nanmax(values) - np.nanmin(values) <= least:
             value = in_signs(_value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]])))
             yield say("sweeps.constant", lang, name=name, value=value)
             continue
-        for which, k in enumerate((int(np.nanargmax(values)), int(np.nanargmin(values)))):
+        for which, rising in enumerate((values, -values)):
+            k = int(np.flatnonzero(rising >= np.nanmax(rising) - least)[0])  # the first of several alike
             place = _named(sweep.course, float(sweep.driven[k]))
             value = in_signs(_value(entry, float(values[k])))
             yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
