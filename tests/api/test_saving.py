@@ -124,7 +124,7 @@ CALLS: list[tuple[str, tuple[object, ...], dict[str, object]]] = [
     ("sweep", ("ex3-1", "0:20:10", "omega 3"), {}), ("find", ("ex3-1", "max omega 3", "0:20:5"), {}),
     ("centres", ("fig3-4",), {"about": "3", "bobillier": "E"}), ("centres", ("fig3-6",), {"centrodes": "3,1"}),
     ("design", ("rocker",), {"length": 80, "swing": 40, "K": 1.3, "frame": 71}), ("handout", ("s2-2",), {"stage": "problem"}),
-    ("solve_many", (["ex3-1"],), {}), ("sweep_many", (["ex3-1"], "0:20:10"), {}), ("power", ("ex3-1",), {"trials": 1}),
+    ("solve_many", (["ex3-1"],), {}), ("sweep_many", (["ex3-1"], "0:20:10"), {}),
     ("tolerance", ("ex3-1",), {}), ("problems", ("no.toml", 2, "set"), {}), ("measure", ("no.svg",), {}),
     ("grade", ("no.json", "no.csv"), {}), ("grade_into", ("results", "no.json", "no.csv"), {}),
 ]  # fmt: skip
