@@ -122,10 +122,10 @@ def in_si(mechanism: Mechanism, values: Values) -> list[Real] | None:
 
 
 def _one_place(mechanism: Mechanism, values: Values) -> list[float] | None:
-    """Each driver's value [rad, m]. Raises what `in_si` does, and BadValues for arrays."""
+    """Each driver's value [rad, m]. Raises what `in_si` does, and SeveralPositions for arrays."""
     given = in_si(mechanism, values)
     if any(np.ndim(value) for value in given or ()):
-        raise errors.BadValues(Where("values"), f"{values}"[:60])
+        raise errors.SeveralPositions(Where("values"), f"{values}"[:60])
     return None if given is None else [*map(number, given)]
 
 

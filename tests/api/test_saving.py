@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import graphkin
 from graphkin.cli import main
-from graphkin.errors import BadValues, NoSuchDriver, NotAMechanism, NotANumber, NothingDrawn
+from graphkin.errors import BadValues, NoSuchDriver, NotAMechanism, NotANumber, NothingDrawn, SeveralPositions
 from graphkin.outputs.files import FileInTheWay, UnknownEnding
 
 
@@ -100,6 +100,9 @@ def test_values_that_no_driver_takes():
         graphkin.replay("ex3-1", [object()])  # type: ignore[list-item]
     with pytest.raises(ValueError, match="AB"):
         graphkin.Drawing.of("ex3-1", [1, 2])
+    for draw in (graphkin.Drawing.of, graphkin.structure):
+        with pytest.raises(SeveralPositions, match=r"^values: \[\[60, 90\]\] are several positions"):
+            draw("ex3-1", [[60, 90]])
     for values in ({"XY": 3}, {"AB": 60, "XY": 3}):
         with pytest.raises(NoSuchDriver, match=r"no driver XY to move.* AB"):
             graphkin.Drawing.of("ex3-1", values)
