@@ -47,15 +47,12 @@ class ResultFiles:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         if self.kinds:
             platforms.prepared(path.parent)
-        journal = grading.Journal(path, self.force)
         try:
-            with journal:
+            with grading.Journal(path, self.force) as journal:
                 record = partial(marks_json.record, lang=self.lang)
                 lines = grading.resumed(judge, problem.paths, journal, options, record)
                 marks_json.write(path, self.watch(problem.name, lines), self.force)
         except KeyboardInterrupt:
-            if not journal.beside.exists():
-                raise
             raise KeyboardInterrupt(interrupted(path, self.lang)) from None
         yield path
         yield from kept_lines(journal.kept, journal.replaced, self.lang)
