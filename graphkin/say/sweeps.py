@@ -84,10 +84,16 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
             value = in_signs(_value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]])), lang)
             yield say("sweeps.constant", lang, name=name, value=value)
             continue
-        for which, k in enumerate((int(np.nanargmax(values)), int(np.nanargmin(values)))):
+        for which, k in enumerate((_first_greatest(values), _first_greatest(-values))):
             place = _named(sweep.course, float(sweep.driven[k]))
             value = in_signs(_value(entry, float(values[k])), lang)
             yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
+
+
+def _first_greatest(values: np.ndarray) -> int:
+    """The first row with the greatest value (n,), as far as rounding lets one tell."""
+    most = np.nanmax(values)
+    return int(np.argmax(values >= most - CONSTANT * np.nanmax(np.abs(values))))
 
 
 def _value(entry: Series, value: float) -> str:
