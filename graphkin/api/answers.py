@@ -304,7 +304,6 @@ _READERS = {
 
 def lines_of(answer: object, lang: Lang = "en") -> list[str]:
     """An answer in words, as its command prints it."""
-    among(Lang, lang=lang)
     lines: Callable[[object, Lang], Iterable[str]] = getattr(*_reader(answer, 0))
     return [*lines(answer, lang)]
 
@@ -320,7 +319,6 @@ def sheet_of(answer: object, lang: Lang = "en", paper: str | None = None, **more
     saved."""
     from graphkin.outputs.saving import NotebookSheet
 
-    among(Lang, lang=lang)
     draw: Callable[..., Sheet | tuple[Sheet | None, int]] = getattr(*_reader(answer, 2))
     made = draw(answer, lang=lang, paper=paper, **more)
     if (sheet := made[0] if isinstance(made, tuple) else made) is None:

@@ -122,10 +122,10 @@ def in_si(mechanism: Mechanism, values: Values) -> list[Real] | None:
 
 
 def _one_place(mechanism: Mechanism, values: Values) -> list[float] | None:
-    """Each driver's value [rad, m]. Raises what `in_si` does, and BadValues for arrays."""
+    """Each driver's value [rad, m]. Raises what `in_si` does, and SeveralPositions for arrays."""
     given = in_si(mechanism, values)
     if any(np.ndim(value) for value in given or ()):
-        raise errors.BadValues(Where("values"), f"{values}"[:60])
+        raise errors.SeveralPositions(Where("values"), f"{values}"[:60])
     return None if given is None else [*map(number, given)]
 
 
@@ -216,8 +216,6 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.outputs.saving import NotebookSheet
         from graphkin.sheet import Paths, Style, sheet
 
-        among(Lang, lang=lang)
-        among(Plane, only=only)
         among(Style, style=style)
         drawn = Paths(tuple(self._paths(paths, arrows)), arrows and bool(paths), lang)
         found = sheet(
@@ -245,8 +243,6 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.outputs.saving import NotebookSheet
         from graphkin.sheet import step_sheets
 
-        among(Lang, lang=lang)
-        among(Plane, only=only)
         sheets = step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight)
         return map(NotebookSheet.of, sheets)
 
@@ -262,8 +258,6 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.say import explain
         from graphkin.sheet import scales_of
 
-        among(Lang, lang=lang)
-        among(Plane, only=only)
         scales = scales_of(self.method, self.plot, lang)
         on_paper: dict[str, float] = {key: scales[plane] for plane, key in SCALES.items()}
         plot, ruler = self.plot, None
@@ -278,7 +272,6 @@ class Drawing(Readable[Number, Vector]):
         """The analytic solution written out, with closed forms, or as one system of matrices ("matrix")."""
         from graphkin.equations import By, SavedDocument, document
 
-        among(Lang, lang=lang)
         among(By, method=method)
         drawn, units = self.plot.facts.values, [driven(driver.kind == "slide") for driver in self.method.drivers]
         there = placed(self.method, [*map(Number, map(number, drawn), units)])
@@ -294,8 +287,6 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.outputs import drawings, files
         from graphkin.sheet.motion_frames import motion_frames
 
-        among(Lang, lang=lang)
-        among(Plane, only=only)
         file = Path(path)
         if (moving := drawings.MOVING.get(file.suffix.lower())) is None:
             raise files.UnknownEnding(str(file), tuple(drawings.MOVING))

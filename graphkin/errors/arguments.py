@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import wraps
 from numbers import Integral, Real
 from os import PathLike
 from reprlib import repr as shortened
-from typing import ParamSpec, TypeVar
+from typing import ParamSpec, TypeVar, get_args
 
 from graphkin.errors.base import Where
-from graphkin.errors.keys import OutOfRange, WrongType
+from graphkin.errors.keys import NotOneOf, OutOfRange, WrongType
 
 _Given = ParamSpec("_Given")
 _Done = TypeVar("_Done")
 _Fits = Callable[[object], bool]
-_Wanted = tuple[list[_Fits], str]
-_ANY: _Wanted = ([], "")
+_Wanted = tuple[list[_Fits], str, tuple[str, ...]]
+_ANY: _Wanted = ([], "", ())
 
 
 def _finite(value: object) -> bool:
@@ -72,7 +72,8 @@ _PLAIN: dict[str, tuple[_Fits, str]] = {
 
 def checked(call: Callable[_Given, _Done]) -> Callable[_Given, _Done]:
     """The call, which raises WrongType for an argument that is no text, number, flag, file where one is wanted, and for
-    None where that says nothing; OutOfRange for numbers that are none."""
+    None where that says nothing; OutOfRange for numbers that are none, NotOneOf for a word that is not among those of
+    its Literal."""
     names: list[str] = []  # of the places
     wanted: dict[str, _Wanted] = {}
 
@@ -82,10 +83,12 @@ def checked(call: Callable[_Given, _Done]) -> Callable[_Given, _Done]:
             wanted.update(_looked_for(call, names))
         places = names + names[-1:] * len(args)  # what is more belongs to the last, `*mechanisms`
         for name, value in (*zip(places, args), *named.items()):
-            fits, kind = wanted.get(name, _ANY)
+            fits, kind, words = wanted.get(name, _ANY)
             if fits and isinstance(value, Real) and not _finite(value):
                 raise OutOfRange(Where(name), shortened(value))
             if fits and not any(each(value) for each in fits):
+                if words and isinstance(value, str):
+                    raise NotOneOf(Where(name), value, words)
                 raise WrongType(Where(name), kind, shortened(value))
         return call(*args, **named)
 
@@ -98,13 +101,15 @@ def _looked_for(call: Callable[..., object], names: list[str]) -> dict[str, _Wan
 
     parameters = signature(call).parameters.values()
     names += [each.name for each in parameters if each.kind is not Parameter.KEYWORD_ONLY]
-    return {each.name: _wanted(str(each.annotation), each.default in (None, each.empty)) for each in parameters}
+    named = getattr(call, "__globals__", {})
+    return {each.name: _wanted(str(each.annotation), named, each.default in (None, each.empty)) for each in parameters}
 
 
-def _wanted(annotation: str, free: bool) -> _Wanted:
+def _wanted(annotation: str, named: Mapping[str, object], free: bool) -> _Wanted:
     """Whatever may be given; nothing where anything may, as far as is known here; free: None, too."""
     parts = annotation.replace("str | Path]", "str|Path]").split(" | ")
-    known = [_PLAIN[part] for part in parts if part in _PLAIN]
+    words = tuple(word for part in parts for word in get_args(named.get(part)) if isinstance(word, str))
+    known = {part: _PLAIN.get(part, (lambda value: isinstance(value, str) and value in words, "text")) for part in parts if part in _PLAIN or words}
     if len(known) == len(parts):
-        return [fits for fits, _ in known], known[0][1]
-    return _ANY if free else ([lambda value: value is not None], "text")
+        return [fits for fits, _ in known.values()], known[parts[0]][1], words
+    return _ANY if free else ([lambda value: value is not None], "text", ())

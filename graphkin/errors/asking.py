@@ -6,7 +6,7 @@ from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
     "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NeedsTwoLinks", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
-    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "StandsStill", "TooManyRows", "UnevenArrays",
+    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "SeveralPositions", "StandsStill", "TooManyRows", "UnevenArrays",
     "UnknownQuantity", "ValueForEach",
 ]  # fmt: skip
 
@@ -26,6 +26,11 @@ class BadValues(AboutText):
         "which rise and fall in proportion."
     )
     zh = "{where}：{given!r} 不能作为运动的取值。请给出以 deg 或 mm 为单位的有限数（列表或一维数组，最多一千万个、1000 转），或写成 起:止:步长；同时运动的各原动件取值个数相同，并按比例变化。"
+
+
+class SeveralPositions(AboutText):
+    en = "{where}: {given} are several positions, and this is of one. Give each driver one number; `replay` and `sweep` take arrays."
+    zh = "{where}：{given} 是多个位置，而此处只能有一个。请给每个原动件一个数；数组可用于 `replay` 和 `sweep`。"
 
 
 class BadPair(AboutText):

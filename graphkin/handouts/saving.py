@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from graphkin.api.drawing import Source, load
-from graphkin.errors import Lang, among
+from graphkin.errors import Lang
 from graphkin.errors.arguments import checked
 from graphkin.handouts.document import Handout, Stage
 from graphkin.handouts.markup import html
@@ -54,8 +54,6 @@ def handout(
 ) -> SavedHandout:  # fmt: skip
     """Problems on paper: stage "problem", "blank" (with room to draw), "half" (solved as far as `upto` equations), or
     "solution"; several make a book. The rest is as the command has it."""
-    among(Stage, stage=stage)
-    among(Lang, lang=lang)
     made = in_languages([*map(load, mechanisms)], stage, ("zh", "en") if both else (lang,), upto=upto, answers=answers,
                         seed=seed, duplex=duplex, number=number)  # fmt: skip
     return SavedHandout(**vars(made))

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from graphkin.base.value import frozen
-from graphkin.errors import Lang, among
+from graphkin.errors import Lang
 from graphkin.homework import grading, kinds_of, platforms
 from graphkin.homework.grading import MarkingOptions, Problem, SetMarker
 from graphkin.homework.platforms import Reveal
@@ -47,15 +47,12 @@ class ResultFiles:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         if self.kinds:
             platforms.prepared(path.parent)
-        journal = grading.Journal(path, self.force)
         try:
-            with journal:
+            with grading.Journal(path, self.force) as journal:
                 record = partial(marks_json.record, lang=self.lang)
                 lines = grading.resumed(judge, problem.paths, journal, options, record)
                 marks_json.write(path, self.watch(problem.name, lines), self.force)
         except KeyboardInterrupt:
-            if not journal.beside.exists():
-                raise
             raise KeyboardInterrupt(interrupted(path, self.lang)) from None
         yield path
         yield from kept_lines(journal.kept, journal.replaced, self.lang)
@@ -98,8 +95,6 @@ def grade_into(
     formats  "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report"; "json": records alone
     reveal   how much students are told: "hint", "mistake", "answer"; the rest is as `grade` has it
     """
-    among(Reveal, reveal=reveal)
-    among(Lang, lang=lang)
     kinds = kinds_of(formats, ("json", *RESULTS))
     pencils, listed = grading.pencils_of(pencil, sigmas, relative), None if roster is None else Path(roster)
     problems = grading.problems_of(str(key), [*map(str, [paths] if isinstance(paths, str | Path) else paths)])

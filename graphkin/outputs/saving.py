@@ -7,7 +7,6 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.errors import among
 from graphkin.errors.arguments import checked
 from graphkin.outputs import drawings, svg
 from graphkin.outputs.paint import Ink
@@ -60,13 +59,11 @@ class NotebookSheet(Sheet):
 
     def content(self, file: Path, dpi: float = 200.0, ink: Ink = "accent") -> bytes:
         """What `save` writes. Raises UnknownEnding, NeedsExtra."""
-        among(Ink, ink=ink)
         return drawings.content(file, self, self.drawing, dpi, ink)
 
     @checked
     def svg(self, ink: Ink = "accent") -> str:
         """The text of the .svg file, which `graphkin check` measures."""
-        among(Ink, ink=ink)
         return svg.svg(self, ink)
 
     @checked

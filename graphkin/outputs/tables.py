@@ -18,7 +18,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array, number
 from graphkin.base.plain import Plain
-from graphkin.errors import Lang, among
+from graphkin.errors import Lang
 from graphkin.errors.arguments import checked
 from graphkin.model.quantities import EDGE, Unit, driven
 from graphkin.outputs.files import UnknownEnding, beside, needed
@@ -209,7 +209,6 @@ class SweepFrames(Sweep):
         """The motion diagram, a figure of matplotlib's: to be changed, or saved. Raises NothingToDraw."""
         from graphkin.outputs import diagram
 
-        among(Lang, lang=lang)
         return diagram.figure(self.course, tuple(self), lang, self.by)
 
     @checked
@@ -220,7 +219,6 @@ class SweepFrames(Sweep):
         """
         from graphkin.outputs import diagram
 
-        among(Lang, lang=lang)
         file = Path(path)
         if file.suffix.lower() in FORMATS:
             write(file, self.course, tuple(self), self.by, force)

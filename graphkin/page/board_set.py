@@ -10,7 +10,7 @@ from itertools import chain
 from pathlib import Path
 
 from graphkin.base.worklist import ahead
-from graphkin.errors import Lang, among
+from graphkin.errors import Lang
 from graphkin.handouts.problem_folder import SetOrder, file_of, problem_set, write_problems
 from graphkin.homework import kinds_of
 from graphkin.homework.grading import judge_from, pencils_of
@@ -34,7 +34,6 @@ def problems(
 ) -> list[Variant]:  # fmt: skip
     """Write a problem for each student into a folder, as `graphkin problems` does; students: a roster, or how many;
     formats: "board", "moodle", .., as `--format` has them."""
-    among(Lang, lang=lang)
     kinds = kinds_of(formats, (BOARD, *SETS))
     order = SetOrder(
         Path(output), read_template(Path(template)), roster(str(students)), seed, lang, pencils_of(pencil), force

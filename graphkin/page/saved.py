@@ -8,7 +8,7 @@ from pathlib import Path
 from graphkin.api.drawing import Drawing, Source, method_of
 from graphkin.base.geometry import number
 from graphkin.base.value import bulky
-from graphkin.errors import Lang, among
+from graphkin.errors import Lang
 from graphkin.errors.arguments import checked
 from graphkin.outputs.files import UnknownEnding
 from graphkin.page import player, writer
@@ -40,7 +40,6 @@ class SavedPage:
 def play(*mechanisms: Source | Drawing | Method, lang: Lang = "en") -> SavedPage:
     """Mechanisms that play in a browser: drag the crank, the polygons follow. Several make a lecture; a drawing begins
     at its position."""
-    among(Lang, lang=lang)
     return SavedPage(player.page_of([*map(_played, mechanisms)], lang))
 
 

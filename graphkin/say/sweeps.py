@@ -80,16 +80,20 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
         values, name = entry.signed, unbraced(in_signs(entry.name))
         if entry.is_place or not np.isfinite(values).any():
             continue
-        least = CONSTANT * np.nanmax(np.abs(values))
-        if np.nanmax(values) - np.nanmin(values) <= least:
+        if np.nanmax(values) - np.nanmin(values) <= CONSTANT * np.nanmax(np.abs(values)):
             value = in_signs(_value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]])))
             yield say("sweeps.constant", lang, name=name, value=value)
             continue
-        for which, rising in enumerate((values, -values)):
-            k = int(np.flatnonzero(rising >= np.nanmax(rising) - least)[0])  # the first of several alike
+        for which, k in enumerate((_first_greatest(values), _first_greatest(-values))):
             place = _named(sweep.course, float(sweep.driven[k]))
             value = in_signs(_value(entry, float(values[k])))
             yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
+
+
+def _first_greatest(values: np.ndarray) -> int:
+    """The first row with the greatest value (n,), as far as rounding lets one tell."""
+    most = np.nanmax(values)
+    return int(np.argmax(values >= most - CONSTANT * np.nanmax(np.abs(values))))
 
 
 def _value(entry: Series, value: float) -> str:

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import graphkin
 from graphkin.cli import main
-from graphkin.errors import BadValues, NoSuchDriver, NotAMechanism, NotANumber, NothingDrawn
+from graphkin.errors import BadValues, NoSuchDriver, NotAMechanism, NotANumber, NothingDrawn, SeveralPositions
 from graphkin.outputs.files import FileInTheWay, UnknownEnding
 
 
@@ -100,6 +100,9 @@ def test_values_that_no_driver_takes():
         graphkin.replay("ex3-1", [object()])  # type: ignore[list-item]
     with pytest.raises(ValueError, match="AB"):
         graphkin.Drawing.of("ex3-1", [1, 2])
+    for draw in (graphkin.Drawing.of, graphkin.structure):
+        with pytest.raises(SeveralPositions, match=r"^values: \[\[60, 90\]\] are several positions"):
+            draw("ex3-1", [[60, 90]])
     for values in ({"XY": 3}, {"AB": 60, "XY": 3}):
         with pytest.raises(NoSuchDriver, match=r"no driver XY to move.* AB"):
             graphkin.Drawing.of("ex3-1", values)
@@ -124,7 +127,7 @@ CALLS: list[tuple[str, tuple[object, ...], dict[str, object]]] = [
     ("sweep", ("ex3-1", "0:20:10", "omega 3"), {}), ("find", ("ex3-1", "max omega 3", "0:20:5"), {}),
     ("centres", ("fig3-4",), {"about": "3", "bobillier": "E"}), ("centres", ("fig3-6",), {"centrodes": "3,1"}),
     ("design", ("rocker",), {"length": 80, "swing": 40, "K": 1.3, "frame": 71}), ("handout", ("s2-2",), {"stage": "problem"}),
-    ("solve_many", (["ex3-1"],), {}), ("sweep_many", (["ex3-1"], "0:20:10"), {}), ("power", ("ex3-1",), {"trials": 1}),
+    ("solve_many", (["ex3-1"],), {}), ("sweep_many", (["ex3-1"], "0:20:10"), {}),
     ("tolerance", ("ex3-1",), {}), ("problems", ("no.toml", 2, "set"), {}), ("measure", ("no.svg",), {}),
     ("grade", ("no.json", "no.csv"), {}), ("grade_into", ("results", "no.json", "no.csv"), {}),
 ]  # fmt: skip

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from graphkin.cli import main, manual
+from graphkin.cli import BROKEN_OFF, design, main, manual
 from graphkin.errors import Lang
 from graphkin.files import library
 from graphkin.outputs.markdown import html
@@ -60,3 +60,14 @@ def test_a_file_of_another_is_kept(tmp_path: Path) -> None:
 )  # fmt: skip
 def test_markdown(text: str, elements: str) -> None:
     assert html(text).replace("<pre>\n", "<pre>") == elements
+
+
+def test_an_interruption_of_a_command_in_it_ends_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(manual, "skeleton", lambda _: SHORT)
+    monkeypatch.setattr(design, "designed", interrupted)
+    done = CliRunner().invoke(main, ["help", "--html", "-o", str(tmp_path / "manual.html")])
+    assert done.exit_code == BROKEN_OFF
+    assert not [*tmp_path.iterdir()]
