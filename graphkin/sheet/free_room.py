@@ -146,25 +146,22 @@ class FreeRoom:
     def fitting(self, groups: Sequence[tuple[Sequence[Mark], Sequence[Mark]]]) -> list[int]:
         """The numbers of the groups of marks for which there is room: those of a first part touch nothing, those of a
         second no letters, arcs and arrow heads."""
-        good = np.ones(len(groups), dtype=bool)
-        for part in (0, 1):
-            marks = [(k, mark) for k in np.flatnonzero(good).tolist() for mark in groups[k][part]]
-            texts = [(k, *_cover(mark)) for k, mark in marks if isinstance(mark, Text)]
-            lines = [(k, mark) for k, mark in marks if not isinstance(mark, Text)]
-            if not marks:
+        good = np.arange(len(groups))
+        for part, letters in ((0, True), (0, False), (1, False)):  # few are left when lines are held against all
+            every = [(k, mark) for k in good.tolist() for mark in groups[k][part] if isinstance(mark, Text) == letters]
+            if not every:
                 continue
-            on, number = places((mark for _, mark in lines), _SLICE)
-            low, high = (np.concatenate([*(text[side] for text in texts), on.T]) for side in (1, 2))
-            drawn = np.array([k for k, _ in lines], dtype=np.intp)[number]
-            lettered = np.array([k for k, each, _ in texts for _ in each], dtype=np.intp)
-            owner = np.concatenate([lettered, drawn])
-            if part:
-                free = _clear(self._scene.inside(low.T, high.T), low, high, [self._signs])
+            owner, marks = np.array([k for k, _ in every]), [mark for _, mark in every]
+            if letters:
+                covers = [_cover(mark) for mark in marks if isinstance(mark, Text)]
+                low, high = (np.concatenate(side) for side in zip(*covers, strict=True))
+                number = np.repeat(np.arange(len(marks)), [len(each) for each, _ in covers])
+                free = self.free(low, high) & ~_beside(low, high, self._letters)
             else:
-                free, letters = self.free(low, high), slice(len(lettered))
-                free[letters] &= ~_beside(low[letters], high[letters], self._letters)
-            good[owner[~free]] = False
-        return [int(number) for number in np.flatnonzero(good)]
+                at, number = places(marks, _SLICE)
+                free = _clear(self._scene.inside(at, at), at.T, at.T, [self._signs]) if part else self.free(at.T, at.T)
+            good = good[~np.isin(good, owner[number[~free]])]
+        return [int(number) for number in good]
 
     @cached_property
     def _signs(self) -> Obstacles:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import field
 from functools import cached_property
+from itertools import chain
 
 import numpy as np
 
@@ -47,13 +48,13 @@ _COVERED, _LETTERED, _CROSSED = 5.0, 250.0, 1.5
 @filled
 class LabelScene:
     """Labels that want a place, and all that is drawn where they want it; giving_way: lines that are drawn only where
-    letters have left room; taken: rooms of equations and tables."""
+    letters have left room; beside: equations and tables, and their rooms."""
 
     wanted: Sequence[LabelRequest]
     drawn: Sequence[Mark]
     room: Room
     giving_way: Sequence[Mark] = ()
-    taken: Sequence[Room] = ()
+    beside: Sequence[tuple[Room, Sequence[Mark]]] = ()
     _seen: dict[tuple[int, int], LabelPlaces] = field(default_factory=dict)
 
     @property
@@ -69,11 +70,17 @@ class LabelScene:
     @cached_property
     def letters(self) -> Obstacles:
         """Obstacles that let no leader through."""
-        return obstacles([*(mark for mark in self.drawn if isinstance(mark, Text)), *self.rows])
+        every = chain(self.drawn, *(marks for _, marks in self.beside))
+        return obstacles(mark for mark in every if isinstance(mark, Text))
+
+    @property
+    def taken(self) -> list[Room]:
+        """Rooms where letters stand already."""
+        return [room for room, marks in self.beside if marks]
 
     @cached_property
     def rows(self) -> list[Mark]:
-        """Lines through all that is taken, for its letters, and about it."""
+        """Lines through all that is taken, and about it, for its letters."""
         return [Stroke(room.inset(-_AIR, -_AIR / 2, -_AIR).meander(_ROW)) for room in self.taken]
 
     @cached_property

@@ -173,8 +173,7 @@ class Arrangement:
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure. A figure for
-    another document stays on the smallest; a crowd that no detail relieves wants a larger one, if any. None is composed
-    further once another is known to be cheaper."""
+    another document stays on the smallest. None is composed further once another is known to be cheaper."""
     usual = papers_for(paper)
     every, larger = [*_arrangements(contents, usual)], [] if contents.tight else usual[2:]
     tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
@@ -182,7 +181,7 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
         price, number, best, bounds = tried[0]
         if price > _MANY and larger:
             larger.sort(key=lambda other: other.lying == best.layout.paper.lying)
-            if (other := larger.pop()) != best.sold and not (other.area == best.sold.area and best.crowds):
+            if (other := larger.pop()) != best.sold:
                 with suppress(TooLargeForPaper):
                     for each in _arrangements(replace(contents, detailed=every[-1].contents.detailed), [other]):
                         heappush(tried, (0.0, len(tried), each, each.bounds()))

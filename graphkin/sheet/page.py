@@ -139,8 +139,7 @@ class Panel:
     def scene(self) -> LabelScene:
         """Labels that want a place, and all that they keep off."""
         giving_way = self.more.lines() if self.more is not None else ()
-        taken = [room for room, marks in self.beside if marks]
-        return LabelScene(self.figure.wanted, [*self.before, *self.figure.marks], self.room, giving_way, taken)
+        return LabelScene(self.figure.wanted, [*self.before, *self.figure.marks], self.room, giving_way, self.beside)
 
     @cached_property
     def near(self) -> Settled:

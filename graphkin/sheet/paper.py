@@ -49,8 +49,8 @@ class Room:
     def meander(self, step: float) -> tuple[complex, ...]:
         """A line to and fro through all of it, no farther apart."""
         rows = np.linspace(self.top, self.bottom, int((self.bottom - self.top) / step) + 2)
-        sides = (self.left, self.right, self.right, self.left)
-        return tuple(complex(sides[k % 4], row) for k, row in enumerate(np.repeat(rows, 2).tolist()))
+        sides = np.resize([self.left, self.right, self.right, self.left], 2 * len(rows))
+        return tuple((sides + 1j * np.repeat(rows, 2)).tolist())
 
     def holds(self, place: complex) -> bool:
         return self.left <= place.real <= self.right and self.top <= place.imag <= self.bottom
