@@ -91,7 +91,7 @@ def knots_along(axis: Axis, count: int) -> Knots:
     return Knots(axis.even(count), axis.span[1] - axis.span[0] if axis.round else 0.0)
 
 
-def _with_drawn(knots: Knots, u: float) -> Knots:
+def with_drawn(knots: Knots, u: float) -> Knots:
     """The nearest knot lies where the drawn position is, which is shown whatever is near it; unless an end is."""
     step = float(knots.u[1] - knots.u[0])
     if knots.period:
@@ -170,7 +170,7 @@ def _of_several(reach: Reach) -> PageKnots:
     counts = np.array([max(7, round(usual * min(1.5, axis.turns))) for axis in reach.axes])
     while True:
         evenly = map(knots_along, reach.axes, map(int, counts))
-        axes = tuple(map(_with_drawn, evenly, reach.drawn))
+        axes = tuple(map(with_drawn, evenly, reach.drawn))
         plots = [reach.plot(us) for us in product(*(map(float, axis.u) for axis in axes))]
         knots = PageKnots(reach, _figures(reach, plots), axes, plots)
         off = np.array([_off_along(knots, k) for k in range(len(axes))])

@@ -24,7 +24,7 @@ from graphkin.outputs.paint import Colours
 from graphkin.page import writer
 from graphkin.page.diagrams import Frame, diagram, frame
 from graphkin.page.figures import layer_of
-from graphkin.page.knots import PageKnots, cells_shown, page_knots
+from graphkin.page.knots import PageKnots, cells_shown, knots_along, page_knots, with_drawn
 from graphkin.page.layers import Layers, layers, moving
 from graphkin.page.lettered import signs_of
 from graphkin.page.quiz import quiz
@@ -48,7 +48,7 @@ from graphkin.sheet.results import label_of
 from graphkin.sheet.window import PLANES
 from graphkin.studies.sweeps import Course, asked, drawable
 
-_WORD_KNOTS = 14  # along each of several drivers
+_WORD_KNOTS = 16  # along each of several drivers
 _TOLD = 120  # places of a turn, or between the ends of a way, at which sentences are told
 Data = dict[str, object]
 
@@ -186,7 +186,8 @@ class _Played:
         if len(axes) == 1:
             us = [[*map(float, axes[0].even(_TOLD + (not axes[0].round)))]]
         else:
-            us = [[*map(float, axis.even(_WORD_KNOTS))] for axis in axes]
+            every = (knots_along(axis, _WORD_KNOTS) for axis in axes)
+            us = [[*map(float, with_drawn(*each).u)] for each in zip(every, self.knots.reach.drawn, strict=True)]
         known = dict(zip(self.knots.places, self.knots.plots, strict=True))
         plots = [known[at] if at in known else self.knots.reach.plot(at) for at in product(*us)]
         steps = spoken_steps(StepWords(self.method, self.knots.figures.scales), plots, self.tracks, len(axes) == 1)
@@ -203,9 +204,11 @@ class _Played:
             column = np.array([self._value(plot, quantity) for plot in self.knots.plots]) * unit.factor
             if np.isnan(column).all():
                 continue
-            rise = self._unwound(column) if quantity.unit == "rad" else 0.0
+            turning = quantity.unit == "rad"
+            rise = self._unwound(column) if turning and len(self.knots.axes) == 1 else 0.0
             sizes = unfolded(column) if len(self.knots.axes) == 1 else column
             data: Data = {"name": name, "unit": unit.sign, "value": self.tracks.fine(sizes)}
+            data |= {"turn": 360} if turning and len(self.knots.axes) > 1 else {}
             data |= {"size": True} if np.nanmin(sizes) < 0 <= np.nanmin(column) else {}
             mask = self.tracks.mask(~np.isnan(column))
             grid, data["diagram"] = self._frame(sizes, rise, unit.sign, bool(data.get("size")))
@@ -228,7 +231,7 @@ class _Played:
         is taken off."""
         held, axis = ~np.isnan(column), self.knots.axes[0]
         column[held] = np.unwrap(column[held], period=360.0)
-        if not axis.period or len(self.knots.axes) > 1:
+        if not axis.period:
             return 0.0
         rise = 360.0 * round(float(column[held][-1] - column[held][0]) / 360.0)
         column -= rise * (axis.u - axis.u[0]) / axis.period

@@ -34,6 +34,7 @@ from graphkin.say.solution_goal import solution_goal
 from graphkin.sheet.lettering import Label, formula
 
 _ANY = re.compile("[\ue100-\uf8ff]")
+_HALF_TURN = 180.0  # an angle that changes by less does not begin anew [deg]
 Signs = list[list[Plain]]
 Words = list[Signs]  # the words of a block: one line, or the cells of an equation's three lines one after another
 
@@ -204,8 +205,8 @@ def _entry(knots: Sequence[Spoken | None], tracks: Tracks, in_a_row: bool) -> li
             spoken = knots[k]
             assert spoken is not None
             table[k], there[k] = spoken.numbers, True
-        columns = [_unwound(table[:, n], first, n) for n in range(table.shape[1])]
-        columns = [unfolded(column) if in_a_row else column for column in columns]
+        turns = [_turns(first, n, table[:, n]) for n in range(table.shape[1])]
+        columns = [unfolded(table[:, n]) if in_a_row and not turns[n] else table[:, n] for n in range(len(turns))]
         numbers = [tracks.fine(column) for column in columns]
         fixed = [printed(each) if isinstance(each, float) else None for each in numbers]
         left = [each for each in numbers if not isinstance(each, float)]
@@ -214,9 +215,7 @@ def _entry(knots: Sequence[Spoken | None], tracks: Tracks, in_a_row: bool) -> li
         moved = [n for n, each in enumerate(numbers) if not isinstance(each, float)]
         sizes = [k for k, n in enumerate(moved) if np.nanmin(columns[n]) < 0 <= np.nanmin(table[:, n])]
         entry |= {"sizes": sizes} if sizes else {}
-        turns = [k for k, n in enumerate(moved) if np.nanmax(columns[n]) > np.nanmax(table[:, n])
-                 or np.nanmin(columns[n]) < min(0.0, np.nanmin(table[:, n]))]  # fmt: skip
-        entry |= {"turns": turns} if (turns := [k for k in turns if k not in sizes]) else {}
+        entry |= {"turns": some} if (some := [k for k, n in enumerate(moved) if turns[n]]) else {}
         entry |= {"mask": mask} if (mask := tracks.mask(there)) is not None else {}
         entries.append(entry)
     return entries
@@ -239,14 +238,10 @@ def unfolded(column: np.ndarray) -> np.ndarray:
     return unfolded
 
 
-def _unwound(column: np.ndarray, spoken: Spoken, number: int) -> np.ndarray:
-    """Angles go on past a full turn; the page takes them back."""
-    if not any(f"{noted_letter(number)}°" in str(sign[0]) for line in spoken.words for sign in line):
-        return column
-    held = ~np.isnan(column)
-    whole = column.copy()
-    whole[held] = np.unwrap(column[held], period=360.0)
-    return whole
+def _turns(spoken: Spoken, number: int, column: np.ndarray) -> bool:
+    """True of an angle that begins anew after a full turn: the page goes on past it."""
+    is_angle = any(f"{noted_letter(number)}°" in str(sign[0]) for line in spoken.words for sign in line)
+    return is_angle and bool(np.nanmin(column) >= 0) and bool(np.ptp(column[~np.isnan(column)]) > _HALF_TURN)
 
 
 def _filled(words: Words, fixed: Sequence[str | None]) -> Words:

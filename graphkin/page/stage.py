@@ -210,7 +210,7 @@ def _overlay_switches(layers: Layers | None, diagrams: bool) -> Iterator[str]:
         every += [("centrode", one["link"], one["link"]) for one in layers["centrodes"]]
     every += [("diagrams", "", "")] if diagrams else []
     for kind, of, label in every:
-        words = {lang: say(f"layers.{kind}", lang, name=label) for lang in LANGUAGES}
+        words = {lang: say(f"layers.show {kind}", lang, name=label) for lang in LANGUAGES}
         yield tick_box({"data-toggle": kind, "data-of": of or None}, in_languages(words))
 
 

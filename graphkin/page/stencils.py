@@ -35,9 +35,10 @@ class Knots:
         return k if self.period else min(max(k, 0), len(self.u) - 2)
 
     def windows(self, u: float, count: int) -> Iterator[tuple[int, ...]]:
-        """Runs of so many knots about a place, the best centred first; counted on beyond the last, round and round."""
+        """Runs of so many knots with one that is beside a place, the best centred first; counted on beyond the last,
+        round and round."""
         middle, size = self.cell(u) - count // 2 + 1, len(self.u)
-        for shift in sorted(range(-count, count + 1), key=lambda shift: (abs(shift), shift)):
+        for shift in sorted(range(-(count // 2), count // 2 + 1), key=lambda shift: (abs(shift), shift)):
             first = middle + shift
             if self.period or 0 <= first <= size - count:
                 yield tuple(range(first, first + count))

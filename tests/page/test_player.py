@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
 from browsing import Browsing, axe
 from shown_positions import fragment, off, shown
@@ -15,9 +16,15 @@ from shown_positions import fragment, off, shown
 import graphkin
 from graphkin import api
 from graphkin.files import loads
+from graphkin.page import knots
 from graphkin.page.saved import play
+from graphkin.page.spoken import StepWords
+from graphkin.planning.needed import without_aids
+from graphkin.running import replay_all
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
+from graphkin.sheet.paper import KEYS
+from graphkin.sheet.window import PLANES
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -123,6 +130,20 @@ def test_keys_drive_and_step(ex3_7):
     page.click("[data-action=run]")
 
 
+def test_a_field_left_empty_shows_the_driver_again(ex3_7):
+    page = ex3_7("#AB=70")
+    page.fill("input.value", "")
+    page.keyboard.press("Tab")
+    assert page.input_value("input.value") == "70"
+
+
+def test_a_step_of_the_hash_that_is_not_told_is_the_next(browsing: Browsing, page_of):
+    page = browsing.open(page_of("ex3-7"), "#step=999", viewport=WIDE)
+    last = int(re.search(r"step=(\d+)", page.url)[1])
+    assert page.locator("[data-step-sentence]").count() == 1
+    assert last < 30
+
+
 def test_dead_points_at_both_ends_are_said(browsing: Browsing, page_of):
     page = browsing.open(page_of("s4-ex2"), "#wall=5000", viewport=WIDE)
     assert "dead point" in page.inner_text(".event")
@@ -182,6 +203,40 @@ def sentences(lang: str, angle: float) -> dict[int, str]:
 def letters(text: str) -> str:
     """Without signs that are set above or below, and without rounding."""
     return re.sub(r"[\s_^′'{}¹²ⁿᵗᵏʳntkr]|(?<=\d\.\d\d)\d+", "", text)
+
+
+_TWO_CRANKS = """
+ask = ["theta 2", "v C"]
+frame = {A = [0, 0], E = [60, 0]}
+links = {1 = {AB = 25}, 2 = {BC = 60}, 3 = {CD = 55}, 4 = {ED = 30}}
+driver = [{vector = "AB", angle = 110, omega = 4}, {vector = "ED", angle = 60, omega = -3}]
+sketch = {C = [30, 75]}
+"""
+_NUMBER = re.compile(r"(?<![\w.−])\d+\.?\d*(?![\w.])")
+
+
+def test_two_drivers_are_told_what_is_known_well_enough(browsing: Browsing, tmp_path, monkeypatch):
+    """All numbers at the drawn position; between the positions that are calculated those that are sure, and no others."""
+    monkeypatch.setattr(knots, "_OF_SEVERAL", 1500)
+    method = without_aids(api.plan(loads(_TWO_CRANKS)))
+    (tmp_path / "page.html").write_text(play(method).text, "utf-8")
+    page = browsing.open(tmp_path / "page.html", viewport=WIDE)
+    scales = [float(page.get_attribute(f"svg.drawing[data-plane={plane}]", "data-scale")) for plane in PLANES]
+    words = StepWords(method, dict(zip(KEYS.values(), scales, strict=True)))
+    for degrees in ((110, 60), (142.58, 55.79), (351, 288.16)):
+        plot = replay_all(method, np.radians(degrees))
+        told, missing = 0, 0
+        for step, entries in words.at(plot, "en").items():
+            page.evaluate(_GO, f"#AB={degrees[0]}&ED={degrees[1]}&step={step}&lang=en")
+            text = page.inner_text(".step-text")
+            right = [abs(value) for entry in entries for value in entry.numbers]
+            right += [float(each) for entry in entries for each in _NUMBER.findall(str(entry.words))]
+            for number in map(float, _NUMBER.findall(text)):
+                assert any(abs(number - each) <= 0.005 * each for each in right), (degrees, step, number, text)
+                told += 1
+            missing += text.count("= –") + text.count("– ×")
+        assert told > 60
+        assert (missing == 0) == (degrees == (110, 60)), missing
 
 
 @pytest.mark.parametrize("lang", ["en", "zh"])

@@ -120,6 +120,18 @@ def test_keys_turn_a_direction_and_languages_switch(taken):
     assert page.locator(".results").is_visible()
 
 
+@pytest.mark.parametrize("name", ["s4-ex2", "fig3-4"])
+def test_what_is_turned_is_always_in_view(name, browsing: Browsing, page_of):
+    """Also where the pole is near the edge of its paper, whatever way it points."""
+    page = browsing.open(page_of(name), viewport=WIDE)
+    page.click("[data-action=quiz]")
+    for angle in (45, 135, 225, 315):
+        page.fill("[data-quiz-angle]", str(angle))
+        assert page.evaluate("""() => { const [e, p] = ['.quiz-handle', '.quiz-direction'].map(s => document.querySelector(s));
+            const [a, b] = [e, p.ownerSVGElement].map(each => each.getBoundingClientRect());
+            return a.left >= b.left && a.right <= b.right && a.top >= b.top && a.bottom <= b.bottom }"""), angle
+
+
 def test_on_a_phone(browsing, page_of):
     page = browsing.open(page_of("ex3-1"), **PHONE)
     page.click("[data-action=quiz]")

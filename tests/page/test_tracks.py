@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import random
+from functools import cache
 
 import numpy as np
 import pytest
 
 from graphkin import api
-from graphkin.page.knots import cells_shown, page_knots
+from graphkin.page.knots import PageKnots, cells_shown, page_knots
 from graphkin.page.reach import Axis, Reach
 from graphkin.page.rows import rows
 from graphkin.page.stencils import Knots, stencil
@@ -17,6 +18,11 @@ from graphkin.sheet.marks import Stroke
 from graphkin.sheet.window import PLANES
 
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-"
+
+
+@cache
+def knots_of(name: str) -> PageKnots:
+    return page_knots(Reach.of(api.plan(api.load(name))))
 
 
 def unpacked(text: str) -> list[int]:
@@ -52,7 +58,7 @@ def test_what_is_drawn_between_knots_is_near_enough(name):
 
 def test_cells_of_a_grid_are_shown_where_they_are_near_enough():
     """Two drivers, each between dead points that go with the other: beyond the rim of what is shown there is nothing."""
-    knots, rng, seen = page_knots(Reach.of(api.plan(api.load("p3-14")))), random.Random(7), 0
+    knots, rng, seen = knots_of("p3-14"), random.Random(7), 0
     axes, plane = knots.reach.axes, "velocity"
     cells, shown = (every.reshape(knots.shape) for every in (cells_shown(knots, plane), knots.shown[plane]))
     for _ in range(250):
@@ -69,7 +75,7 @@ def test_cells_of_a_grid_are_shown_where_they_are_near_enough():
 @pytest.mark.parametrize("name", ["p3-14", "p3-21", "p3-22", "s4-ex6"])
 def test_the_drawn_position_of_several_drivers_is_a_knot(name):
     """There all planes are shown, and in more than every fourth cell around."""
-    knots = page_knots(Reach.of(api.plan(api.load(name))))
+    knots = knots_of(name)
     drawn = knots.reach.drawn
     at = tuple(int(np.abs(axis.u - u).argmin()) for axis, u in zip(knots.axes, drawn, strict=True))
     assert [axis.u[k] for axis, k in zip(knots.axes, at, strict=True)] == pytest.approx(drawn, abs=1e-9)

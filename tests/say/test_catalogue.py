@@ -161,10 +161,11 @@ def test_what_is_asked_for_exists():
 
 @cache
 def of_scripts() -> tuple[re.Pattern[str], ...]:
-    """What the scripts of pages ask for; of a family, `${..}` stands for its other words."""
-    texts = "".join(path.read_text("utf-8") for path in sorted((PACKAGE / "page" / "script").glob("*.[jh]*")))
+    """What the scripts of pages and their elements ask for; of a family, `${..}` or `{..}` stands for its other words."""
+    written = [*(PACKAGE / "page" / "script").glob("*.[jh]*"), *(PACKAGE / "page").glob("*.py")]
+    texts = "".join(path.read_text("utf-8") for path in sorted(written))
     quoted = {match[1] for match in re.finditer(r"""["`]([a-z$][^"`\n]*)["`]""", texts)}
-    return tuple(re.compile(re.sub(r"\\\$\\\{.+?\\\}", "(.+)", re.escape(text))) for text in quoted)
+    return tuple(re.compile(re.sub(r"(\\\$)?\\\{.+?\\\}", "(.+)", re.escape(text))) for text in quoted)
 
 
 def is_asked_for(name: str) -> bool:

@@ -8,7 +8,7 @@ import { BOARD, lettersOf, onWork, paperOf, recallWork, takeUp, work, WORK_PLACE
 import { letteredPoints, lineWords, stepsOf, stepWords } from "./board_steps.js";
 import { allLines } from "./board_tools.js";
 import { button, byId, html } from "./dom.js";
-import { nameWords } from "./signs.js";
+import { signNodes } from "./signs.js";
 import { svg } from "./svg.js";
 import { fillWords, inEachLanguage, language, say, setLanguage } from "./words.js";
 
@@ -33,7 +33,7 @@ function showSteps() {
     button({ class: `offer ${kind}`, "data-offer": name }, () => {
       toolField("name").value = name;
       nameStep(name);
-    }, nameWords(lettersOf(name)))));
+    }, html("span", { class: "name" }, ...signNodes(lettersOf(name))))));
 }
 
 /** @param {string} key */

@@ -98,7 +98,7 @@ class RoomView {
     }
     const away = letters.filter((letter) => !(letter in points));
     for (const letter of away) this.handle(letter)?.remove();
-    const puts = away.map((letter) => button({ "data-put": letter, "data-letter": letter, "data-word-label": "put" }, () => this.put(letter), letter));
+    const puts = away.map((letter) => button({ "data-put": letter, "data-word-label": "put" }, () => this.put(letter), letter));
     this.missing.replaceChildren(...(away.length ? [html("span", { "data-word": "not drawn" }), " ", ...puts] : []));
     fillWords(this.element);
   }

@@ -46,11 +46,14 @@ export class StepsPanel {
   /** @param {Template[][]} entries */
   entries(entries) {
     const chosen = entries.map((templates) => this.chosen(templates)).filter((template) => template !== null);
-    return chosen.map((template) => entryElement(template, this.values(template)));
+    const values = chosen.map((template) => this.values(template));
+    const isWhole = values.flat().every(Number.isFinite);
+    return [...chosen.map((template, k) => entryElement(template, values[k])),
+      ...(isWhole ? [] : [html("p", { class: "hint" }, say("page.not told"))])];
   }
 
   /** What is said here: the template of the nearest knot; another one where a number of that has passed 0 since, or
-   * where it is said at that knot alone. @param {Template[]} templates */
+   * where it is said at that knot alone, of those in a row. @param {Template[]} templates */
   chosen(templates) {
     const { words } = this.shown;
     const near = templates.find((template) => words.isNear(template.mask));
@@ -58,7 +61,7 @@ export class StepsPanel {
     const numbers = this.values(near);
     const track = (/** @type {number} */ number) => words.track(number)[words.nearest] ?? 0;
     const passed = (near.numbers ?? []).some((number, k) => !near.sizes?.includes(k) && track(number) * (numbers[k] ?? 0) < 0);
-    const alone = near.mask !== undefined && words.isAlone(near.mask);
+    const alone = near.mask !== undefined && words.axes.length === 1 && words.isAlone(near.mask);
     if (!passed && !alone) return near;
     const isAround = (/** @type {Template} */ { mask }) =>
       mask === undefined || words.corners.some((corner) => words.mask(mask)[corner]);
@@ -69,9 +72,10 @@ export class StepsPanel {
   values(template) {
     const { words } = this.shown;
     return (template.numbers ?? []).map((number, k) => {
-      const signed = words.value([number], template.mask);
+      const turn = template.turns?.includes(k) ? 360 : 0;
+      const signed = words.sure(number, template.mask, turn);
       const size = template.sizes?.includes(k) ? Math.abs(signed) : signed;
-      const value = template.turns?.includes(k) ? modulo(size, 360) : size;
+      const value = turn ? modulo(size, turn) : size;
       return Math.abs(value) < NOISE * words.quantum(number) ? 0 : value;
     });
   }
@@ -108,7 +112,7 @@ export function showResults({ mechanism: { values }, tracks }, cells) {
 export function quantityAt(value, tracks) {
   const [axis] = tracks.axes;
   const turns = axis?.period ? (tracks.us[0] - axis.u[0]) / axis.period : 0;
-  const number = tracks.value(value.value, value.mask) + (value.rise ?? 0) * turns;
+  const number = tracks.value(value.value, value.mask, value.turn) + (value.rise ?? 0) * turns;
   return value.size ? Math.abs(number) : number;
 }
 

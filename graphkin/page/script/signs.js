@@ -39,8 +39,3 @@ export function signNodes(signs, filled = (text) => text) {
     return term;
   });
 }
-
-/** A name in a line of words. @param {Sign[]} signs */
-export function nameWords(signs) {
-  return html("span", { class: "name" }, ...signNodes(signs));
-}

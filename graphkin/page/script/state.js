@@ -18,7 +18,7 @@ import { Tracks } from "./tracks.js";
  * origin: [number, number], rows: Row[], mask?: number, cells?: number | null}} PlaneData */
 /** @typedef {{kind: string, words: Sign[][], numbers?: number[], sizes?: number[], turns?: number[], mask?: number}} Template */
 /** @typedef {{step: number, plane: string, en: Template[][], zh: Template[][]}} StepData */
-/** @typedef {{name: string, unit: string, value: Changing, mask?: number, rise?: number, size?: boolean,
+/** @typedef {{name: string, unit: string, value: Changing, mask?: number, rise?: number, turn?: number, size?: boolean,
  * diagram: {x: [number, number], y: [number, number]}}} ValueData */
 /** `stage`: the elements, as HTML.
  * @typedef {{name: string, title: Both, axes: Axis[], planes: PlaneData[], wordKnots: number[][], stage: string,

@@ -61,7 +61,7 @@ export class Tracks {
     /** @type {Uint8Array[]} */
     this.unpackedMasks = [];
     this.us = axes.map((axis) => axis.u[0]);
-    /** @type {Record<number, Stencil>} */
+    /** @type {Record<string, Stencil>} */
     this.stencils = {};
     this.nearest = 0;
     /** @type {number[]} */
@@ -76,9 +76,10 @@ export class Tracks {
     this.corners = cornersOf(this.axes, us);
   }
 
-  /** @param {number | undefined} mask */
-  stencil(mask) {
-    return (this.stencils[mask ?? -1] ??= stencilAt(this.axes, this.us, mask === undefined ? null : this.mask(mask)));
+  /** @param {number | undefined} mask @param {number} [most] knots along each driver */
+  stencil(mask, most = 8) {
+    const there = mask === undefined ? null : this.mask(mask);
+    return (this.stencils[`${mask} ${most}`] ??= stencilAt(this.axes, this.us, there, most));
   }
 
   /** @param {number} number */
@@ -91,12 +92,27 @@ export class Tracks {
     return (this.tracks[number] ??= unpackedTrack(this.packed[number]));
   }
 
-  /** A number where the drivers are. @param {Changing} changing @param {number} [mask] */
-  value(changing, mask) {
+  /** A number where the drivers are; one that begins anew after a turn goes on past it. @param {Changing} changing
+   * @param {number} [mask] @param {number} [turn] @param {number} [most] */
+  value(changing, mask, turn = 0, most = 8) {
     if (typeof changing === "number") return changing;
-    const { numbers, weights } = this.stencil(mask);
+    const { numbers, weights } = this.stencil(mask, most);
     const track = this.track(changing[0]);
-    return numbers.reduce((sum, number, k) => sum + weights[k] * (track[number] ?? 0), 0);
+    const middle = track[numbers[numbers.length >> 1]] ?? 0;
+    const near = (/** @type {number} */ value) => (turn ? value + turn * Math.round((middle - value) / turn) : value);
+    return numbers.reduce((sum, number, k) => sum + weights[k] * near(track[number] ?? 0), 0);
+  }
+
+  /** The same; of a coarse grid what a knot has, between knots NaN where fewer of them, or not those around, say something
+   * else. @param {number} number @param {number | undefined} mask @param {number} turn */
+  sure(number, mask, turn) {
+    if (this.axes.length < 2) return this.value([number], mask, turn);
+    if (isAtKnot(this.axes, this.us)) return this.isNear(mask) ? this.track(number)[this.nearest] : NaN;
+    const [whole, less, least] = [8, 6, 4].map((most) => this.value([number], mask, turn, most));
+    const [many, fewer, few] = [8, 6, 4].map((most) => this.stencil(mask, most).numbers);
+    const isAmong = many.length > fewer.length && fewer.length > few.length && this.corners.every((knot) => few.includes(knot));
+    const off = [less, least].map((other) => Math.max(0, Math.abs(whole - other) - this.quantum(number)) / Math.abs(whole));
+    return isAmong && !(off[0] > 0.001) && !(off[1] > 0.02) ? whole : NaN;
   }
 
   /** @param {number} number */
@@ -146,10 +162,10 @@ function knotAt({ u, period }, number) {
   return u[modulo(number, u.length)] + Math.floor(number / u.length) * period;
 }
 
-/** First knots of windows about a place, the best first. @param {Knots} knots @param {number} u @param {number} count */
+/** First knots of windows with a knot beside a place, the best first. @param {Knots} knots @param {number} u @param {number} count */
 function windowsAbout(knots, u, count) {
   const middle = cellOf(knots, u) - (count >> 1) + 1;
-  const firsts = Array.from({ length: 2 * count + 1 }, (_, k) => middle + (k % 2 ? -(k + 1) / 2 : k / 2));
+  const firsts = Array.from({ length: count + 1 }, (_, k) => middle + (k % 2 ? -(k + 1) / 2 : k / 2));
   return firsts.filter((first) => knots.period || (first >= 0 && first <= knots.u.length - count));
 }
 
@@ -169,9 +185,10 @@ function* ways([some, ...others]) {
 }
 
 /** The knots that give the value at a place, and their weights; where none do, the nearest alone. @param {Knots[]} axes
- * @param {number[]} us @param {Uint8Array | null} mask at which knots it is there @returns {Stencil} */
-function stencilAt(axes, us, mask) {
-  for (let count = 8; count > 0; count -= 2) {
+ * @param {number[]} us @param {Uint8Array | null} mask at which knots it is there @param {number} most knots along each
+ * @returns {Stencil} */
+function stencilAt(axes, us, mask, most) {
+  for (let count = most; count > 0; count -= 2) {
     const counts = axes.map((axis) => Math.min(count, axis.u.length));
     const firsts = axes.map((axis, k) => windowsAbout(axis, us[k], counts[k]));
     for (const window of ways(firsts)) {

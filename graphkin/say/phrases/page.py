@@ -22,6 +22,7 @@ PHRASES: Phrases = {
     "page.steps": ("Construction", "作图步骤"),
     "page.step": ("Step {step} of {count}", "第 {step} 步，共 {count} 步"),
     "page.all steps": ("Whole drawing; step through it with the arrows.", "完整图形；用箭头逐步作图。"),
+    "page.not told": ("– : not known well enough between the calculated positions.", "– ：在两个计算位置之间，数值不够准确，不予给出。"),
     "page.next": ("Next step", "下一步"),
     "page.back": ("Step back", "上一步"),
     "page.whole": ("Whole", "全部"),

@@ -17,7 +17,7 @@ PHRASES: Phrases = {
     "photo.corner": ("{letter}: {x} mm to the right, {y} mm up", "{letter}：向右 {x} mm，向上 {y} mm"),
     "photo.confirm": ("This is right", "核对无误"),
     "photo.not drawn": ("not drawn:", "未画："),
-    "photo.put": ("put {letter} on the drawing", "在图上放置 {letter}"),
+    "photo.put": ("put {put} on the drawing", "在图上放置 {put}"),
     "photo.empty": ("Nothing is drawn", "没有作图"),
     "photo.saved": ("Saved: {file}", "已保存：{file}"),
     "photo.not read": ("Not read", "未能识读"),

@@ -39,8 +39,8 @@ PHRASES: Phrases = {
     "quiz.score": ("{right} of {count} right at the first try.", "{count} 题中有 {right} 题一次答对。"),
     "quiz.handle": ("Direction of {name}", "{name} 的方向"),
     # === layers
-    "layers.centres": ("Instant centres", "瞬心"),
-    "layers.curve": ("Coupler curve of {name}", "点 {name} 的连杆曲线"),
-    "layers.centrode": ("Centrodes of link {name}", "构件 {name} 的瞬心线"),
-    "layers.diagrams": ("Motion diagrams", "运动线图"),
+    "layers.show centres": ("Instant centres", "瞬心"),
+    "layers.show curve": ("Coupler curve of {name}", "点 {name} 的连杆曲线"),
+    "layers.show centrode": ("Centrodes of link {name}", "构件 {name} 的瞬心线"),
+    "layers.show diagrams": ("Motion diagrams", "运动线图"),
 }
