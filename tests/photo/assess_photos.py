@@ -48,12 +48,12 @@ _WRONG = {"wrong", "carried"}  # verdicts of what is not as it should be
 WRONG, MOVED = 0.5, 1.5  # a corner off by more is wrong; a mistake is there to be seen that moves one by so much [mm]
 
 
-@lru_cache(8)
+@lru_cache(16)
 def _paper(mechanism: str) -> PrintedPaper:
     return paper_of(mechanism)
 
 
-@lru_cache(8)
+@lru_cache(16)
 def _mistakes(mechanism: str) -> tuple[Rewrite, ...]:
     drawing = _paper(mechanism).problem.drawing
     return tuple(one for one in rewrites(drawing.method, drawing.plot) if one.edits)
