@@ -110,7 +110,9 @@ def _tries(ink: Ink, one: Candidate, arrow: tuple[str, str] | None) -> np.ndarra
     if arrow is None:
         return _TURNS
     start, tip = (one.corners[one.way.letters.index(name)] for name in arrow)
-    return np.r_[_TIMES, (ink.places() - start) / (tip - start)] if abs(tip - start) > _SHORT else np.empty(0)
+    if abs(tip - start) <= _SHORT:
+        return np.empty(0)
+    return np.asarray(np.r_[_TIMES, (ink.places() - start) / (tip - start)])
 
 
 def _varied(ink: Ink, one: Candidate, spot: Spot, tries: np.ndarray) -> Candidate | None:
