@@ -152,7 +152,7 @@ def _goes_on(ink: Ink, end: complex, start: complex) -> complex:
 
 def _last_ink(ink: Ink, place: complex, along: complex, first: float, most: float) -> float | None:
     """How far along from a place ink ends that begins at `first` [mm], before a gap; None: not before `most`."""
-    t = np.arange(first, most, 0.1)
+    t = np.arange(first, max(most, first + 0.1), 0.1)
     bare = ink.at(place + along * (t[:, None] + 1j * np.arange(-2, 3) * 0.1)).max(axis=1) <= 0.75 * ink.least
     gaps = np.flatnonzero(np.convolve(bare, np.ones(_GAP))[: len(t)] == _GAP)
     return float(t[max(0, gaps[0] - _GAP)]) if len(gaps) else None

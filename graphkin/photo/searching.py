@@ -25,7 +25,7 @@ SLIP = 8.0  # so much ink must be explained by each place that is otherwise [mm]
 _FEW, _TRIED, _MOST, _SLIPS = 5, 3, 15, 3
 """Constructions that are kept; of these, those that are varied; those that are looked at closely; slips in one."""
 _COMPLETE = 0.04  # a construction is complete when a smaller part of its strokes has no ink
-_TURNS = np.exp(1j * np.radians(np.arange(-89, 91, 1.0)))
+_TURNS: np.ndarray = np.exp(1j * np.radians(np.arange(-89, 91, 1.0)))
 _FINE = np.outer(np.linspace(0.98, 1.02, 9), np.exp(1j * np.radians(np.linspace(-1, 1, 9)))).ravel()
 _TIMES = np.r_[-np.geomspace(3.0, 0.1, 60), 0.0, np.geomspace(0.1, 5.0, 200)]
 
