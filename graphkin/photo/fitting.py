@@ -109,8 +109,8 @@ class Fit:
         """The corners that fit best; their standard deviations. One that would move farther [mm] is not known."""
         drawn = {stroke: line for stroke, line in self.lines.items() if line.covered > _DRAWN}
         seen = [row for stroke, line in drawn.items() for row in self._beside(stroke, line)]
-        rows, free = [*seen, *self._ending()], np.delete(np.arange(len(self.at)), self.pole)
-        both, corners = np.r_[free, free + len(self.at)], self.candidate.corners[free]
+        rows, free = [*seen, *self._ending()], [k for k in range(len(self.at)) if k != self.pole]
+        both, corners = np.r_[free, np.array(free) + len(self.at)], self.candidate.corners[free]
         prior = np.linalg.inv(self.hand[np.ix_(both, both)])
         times = np.array([[row.times.get(k, 0j) / row.off for k in free] for row in rows]).reshape(-1, len(free))
         told, values = np.hstack([times.real, -times.imag]), np.array([row.value / row.off for row in rows])

@@ -142,7 +142,7 @@ class Ink:
 
         at = np.atleast_2d(self.pixels(places)).astype(np.complex64)
         how = cv2.INTER_LINEAR if straight else cv2.INTER_NEAREST
-        found = cv2.remap(raster, at.view(np.float32).reshape(*at.shape, 2), None, how, borderValue=0)
+        found = cv2.remap(raster, at.real.copy(), at.imag.copy(), how, borderValue=0)
         return np.asarray(found).reshape(np.shape(places))
 
     def is_printed(self, places: np.ndarray) -> np.ndarray:

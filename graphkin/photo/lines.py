@@ -12,7 +12,8 @@ from graphkin.photo.ink import Ink
 _EVERY, _ACROSS = 0.2, 0.1  # of the profiles along a line, and of their places [mm]
 _TRIM = 1.0  # at the ends of a line, where others begin [mm]
 _LONG = 15.0  # shorter lines are followed on beyond their ends [mm]
-_ON = 8.0  # by so much each time
+_ON, _NEAR, _GAP = 8.0, 6.0, 9
+"""By so much each time; an end is sought so far [mm]; ink ends where so many profiles, 0.1 mm apart, have none."""
 _WIDER = 1.12  # so many times as wide as usual strokes is more than one
 _SPOILT = 6.0  # a line with another beside it all along is known so many times worse
 _FULL = 0.5  # half the width of a profile about its middle: a stroke and its blur, in widths of strokes
@@ -143,15 +144,18 @@ def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float,
 
 def _goes_on(ink: Ink, end: complex, start: complex) -> complex:
     """The place up to which ink goes on straight beyond an end, no farther than the line is long."""
-    along = (end - start) / abs(end - start)
-    t = np.arange(0.2, min(abs(end - start), _ON), _EVERY)
-    if not len(t):
-        return end
-    dark = ink.at(end + along * (t[:, None] + 1j * np.arange(-2, 3) * 0.1)).max(axis=1) > 0.75 * ink.least
-    gap = 5  # profiles
-    ends = np.flatnonzero(np.convolve(~dark, np.ones(gap), "full")[: len(t)] == gap)
-    far = t[ends[0] - gap] if len(ends) and ends[0] >= gap else 0.0 if len(ends) else t[-1]
-    return end + along * max(0.0, far - _TRIM) if far > 2 * _TRIM else end
+    along, most = (end - start) / abs(end - start), min(abs(end - start), _ON)
+    last = _last_ink(ink, end, along, 0.2, most)
+    far = most if last is None else last
+    return end + along * (far - _TRIM) if far > 2 * _TRIM else end
+
+
+def _last_ink(ink: Ink, place: complex, along: complex, first: float, most: float) -> float | None:
+    """How far along from a place ink ends that begins at `first` [mm], before a gap; None: not before `most`."""
+    t = np.arange(first, max(most, first + 0.1), 0.1)
+    bare = ink.at(place + along * (t[:, None] + 1j * np.arange(-2, 3) * 0.1)).max(axis=1) <= 0.75 * ink.least
+    gaps = np.flatnonzero(np.convolve(bare, np.ones(_GAP))[: len(t)] == _GAP)
+    return float(t[max(0, gaps[0] - _GAP)]) if len(gaps) else None
 
 
 def _straight(x: np.ndarray, y: np.ndarray) -> tuple[float, float, float, float]:
@@ -177,15 +181,6 @@ def free_end(ink: Ink, line: Line, near: complex, inwards: complex) -> complex |
     comes from. None: it ends nowhere near."""
     at = line.middle + line.along * ((near - line.middle) * line.along.conjugate()).real
     along = line.along if ((at - inwards) * line.along.conjugate()).real > 0 else -line.along
-    t = np.arange(-min(6.0, abs(at - inwards) / 2), 6.0, 0.1)
-    across = np.arange(-2, 3) * 0.1
-    dark = ink.at(at + along * (t[:, None] + 1j * across)).max(axis=1) > 0.75 * ink.least
-    last, gap = 0, 0
-    for k, there in enumerate(dark):
-        gap = 0 if there else gap + 1
-        last = k if there else last
-        if gap > 8:
-            break
-    if last >= len(t) - 9 or not dark[: max(1, len(t) // 4)].any():
-        return None
-    return complex(at + along * (t[last] - ink.pencil / 2))
+    first = -min(_NEAR, abs(at - inwards) / 2)
+    last = _last_ink(ink, at, along, first, _NEAR)
+    return None if last is None or last <= first else complex(at + along * (last - ink.pencil / 2))

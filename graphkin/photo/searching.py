@@ -25,7 +25,7 @@ SLIP = 8.0  # so much ink must be explained by each place that is otherwise [mm]
 _FEW, _TRIED, _MOST, _SLIPS = 5, 3, 15, 3
 """Constructions that are kept; of these, those that are varied; those that are looked at closely; slips in one."""
 _COMPLETE = 0.04  # a construction is complete when a smaller part of its strokes has no ink
-_TURNS = np.exp(1j * np.radians(np.arange(-89, 91, 1.0)))
+_TURNS: np.ndarray = np.exp(1j * np.radians(np.arange(-89, 91, 1.0)))
 _FINE = np.outer(np.linspace(0.98, 1.02, 9), np.exp(1j * np.radians(np.linspace(-1, 1, 9)))).ravel()
 _TIMES = np.r_[-np.geomspace(3.0, 0.1, 60), 0.0, np.geomspace(0.1, 5.0, 200)]
 
@@ -110,7 +110,9 @@ def _tries(ink: Ink, one: Candidate, arrow: tuple[str, str] | None) -> np.ndarra
     if arrow is None:
         return _TURNS
     start, tip = (one.corners[one.way.letters.index(name)] for name in arrow)
-    return np.r_[_TIMES, (ink.places() - start) / (tip - start)] if abs(tip - start) > _SHORT else np.empty(0)
+    if abs(tip - start) <= _SHORT:
+        return np.empty(0)
+    return np.asarray(np.r_[_TIMES, (ink.places() - start) / (tip - start)])
 
 
 def _varied(ink: Ink, one: Candidate, spot: Spot, tries: np.ndarray) -> Candidate | None:

@@ -17,7 +17,7 @@ from graphkin.handouts import handout
 from graphkin.handouts.document import GridRoom
 from graphkin.homework.grading import key_from
 from graphkin.outputs.sheets_json import read_sheets
-from graphkin.photo.sheets import PrintedSheet
+from graphkin.photo.sheets import PrintedSheet, SheetRoom
 
 pdfium = pytest.importorskip("pypdfium2")
 pytest.importorskip("typst")
@@ -39,12 +39,20 @@ def dark(picture: np.ndarray, at: complex, half: float, darker: int = 60) -> com
     return complex(columns.mean() + x - reach + 0.5, rows.mean() + y - reach + 0.5) * 25.4 / _DPI
 
 
+def light(picture: np.ndarray, room: SheetRoom, aside: float) -> float:
+    """How light it is beside the line through a pole, all along it in its room."""
+    along = np.exp(-1j * room.direction)
+    places = room.pole + along * (np.arange(-300, 300, 0.2) + 1j * aside)
+    inside = [(room.low.real + 1 < at.real < room.high.real - 1) and (room.low.imag + 1 < at.imag < room.high.imag - 1) for at in places]
+    return float(np.mean([picture[round(at.imag * _DPI / 25.4), round(at.real * _DPI / 25.4)] for at in places[inside]]))
+
+
 def ordered(*words: str) -> None:
     done = CliRunner().invoke(main, ["handout", *words])
     assert done.exit_code == 0, done.output
 
 
-@pytest.mark.parametrize(("name", "paper"), [("ex3-1", "A4"), ("ex3-5", "letter"), ("p3-16", "A4")])
+@pytest.mark.parametrize(("name", "paper"), [("ex3-1", "A4"), ("ex3-3", "A4"), ("ex3-5", "letter"), ("p3-16", "A4")])
 def test_rooms_lie_where_they_are_painted(name: str, paper: str, tmp_path: Path):
     path = tmp_path / "a.pdf"
     ordered(name, "--stage", "blank", "--scan", "7", "--paper", paper, "--both", "-o", str(path))
@@ -60,6 +68,7 @@ def test_rooms_lie_where_they_are_painted(name: str, paper: str, tmp_path: Path)
         pole = dark(picture, room.pole, 0.6)
         assert pole is not None
         assert abs(pole - room.pole) < 0.05
+        assert light(picture, room, 0.0) < min(light(picture, room, aside) for aside in (-1.5, -0.8, 0.8, 1.5)) - 10
         for corner, out in ((room.low, -1 - 1j), (room.high, 1 + 1j)):  # the frame is 0.35 mm wide, and nothing is black beyond it
             assert dark(picture, corner, 0.15) is not None
             assert dark(picture, corner + 1.2 * out, 0.8) is None
