@@ -21,7 +21,7 @@ from graphkin.sheet.window import Extent, Window
 
 _AIR = 6.0  # from a block to the figure beside it, with room for letters [mm]
 _LEAST = 5.0  # points in less room than this are no figure [mm]
-_EDGE, _TIGHT = 3.0, 2.5  # from a block to the side of its corner, and to the other and to other blocks at least [mm]
+_EDGE, _RIM, _TIGHT = 3.0, 1.0, 2.5  # from a block to the side of its corner, to the other, and to other blocks [mm]
 _OTHER_SIDE, _OTHER_END = 0.04, 0.1  # the cost of a block on the right, or at the end it is not meant for
 _CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
 
@@ -143,9 +143,9 @@ def standing(rooms: Array, extent: Extent) -> Standing:
 
 def _fitting(choices: _Choices, need: Array, blocks: Sequence[tuple[Array, Array, Array]], room: Array) -> Array:
     """Infinite where a block is too large for its room beside those that stand there already."""
-    size, room = choices.size[..., None], room - np.array([[_TIGHT], [0.0]])
-    fits = (size <= room[:, None]).all(axis=0)
+    size, wide = choices.size[..., None], np.array([[[1.0]], [[0.0]]])  # the top is the heading's foot
+    fits = (size + _RIM * wide <= room[:, None]).all(axis=0)
     for other, corner, _ in blocks:
         aside = corner != np.array(choices.corner)[:, None]
-        fits &= (aside[:, None] & (size + other[:, None] <= room[:, None])).any(axis=0)
+        fits &= (aside[:, None] & (size + other[:, None] + _TIGHT * wide <= room[:, None])).any(axis=0)
     return np.where(fits, need, np.inf)

@@ -40,7 +40,7 @@ _LED = 3.0  # the additional burden of a leader in a detail
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
 _ROUND = 1.2  # a circle is so many times as large as what it is to show
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
-_NUMERALS = ("I", "II")  # of the details of one figure, which has no more
+_NUMERALS = ("I", "II", "III")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
 
 

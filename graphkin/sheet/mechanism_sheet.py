@@ -1,9 +1,8 @@
 """The sheet of a mechanism: its figure and its polygons, laid out and lettered.
 
-It is the cheapest of several arrangements. An arrangement is a paper and its division into rooms, by which all is
-composed; it costs the labels that find no place, those at the end of a leader, and what stands in the strip off its
-figure. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
-smallest paper that holds all, details, the same paper turned, a larger paper.
+It is the cheapest of several arrangements, each a paper and its division into rooms: it costs labels that find no
+place, those at the end of a leader, and what stands in the strip off its figure. They are composed one after the other
+where that may mend a fault of the best so far: on the smallest paper that holds all, with details, on larger ones.
 """
 
 from __future__ import annotations
