@@ -209,7 +209,7 @@ class Arrows:
 
     def _apart(self, low: Array, high: Array) -> Array:
         """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""
-        (left, top), (right, bottom) = np.moveaxis(low, -1, 0), np.moveaxis(high, -1, 0)
+        (left, top), (right, bottom) = low.transpose(2, 0, 1), high.transpose(2, 0, 1)
         corners = (x + 1j * y for x in (left, right) for y in (top, bottom))
         distances = [abs(off_lines(corner, self.start, self.end)) for corner in corners]
         for end in (self.start, self.end):

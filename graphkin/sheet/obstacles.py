@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
+from copy import copy
 from itertools import pairwise
 
 import numpy as np
@@ -34,6 +35,13 @@ class Obstacles:
         self._low, self._high = np.minimum(start, end), np.maximum(start, end)
         along[1] += (along == 0).all(axis=0)
         self._across = np.array([-along[1], along[0]]) / (np.where(along[1] < 0, -1.0, 1.0) * abs(along).sum(axis=0))
+
+    def __add__(self, other: Obstacles) -> Obstacles:
+        """Both together."""
+        both = copy(self)
+        for name, own in vars(other).items():
+            setattr(both, name, np.concatenate([getattr(self, name), own], axis=1))
+        return both
 
     def _beside(self, low: Array, high: Array) -> Iterator[tuple[Array, Array]]:
         """Pairs of boxes low..high (2, n) and of lines whose surroundings touch them, by their numbers; of some boxes
