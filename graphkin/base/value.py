@@ -114,27 +114,26 @@ def _filler(cls: Any) -> Fill:
     names = tuple(entries)
     defaults = {name: each.default for name, each in entries.items() if each.default is not MISSING}
     makers = {name: each.default_factory for name, each in entries.items() if each.default_factory is not MISSING}
+    filled = {*defaults, *makers}
     post: Fill | None = getattr(cls, "__post_init__", None)
-    rests = {
-        number: {name: defaults[name] for name in names[number:]}
-        for number in range(len(names) + 1)
-        if all(name in defaults for name in names[number:])
-    }
-    """What so many values by place leave to the defaults."""
+    rests: dict[tuple[object, ...], dict[str, object]] = {}
+    """By how many values are given by place, and which by name: the defaults of all others."""
+
+    def left(count: int, named: Iterable[str]) -> dict[str, object]:
+        given = [*names[:count], *named]
+        others = entries.keys() - given
+        if count > len(names) or len({*given}) < len(given) or not {*given} <= entries.keys() or others - filled:
+            raise TypeError(f"{cls.__name__} wants {', '.join(names)}; given: {count} by place, {[*named]}")
+        return {name: defaults[name] for name in names if name in others and name in defaults}
 
     def fill(self: object, /, *args: object, **named: object) -> None:
-        data = self.__dict__
-        rest = None if named else rests.get(len(args))
-        if rest is not None:
-            data.update(zip(names, args))
-            data.update(rest)
-        else:
-            data.update(defaults)
-            data.update(zip(names, args), **named)
+        data, key = self.__dict__, (len(args), *named)
+        if (rest := rests.get(key)) is None:
+            rest = rests[key] = left(len(args), named)
+        data.update(zip(names, args), **named)
+        data.update(rest)
+        if makers:
             data.update((name, make()) for name, make in makers.items() if name not in data)
-            twice = not named.keys().isdisjoint(names[: len(args)])
-            if data.keys() != entries.keys() or len(args) > len(names) or twice:
-                raise TypeError(f"{cls.__name__} wants {', '.join(names)}; given: {len(args)} by place, {[*named]}")
         if post is not None:
             post(self)
 

@@ -67,12 +67,12 @@ def statement(sheet: Sheet, moving: bool = False) -> str:
 
 def _drawn(sheet: Sheet) -> dict[str, object]:
     """Contents of each mark, the texts, and where signs are that show nothing: a reader holds the sheet to them."""
-    drawn = [(kind(mark), said) for mark in sheet.marks if (said := stated(mark))]
-    placed = any(isinstance(mark, PointMark) and mark.plane in KEYS for mark in sheet.marks)
-    texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
+    every = [(mark, stated(mark)) for mark in sheet.marks]
+    drawn = [(kind(mark), said) for mark, said in every if said]
+    placed = any(isinstance(mark, PointMark) and mark.plane in KEYS for mark, _ in every)
+    texts = [mark for mark, _ in every if isinstance(mark, Text)]
     signs = []  # held against no length: what shows nothing, or a line of a link without points of it
-    for mark in sheet.marks:
-        said = stated(mark)
+    for mark, said in every:
         unheld = not placed and kind(mark) == "link" and said.get("form") != "ruler"
         if not isinstance(mark, Text) and (not said or unheld):
             one, other = _ends(mark)

@@ -85,13 +85,15 @@ class Planes:
 
     def _figure(self, plane: Plane, window: Window) -> Figure:
         figure = self._outline(plane, window)
-        arcs = plane == "position" and self.style != "result"
+        if plane != "position":
+            return heads_apart(figure)
+        arcs = self.style != "result"
         return angles(self.sizes, self.skeleton(window), figure.marks) + figure if arcs else figure
 
     def _outline(self, plane: Plane, window: Window) -> Figure:
-        """Without the arcs of given angles, for which there is room beside links."""
+        """Without what reaches no farther: heads beside one another, and arcs of given angles."""
         if plane != "position":
-            return with_break_signs(heads_apart(side_by_side(polygon_figure(self.polygon(plane, window)))))
+            return with_break_signs(side_by_side(polygon_figure(self.polygon(plane, window))))
         skeleton = self.skeleton(window)
         if self.style == "given":
             return mechanism_figure(skeleton, self.method, bare=True)  # as a problem gives it

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Sequence
 from copy import copy
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import accumulate, pairwise
 from math import ceil
 
@@ -34,28 +34,30 @@ class FreeRoom:
     """A figure with its labels, and what has been added since."""
 
     def __init__(self, scene: LabelScene, labels: Sequence[Mark] = ()) -> None:
-        self._scene, self.room, self.marks = scene, scene.room, [*scene.drawn, *scene.rows, *labels]
-        self._first, self._standing = len(self.marks), [scene.known, *([obstacles(labels)] if labels else [])]
-        self._late: dict[int, Obstacles] = {}
-        self._letters = _boxes([mark for mark in self.marks if isinstance(mark, Text)], scene.taken)
+        self._scene, self.room, self.marks = scene, scene.room, [*scene.drawn, *scene.rows]
+        self._lying, self._new, self._letters = scene.known, list[Mark](), _boxes(self.marks, scene.taken)
+        self.add(labels)
 
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
         self.marks += marks
-        self._late = {}
+        self._new += marks
         for name in ("_sums", "_signs"):
             vars(self).pop(name, None)
-        self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
+        self._letters = np.concatenate([self._letters, _boxes(marks)])
 
-    def _added(self, first: int) -> list[Obstacles]:
-        """Obstacles that came after so many marks, if any; made when they are asked for: much is added before."""
-        if first < len(self.marks) and first not in self._late:
-            self._late[first] = obstacles(self.marks[first:])
-        return [self._late[first]] if first < len(self.marks) else []
+    def _clear(self, free: Array, low: Array, high: Array, lying: Obstacles | None = None) -> Array:
+        """True for those of the boxes so far free that keep off all that lies there; made to obstacles when it is asked
+        for, as much is added before."""
+        if (rows := np.flatnonzero(free)).size:
+            if lying is None and self._new:
+                self._lying, self._new = self._lying + obstacles(self._new), []
+            free[rows] = ~(lying or self._lying).touched(low[rows].T - _CLEAR, high[rows].T + _CLEAR)
+        return free
 
     def free(self, low: Array, high: Array) -> Array:
         """True for those of many boxes (n, 2) that touch nothing and lie in the room."""
-        return _clear(self._scene.inside(low.T, high.T), low, high, [*self._standing, *self._added(self._first)])
+        return self._clear(self._scene.inside(low.T, high.T), low, high)
 
     def reach(self, start: Place, along: complex, most: float) -> float:
         """The length of a line on from a place, without running into letters or out of the room [mm]."""
@@ -70,7 +72,7 @@ class FreeRoom:
         """The pieces of a line that lie clear of letters and in the room."""
         length = abs(end - start)
         along, steps = (end - start) / length, np.arange(0.0, length + _STEPS / 2, _STEPS)
-        at, letters = xy(start + along * steps)[:, None], np.moveaxis(self._letters, -1, 0)[..., None]
+        at, letters = xy(start + along * steps)[:, None], self._letters.transpose(2, 0, 1)[..., None]
         bad = overlap(letters[:, :, 0] - _CLEAR, letters[:, :, 1] + _CLEAR, at, at).any(axis=0)
         bad |= ~self._scene.inside(at[:, 0], at[:, 0])
         turns = np.flatnonzero(np.diff(np.concatenate([[True], bad, [True]])))
@@ -105,7 +107,8 @@ class FreeRoom:
         marks, letters = len(self.marks), len(self._letters)
         for own in (slice(*pair) for pair in pairwise(ends)):
             left = free[own] & ~_beside(low[own], high[own], self._letters[letters:])
-            left = _clear(left, low[own], high[own], self._added(marks))
+            if len(self.marks) > marks:
+                left = self._clear(left, low[own], high[own])
             cost = np.where(left, every.cost[own], np.inf)
             yield complex(every.middle[own][cost.argmin()]) if left.any() else None
 
@@ -146,22 +149,23 @@ class FreeRoom:
     def fitting(self, groups: Sequence[tuple[Sequence[Mark], Sequence[Mark]]]) -> list[int]:
         """The numbers of the groups of marks for which there is room: those of a first part touch nothing, those of a
         second no letters, arcs and arrow heads."""
-        good = np.arange(len(groups))
+        good = [*range(len(groups))]
         for part, letters in ((0, True), (0, False), (1, False)):  # few are left when lines are held against all
-            every = [(k, mark) for k in good.tolist() for mark in groups[k][part] if isinstance(mark, Text) == letters]
+            every = [(k, mark) for k in good for mark in groups[k][part] if isinstance(mark, Text) == letters]
             if not every:
                 continue
-            owner, marks = np.array([k for k, _ in every]), [mark for _, mark in every]
+            marks = [mark for _, mark in every]
             if letters:
                 covers = [_cover(mark) for mark in marks if isinstance(mark, Text)]
-                low, high = (np.concatenate(side) for side in zip(*covers, strict=True))
-                number = np.repeat(np.arange(len(marks)), [len(each) for each, _ in covers])
+                low, high = np.concatenate(covers).swapaxes(0, 1)
+                number = np.repeat(np.arange(len(marks)), [len(each) for each in covers])
                 free = self.free(low, high) & ~_beside(low, high, self._letters)
             else:
                 at, number = places(marks, _SLICE)
-                free = _clear(self._scene.inside(at, at), at.T, at.T, [self._signs]) if part else self.free(at.T, at.T)
-            good = good[~np.isin(good, owner[number[~free]])]
-        return [int(number) for number in good]
+                free = self._clear(self._scene.inside(at, at), at.T, at.T, self._signs if part else None)
+            bad = {every[k][0] for k in number[~free].tolist()}
+            good = [k for k in good if k not in bad]
+        return good
 
     @cached_property
     def _signs(self) -> Obstacles:
@@ -173,17 +177,9 @@ class FreeRoom:
     def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
         """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
         other = copy(self)
-        other.marks = [*self.marks]
+        other.marks, other._new = [*self.marks], [*self._new]
         other.add(marks)
         return next(other.letters([want]))
-
-
-def _clear(free: Array, low: Array, high: Array, lying: Sequence[Obstacles]) -> Array:
-    """True for those of the boxes so far free that keep off all that lies there."""
-    for each in lying:
-        rows = np.flatnonzero(free)
-        free[rows] = ~each.touched(low[rows].T - _CLEAR, high[rows].T + _CLEAR)
-    return free
 
 
 def _beside(low: Array, high: Array, letters: Array) -> Array:
@@ -192,18 +188,22 @@ def _beside(low: Array, high: Array, letters: Array) -> Array:
     return np.asarray(overlap(low.T[..., None], high.T[..., None], least.T[:, None], most.T[:, None]).any(axis=1))
 
 
-def _boxes(texts: Sequence[Text], taken: Sequence[Room] = ()) -> Array:
-    """Lower and upper corner of each text, and of rooms of others (n, 2, 2)."""
+def _boxes(marks: Sequence[Mark], taken: Sequence[Room] = ()) -> Array:
+    """Lower and upper corner of each text among marks, and of rooms of others (n, 2, 2)."""
     rooms = np.array([(room.left, room.top, room.right, room.bottom) for room in taken]).reshape(-1, 2, 2)
-    return np.concatenate([rooms, *(np.stack(_cover(text), axis=1) for text in texts)])
+    return np.concatenate([rooms, *(_cover(mark) for mark in marks if isinstance(mark, Text))])
 
 
-def _cover(text: Text) -> tuple[Array, Array]:
-    """Boxes low..high (n, 2) that hold letters: slices of them where they are turned."""
+def _cover(text: Text) -> Array:
+    """Lower and upper corner of boxes that hold letters (n, 2, 2): slices of them where they are turned."""
     (wide, up, down), turn, (x, y) = box(text.label, text.size), cmath.rect(1, text.turn), (text.at.real, text.at.imag)
     if not text.turn:
-        return np.array([[x, y - up]]), np.array([[x + wide, y + down]])
-    at = text.at + turn * np.linspace(0.0, wide, int(wide / _SLICE) + 2)
-    ends = np.stack([at - 1j * turn * up, at + 1j * turn * down])
-    sides = np.stack([ends.real, ends.imag], axis=-1)
-    return sides.min(axis=0), sides.max(axis=0)
+        return np.array([[[x, y - up], [x + wide, y + down]]])
+    at = text.at + turn * _slices(wide)
+    ends = np.array([xy(at - 1j * turn * up), xy(at + 1j * turn * down)])
+    return np.array([ends.min(axis=0), ends.max(axis=0)]).transpose(2, 0, 1)
+
+
+@lru_cache(256)
+def _slices(wide: float) -> Array:
+    return np.linspace(0.0, wide, int(wide / _SLICE) + 2)

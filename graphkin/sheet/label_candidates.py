@@ -108,10 +108,10 @@ class LabelScene:
         rows = np.flatnonzero(inside | ~np.isin(owner, owner[inside]))
         owner, places, inside, cost = owner[rows], places.take(rows, axis=2), inside[rows], spots.cost[rows]
         (low, high), leader = places[:2], places[2:]
-        close, hits = self.known.around(low, high, (_EASY, _CLEAR), 6)
-        cost = cost + _CLOSE * close + _LINE * np.minimum(hits, _ON) + _OUTSIDE * ~inside
+        close, hits = self.known.around(low, high, (_EASY, _CLEAR))
+        cost = cost + _CLOSE * np.minimum(close, _ON + 1) + _LINE * np.minimum(hits, _ON) + _OUTSIDE * ~inside
         if self.giving_way:
-            cost += _COVERED * self._covered.around(low, high, (_WHOLE,), 2)[0]
+            cost += _COVERED * np.minimum(self._covered.around(low, high, (_WHOLE,))[0], 2)
         free = inside & (hits == 0)
         rows = np.flatnonzero(free)
         if near:
@@ -209,7 +209,7 @@ class Arrows:
 
     def _apart(self, low: Array, high: Array) -> Array:
         """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""
-        (left, top), (right, bottom) = np.moveaxis(low, -1, 0), np.moveaxis(high, -1, 0)
+        (left, top), (right, bottom) = low.transpose(2, 0, 1), high.transpose(2, 0, 1)
         corners = (x + 1j * y for x in (left, right) for y in (top, bottom))
         distances = [abs(off_lines(corner, self.start, self.end)) for corner in corners]
         for end in (self.start, self.end):

@@ -67,6 +67,8 @@ class LabelPlaces(NamedTuple):
         (low, high), (least, most) = self.reach, others.reach
         near = overlap(low[..., None], high[..., None], least[:, None] - _BESIDE, most[:, None] + _BESIDE)
         rows, columns = np.nonzero(near)
+        if not len(rows):
+            return self
         more, clash = together(self.taken(rows), others.taken(columns))
         free = self.free & (np.bincount(rows, clash, len(self.cost)) == 0)
         return self._replace(cost=self.cost + np.bincount(rows, more, len(self.cost)), free=free)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
+from copy import copy
 from itertools import pairwise
 
 import numpy as np
@@ -17,7 +18,7 @@ from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, 
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
 _LETTER = 2.0  # no letter is much narrower [mm]
-_AT_ONCE = 1000  # lines of one tree at most
+_AT_ONCE = 128  # so many boxes are held against lines at once
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 
@@ -26,56 +27,57 @@ class Obstacles:
 
     _across  what a millimetre to the right and one down count across each, to its left as it goes down: one together;
              of one without a length, as if it went down (2, n)
-    _trees   of all of them, each of some from all over: where they lie close, few tell enough
     """
 
     def __init__(self, start: Array, end: Array) -> None:
         """start, end: of the segments (2, n)."""
-        from shapely import STRtree, linestrings
-
         self._start, self._end, along = start, end, end - start
         self._low, self._high = np.minimum(start, end), np.maximum(start, end)
         along[1] += (along == 0).all(axis=0)
         self._across = np.array([-along[1], along[0]]) / (np.where(along[1] < 0, -1.0, 1.0) * abs(along).sum(axis=0))
-        lines = linestrings(np.stack([start.T, end.T], axis=1))
-        self._trees = [STRtree(lines[k :: -(-len(lines) // _AT_ONCE)]) for k in range(-(-len(lines) // _AT_ONCE))]
 
-    def _beside(self, low: Array, high: Array, tree: int) -> tuple[Array, Array]:
-        """Pairs of boxes low..high (2, n) and of a tree's lines whose surroundings touch them, by their numbers."""
-        from shapely import linestrings
+    def __add__(self, other: Obstacles) -> Obstacles:
+        """Both together."""
+        both = copy(self)
+        for name, own in vars(other).items():
+            setattr(both, name, np.concatenate([getattr(self, name), own], axis=1))
+        return both
 
-        boxes, lines = self._trees[tree].query(linestrings(np.stack([low.T, high.T], axis=1)))
-        return boxes, lines * len(self._trees) + tree
+    def _beside(self, low: Array, high: Array) -> Iterator[tuple[Array, Array]]:
+        """Pairs of boxes low..high (2, n) and of lines whose surroundings touch them, by their numbers; of some boxes
+        at once, which mostly lie close together, and of the lines that lie there."""
+        for first in range(0, low.shape[1], _AT_ONCE):
+            least, most = low[:, first : first + _AT_ONCE], high[:, first : first + _AT_ONCE]
+            there = (self._low <= most.max(axis=1)[:, None]) & (self._high >= least.min(axis=1)[:, None])
+            if len(lines := np.flatnonzero(there[0] & there[1])):
+                begin, end = self._low.take(lines, axis=1)[:, None], self._high.take(lines, axis=1)[:, None]
+                near = (begin <= most[:, :, None]) & (end >= least[:, :, None])
+                boxes, which = np.nonzero(near[0] & near[1])
+                yield boxes + first, lines.take(which)
 
     def touched(self, low: Array, high: Array) -> Array:
         """True for those of the boxes low..high (2, n) that touch something."""
-        return np.asarray(self.around(low, high, (0.0,), 1)[0] > 0)
+        return np.asarray(self.around(low, high, (0.0,))[0] > 0)
 
-    def around(self, low: Array, high: Array, margins: Sequence[float], most: int | None = None) -> Array:
-        """To how many lines each of the boxes low..high (2, n) is nearer than each of some margins [mm]; so many at
-        most, where more would say nothing."""
-        counts, rows = np.zeros((len(margins), low.shape[1]), dtype=np.intp), np.arange(low.shape[1])
-        for tree in range(len(self._trees)):
-            counts[:, rows] += self._around(low[:, rows], high[:, rows], margins, tree)
-            rows = rows if most is None else np.flatnonzero((counts < most).any(axis=0))
-        return counts if most is None else np.minimum(counts, most)
-
-    def _around(self, low: Array, high: Array, margins: Sequence[float], tree: int) -> list[Array]:
-        boxes, lines = self._beside(low - max(margins), high + max(margins), tree)
+    def around(self, low: Array, high: Array, margins: Sequence[float]) -> Array:
+        """To how many lines each of the boxes low..high (2, n) is nearer than each of some margins [mm]."""
+        counts, far = np.zeros((len(margins), low.shape[1]), dtype=np.intp), max(margins)
         middle, half = (low + high) / 2, (high - low) / 2
-        across, off = self._across.take(lines, axis=1), middle.take(boxes, axis=1) - self._start.take(lines, axis=1)
-        wide = half.take(boxes, axis=1)  # the growth of a box to all sides with which it reaches the line
-        apart = abs(across[0] * off[0] + across[1] * off[1]) - abs(across[0]) * wide[0] - abs(across[1]) * wide[1]
-        boxes, lines, apart = (each[apart <= max(margins)] for each in (boxes, lines, apart))
-        ends = self._low.take(lines, axis=1), self._high.take(lines, axis=1)  # or its surroundings
-        apart = np.maximum(apart, beyond(*ends, low.take(boxes, axis=1), high.take(boxes, axis=1)))
-        return [np.bincount(boxes[apart <= margin], minlength=low.shape[1]) for margin in margins]
+        for boxes, lines in self._beside(low - far, high + far):
+            across, off = self._across.take(lines, axis=1), middle.take(boxes, axis=1) - self._start.take(lines, axis=1)
+            wide = half.take(boxes, axis=1)  # the growth of a box to all sides with which it reaches the line
+            apart = abs(across[0] * off[0] + across[1] * off[1]) - abs(across[0]) * wide[0] - abs(across[1]) * wide[1]
+            boxes, lines, apart = (each[apart <= far] for each in (boxes, lines, apart))
+            ends = self._low.take(lines, axis=1), self._high.take(lines, axis=1)  # or its surroundings
+            apart = np.maximum(apart, beyond(*ends, low.take(boxes, axis=1), high.take(boxes, axis=1)))
+            for count, margin in zip(counts, margins, strict=True):
+                count += np.bincount(boxes[apart <= margin], minlength=len(count))
+        return counts
 
     def crossed(self, start: Array, end: Array) -> Array:
         """How many lines each of the lines start..end (2, n) crosses."""
         count = np.zeros(start.shape[1], dtype=np.intp)
-        for tree in range(len(self._trees)):
-            rows, lines = self._beside(start, end, tree)
+        for rows, lines in self._beside(np.minimum(start, end), np.maximum(start, end)):
             others = self._start.take(lines, axis=1), self._end.take(lines, axis=1)
             crossing = meet(start.take(rows, axis=1), end.take(rows, axis=1), *others)
             count += np.bincount(rows[crossing], minlength=len(count))

@@ -14,14 +14,14 @@ import pytest
 
 import graphkin
 
-PACKAGES = ("numpy", "shapely", "svgwrite", "click", "pydantic_core")  # that `draw` needs
+PACKAGES = ("numpy", "svgwrite", "click", "pydantic_core")  # that `draw` needs
 HEAVY = {"matplotlib", "pydantic", "typst", "resvg_py", "ezdxf", "openpyxl", "scipy", "cv2", "asyncio"}
 """What no drawing and no text needs."""
 WITHOUT = {
     "list": HEAVY | {"numpy", "shapely", "svgwrite", "graphkin.planning"},
     "equations ex3-1": HEAVY | {"shapely", "svgwrite", "numpy.random"},
-    "draw ex3-1": HEAVY | {"numpy.random"},
-    "draw ex3-2": HEAVY,
+    "draw ex3-1": HEAVY | {"shapely", "numpy.random"},
+    "draw ex3-2": HEAVY | {"shapely"},
 }
 TRIES = 4
 MODULES = """
