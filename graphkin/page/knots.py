@@ -14,7 +14,7 @@ import numpy as np
 from graphkin.base.value import bulky
 from graphkin.construction import Plane, Plot
 from graphkin.page.figures import PageFigures
-from graphkin.page.reach import Axis, Reach
+from graphkin.page.reach import Reach
 from graphkin.page.rows import Row, rows
 from graphkin.page.stencils import Knots, stencil
 from graphkin.sheet.marks import Mark
@@ -69,6 +69,11 @@ class PageKnots:
             self._between[at] = self.reach.plot(us)
         return self._between[at]
 
+    def within(self, at: Sequence[int], parts: Sequence[float]) -> list[float]:
+        """The place so far on the way through a cell, beside change points."""
+        every = enumerate(zip(at, parts, self.axes, strict=True))
+        return [float(self.reach.clear(n, [axis.within(k, part)])[0]) for n, (k, part, axis) in every]
+
     @cached_property
     def names(self) -> dict[Plane, list[str]]:
         """The points of each plane."""
@@ -87,11 +92,16 @@ def page_knots(reach: Reach) -> PageKnots:
     return _of_one(reach) if len(reach.axes) == 1 else _of_several(reach)
 
 
-def knots_along(axis: Axis, count: int) -> Knots:
-    return Knots(axis.even(count), axis.span[1] - axis.span[0] if axis.round else 0.0)
+def knots_along(reach: Reach, driver: int, count: int) -> Knots:
+    """So many knots along a driver, of several one where the drawn position is; none where polygons are 0/0."""
+    axis = reach.axes[driver]
+    knots = Knots(axis.even(count), axis.span[1] - axis.span[0] if axis.round else 0.0)
+    if len(reach.axes) > 1:
+        knots = _with_drawn(knots, reach.drawn[driver])
+    return Knots(reach.clear(driver, knots.u), knots.period)
 
 
-def with_drawn(knots: Knots, u: float) -> Knots:
+def _with_drawn(knots: Knots, u: float) -> Knots:
     """The nearest knot lies where the drawn position is, which is shown whatever is near it; unless an end is."""
     step = float(knots.u[1] - knots.u[0])
     if knots.period:
@@ -112,13 +122,13 @@ def _figures(reach: Reach, plots: Sequence[Plot | None]) -> PageFigures:
 def _of_one(reach: Reach) -> PageKnots:
     (axis,) = reach.axes
     count = max(24, round(_EVEN * min(2.0, axis.turns)))
-    knots = knots_along(axis, count + (not axis.round))
+    knots = knots_along(reach, 0, count + (not axis.round))
     plots = {float(u): reach.plot([float(u)]) for u in knots.u}
     figures = _figures(reach, [*plots.values()])
     tried, cells = dict[float, Plot | None](), {*map(float, knots.u)}
     drawn: Drawn = {plane: {} for plane in PLANES}
     for _ in range(_HALVED):
-        middles = _middles(knots, cells)
+        middles = _middles(reach, knots, cells)
         tried |= {u: reach.plot([u]) for u in middles if u not in tried}
         failed = _failures(figures, knots, plots, {u: tried[u] for u in middles}, drawn)
         if not failed or len(plots) + len(failed) > _OF_ONE:
@@ -130,10 +140,12 @@ def _of_one(reach: Reach) -> PageKnots:
     return PageKnots(reach, figures, (knots,), [plots[float(u)] for u in knots.u])
 
 
-def _middles(knots: Knots, cells: set[float]) -> list[float]:
-    """The middle of each cell that begins at one of these knots."""
+def _middles(reach: Reach, knots: Knots, cells: set[float]) -> list[float]:
+    """The middle of each cell that begins at one of these knots; none of one so small that it is all at a change."""
     ends = [*knots.u[1:], *([knots.u[0] + knots.period] if knots.period else [])]
-    return [float(u + end) / 2 for u, end in zip(knots.u, ends, strict=False) if float(u) in cells]
+    of = [(float(u), float(end)) for u, end in zip(knots.u, ends, strict=False) if float(u) in cells]
+    middles = reach.clear(0, [(u + end) / 2 for u, end in of])
+    return [float(middle) for middle, (u, end) in zip(middles, of, strict=True) if u < middle < end]
 
 
 def _failures(
@@ -169,8 +181,7 @@ def _of_several(reach: Reach) -> PageKnots:
     usual = _OF_GRID[len(reach.axes) == 2] if len(reach.axes) <= 3 else 6
     counts = np.array([max(7, round(usual * min(1.5, axis.turns))) for axis in reach.axes])
     while True:
-        evenly = map(knots_along, reach.axes, map(int, counts))
-        axes = tuple(map(with_drawn, evenly, reach.drawn))
+        axes = tuple(knots_along(reach, k, int(count)) for k, count in enumerate(counts))
         plots = [reach.plot(us) for us in product(*(map(float, axis.u) for axis in axes))]
         knots = PageKnots(reach, _figures(reach, plots), axes, plots)
         off = np.array([_off_along(knots, k) for k in range(len(axes))])
@@ -192,7 +203,7 @@ def _off_along(knots: PageKnots, driver: int) -> float:
         at = int(np.unravel_index(number, knots.shape)[driver])
         if not axis.period and at == len(axis.u) - 1:
             continue
-        us[driver] = axis.within(at, 0.5)
+        us[driver] = float(knots.reach.clear(driver, [axis.within(at, 0.5)])[0])
         plot = knots.reach.plot(us)
         if plot is None:
             continue
@@ -229,7 +240,7 @@ def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int
               for k, axis in zip(at, axes, strict=True)]  # fmt: skip
     inside = shown[np.ix_(*(np.array(own) % len(axis.u) for own, axis in zip(around, axes, strict=True)))].all()
     parts = [(0.5,) * len(axes), *(() if inside else product((0.25, 0.75), repeat=len(axes)))]
-    places = [[axis.within(k, part) for k, part, axis in zip(at, own, axes, strict=True)] for own in parts]
+    places = [knots.within(at, own) for own in parts]
     if inside and _is_sure(knots, plane, shown, places[0]):
         return True
     plots = [(us, knots.plot(us)) for us in places]

@@ -24,7 +24,7 @@ from graphkin.outputs.paint import Colours
 from graphkin.page import writer
 from graphkin.page.diagrams import Frame, diagram, frame
 from graphkin.page.figures import layer_of
-from graphkin.page.knots import PageKnots, cells_shown, knots_along, page_knots, with_drawn
+from graphkin.page.knots import PageKnots, cells_shown, knots_along, page_knots
 from graphkin.page.layers import Layers, layers, moving
 from graphkin.page.lettered import signs_of
 from graphkin.page.quiz import quiz
@@ -183,11 +183,8 @@ class _Played:
     def _steps(self) -> tuple[list[Data], list[list[float]]]:
         """The steps, and the knots at which they are told."""
         axes = self.knots.reach.axes
-        if len(axes) == 1:
-            us = [[*map(float, axes[0].even(_TOLD + (not axes[0].round)))]]
-        else:
-            every = (knots_along(axis, _WORD_KNOTS) for axis in axes)
-            us = [[*map(float, with_drawn(*each).u)] for each in zip(every, self.knots.reach.drawn, strict=True)]
+        counts = [_TOLD + (not axes[0].round)] if len(axes) == 1 else [_WORD_KNOTS] * len(axes)
+        us = [[*map(float, knots_along(self.knots.reach, *each).u)] for each in enumerate(counts)]
         known = dict(zip(self.knots.places, self.knots.plots, strict=True))
         plots = [known[at] if at in known else self.knots.reach.plot(at) for at in product(*us)]
         steps = spoken_steps(StepWords(self.method, self.knots.figures.scales), plots, self.tracks, len(axes) == 1)

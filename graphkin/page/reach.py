@@ -6,9 +6,8 @@ the way that is left, so the driver's value goes like a cosine of u.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from functools import cached_property
-from itertools import product
 from typing import Literal
 
 import numpy as np
@@ -140,18 +139,23 @@ class Reach:
         same = all(abs(complex(end.position[name]) - complex(place)) < near for name, place in start.position.items())
         return same and not self.method.structure.contacts
 
+    def clear(self, driver: int, us: Sequence[float]) -> np.ndarray:
+        """Places along one driver, those at its change points beside them: there polygons are 0/0."""
+        one, axis = self.courses[driver], self.axes[driver]
+        aside, clear = stride(self.method, one.path.pace, _ASIDE_DEG, _ASIDE_PART), np.array(us, dtype=float)
+        for k, value in enumerate(map(axis.value, us)):
+            near = (change.at for change in one.path.changes if abs(float(one.at(value)) - change.at) < aside)
+            if (at := next(near, None)) is not None:
+                beside = [float(one.value(at + way * aside).real) for way in (2, -2)]
+                there = next((each for each in beside if axis.round or axis.low < each < axis.high), value)
+                clear[k] = axis.u_at(there) if axis.wave else clear[k] + there - value
+        return clear
+
     def values(self, us: Sequence[float]) -> tuple[float, ...]:
-        """The drivers' values, beside the drawn ones and beside change points."""
-        values = [axis.value(u) for axis, u in zip(self.axes, us, strict=True)]
-        drawn = self.method.facts(None).values
-        for k, (one, value) in enumerate(zip(self.courses, values, strict=True)):
-            aside = stride(self.method, one.path.pace, _ASIDE_DEG, _ASIDE_PART)
-            for change in one.path.changes:
-                if abs(float(one.at(value)) - change.at) < aside:
-                    values[k] = float(one.value(change.at + 2 * aside).real)
-            if abs(values[k] - float(drawn[k])) < _BESIDE:
-                values[k] += _BESIDE
-        return tuple(values)
+        """The drivers' values, beside the drawn ones."""
+        values = (axis.value(u) for axis, u in zip(self.axes, us, strict=True))
+        drawn = map(float, self.method.facts(None).values)
+        return tuple(value + _BESIDE * (abs(value - own) < _BESIDE) for value, own in zip(values, drawn, strict=True))
 
     def plot(self, us: Sequence[float]) -> Plot | None:
         """The position, and the polygons to it; None where the mechanism does not get."""
@@ -165,10 +169,3 @@ class Reach:
             return replay(self.method.acceleration, replay(self.method.velocity, plot))
         except GraphkinError:
             return None
-
-    def grid(self, knots: Sequence[np.ndarray]) -> Iterator[tuple[float, ...]]:
-        """All places of a grid, the last driver's first."""
-        return ((*map(float, us),) for us in product(*knots))
-
-
-Samples = Mapping[tuple[float, ...], Plot | None]

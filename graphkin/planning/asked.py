@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
-from typing import assert_never
+from collections.abc import Collection, Iterator, Sequence
+from typing import Literal, assert_never
 
 from graphkin.construction import Given, Plane
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
+from graphkin.model.quantities.reading import read
 from graphkin.planning.method import Method
-from graphkin.planning.needed import Fact, Part, needed, turning
+from graphkin.planning.needed import Fact, Part, aids, needed, turning
 
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
@@ -29,6 +30,18 @@ def asked_parts(
         if direct or any(not isinstance(part, Given) for part in led[plane]):
             shown[plane] = led[plane]
     return shown
+
+
+def all_motions(mechanism: Mechanism, planes: Sequence[Plane] = PLANES[1:]) -> tuple[Quantity, ...]:
+    """What is asked where a file asks for nothing: how every link turns that is not driven, and how every point moves
+    that is no aid."""
+    links = [link for link in mechanism.moving if link not in mechanism.driven]
+    words: dict[Plane, Literal["omega", "alpha"]] = {"velocity": "omega", "acceleration": "alpha"}
+    rotations = [Rotation(words[plane], mechanism.called(link), link) for plane in planes for link in links]
+    unasked = aids(mechanism)
+    moving = [point for point in mechanism.points if FRAME not in mechanism.owners[point] and point not in unasked]
+    motions = (read(mechanism, f"{plane[0]} {point}") for plane in planes for point in moving)
+    return (*rotations, *(motion for motion in motions if motion is not None))
 
 
 def plane_of(quantity: Quantity) -> Plane:

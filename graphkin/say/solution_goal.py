@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Image, LayOff, Normal, Plane, Tangential, Turning
-from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
-from graphkin.planning.asked import PLANES, asked_parts, facts_of, plane_of
+from graphkin.planning.asked import PLANES, all_motions, asked_parts, facts_of, plane_of
 from graphkin.planning.at_rest import moving_parts
-from graphkin.planning.needed import Part, aids, arms, needed
+from graphkin.planning.needed import Part, arms, needed
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.reading import Reading, aside
@@ -146,13 +146,7 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     shown = {} if everything else asked_parts(reading.method, answerable, reading.steady, planes)
     if not shown:
         placed = (one for one in answerable if isinstance(one, Centre) or plane_of(one) == "position")
-        # omega and alpha of every link that is not driven, v and a of every point that moves and is no aid
-        rotations = [Rotation("omega" if plane == "velocity" else "alpha", mechanism.called(link), link)
-                     for plane in planes for link in mechanism.moving if link not in mechanism.driven]  # fmt: skip
-        unasked = aids(mechanism)
-        moving = [p for p in mechanism.points if FRAME not in mechanism.owners[p] and p not in unasked]
-        motions = [read(mechanism, f"{plane[0]} {point}") for plane in planes for point in moving]
-        wanted = (*placed, *rotations, *(motion for motion in motions if motion is not None))
+        wanted = (*placed, *all_motions(mechanism, planes))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
         if reading.steady:
