@@ -18,6 +18,7 @@ from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.free_room import FreeRoom
+from graphkin.sheet.label_candidates import MANY
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.labels import UNCLEAR, burden
 from graphkin.sheet.lettering import LABEL, plain, width
@@ -34,7 +35,6 @@ DETAILS = (44 + 52j, 60 + 68j)  # the rooms for a small one and a large one [mm]
 _AROUND, _HEAD = 6.0, 4.0
 """Room for letters around a detail, and for its own heading over it [mm]."""
 _FEW = 3  # labels, of one arrow and its ends, are no knot
-_MANY = 150  # more labels than this no detail relieves
 SAVED, _CLOSE = 4.0, 1e-6  # the burden that a detail saves at least, but for rounding
 _LED = 3.0  # the additional burden of a leader in a detail
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
@@ -178,7 +178,7 @@ def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> dict[_DetailCircle
     """For each radius the circle about what is so near to one label and weighs most, where that is enough and more than
     one arrow that has its name; and the most that this weighs."""
     knots = dict[_DetailCircle, float]()
-    if not 0 < len(wanted) <= _MANY:
+    if not 0 < len(wanted) <= MANY:
         return knots
     start = np.array([want.start for want in wanted])
     end = np.array([want.start if want.end is None else want.end for want in wanted])

@@ -47,8 +47,7 @@ class FreeRoom:
         self._letters = np.concatenate([self._letters, _boxes(marks)])
 
     def _clear(self, free: Array, low: Array, high: Array, lying: Obstacles | None = None) -> Array:
-        """True for those of the boxes so far free that keep off all that lies there; made to obstacles when it is asked
-        for, as much is added before."""
+        """True for those of the boxes so far free that keep off all that lies there, and was added before."""
         if (rows := np.flatnonzero(free)).size:
             if lying is None and self._new:
                 self._lying, self._new = self._lying + obstacles(self._new), []
