@@ -17,6 +17,7 @@ from graphkin.page.figures import PageFigures
 from graphkin.page.reach import Reach
 from graphkin.page.rows import Row, rows
 from graphkin.page.stencils import Knots, stencil
+from graphkin.page.tracks import OF_GRID
 from graphkin.sheet.marks import Mark
 from graphkin.sheet.window import PLANES
 
@@ -212,12 +213,16 @@ def _off_along(knots: PageKnots, driver: int) -> float:
 
 
 def _off(knots: PageKnots, us: Sequence[float], plane: Plane, plot: Plot) -> float:
+    """How far what is drawn is off [mm], with what rounding at the knots adds at most: at the rim of a grid, where all
+    knots lie on one side, many times a quantum."""
     shown = knots.shown[plane]
     how = stencil(knots.axes, us, shown.reshape(knots.shape)) if knots.figures.motion.fits(plane, plot) else None
     if how is None:
         return 0.0
     places = np.array([complex(plot.points(plane)[name]) for name in knots.names[plane]])
-    return float(np.abs(how[1] @ knots.points[plane][how[0]] - places).max() / knots.figures.window(plane).scale)
+    numbers, weights = how
+    off = np.abs(weights @ knots.points[plane][numbers] - places).max() / knots.figures.window(plane).scale
+    return float(off + np.abs(weights).sum() * OF_GRID)
 
 
 def cells_shown(knots: PageKnots, plane: Plane) -> np.ndarray:
@@ -254,4 +259,5 @@ def _is_sure(knots: PageKnots, plane: Plane, shown: np.ndarray, us: Sequence[flo
     if whole is None or less is None or whole[0].size == less[0].size:  # the same, which says nothing
         return False
     one, other = (weights @ knots.points[plane][numbers] for numbers, weights in (whole, less))
-    return bool(np.abs(one - other).max() <= _DOUBT * knots.figures.window(plane).scale)
+    off = np.abs(one - other).max() / knots.figures.window(plane).scale
+    return bool(off + np.abs(whole[1]).sum() * OF_GRID <= _DOUBT)

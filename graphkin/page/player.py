@@ -32,7 +32,7 @@ from graphkin.page.reach import Reach
 from graphkin.page.rows import Row, rows
 from graphkin.page.spoken import StepWords, spoken_steps, unfolded
 from graphkin.page.stage import Stage, driver, figure, kind_of, mark_element, overlay_drawing, page_head, result
-from graphkin.page.tracks import Tracks
+from graphkin.page.tracks import OF_GRID, QUANTUM, Tracks
 from graphkin.planning import Method
 from graphkin.planning.needed import without_aids
 from graphkin.proof.readings import readings
@@ -69,7 +69,8 @@ def played(method: Method, values: Sequence[float] | None = None) -> Data:
     method = without_aids(method)
     knots = page_knots(Reach.of(method))
     start = [float(value) for value in method.facts(None).values] if values is None else [*values]
-    return _Played(knots, Tracks([], []), start, Stage([], [], [], [], [])).data()
+    tracks = Tracks([], [], QUANTUM if len(knots.axes) == 1 else OF_GRID)
+    return _Played(knots, tracks, start, Stage([], [], [], [], [])).data()
 
 
 @bulky

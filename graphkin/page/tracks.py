@@ -12,6 +12,7 @@ import numpy as np
 from graphkin.base.value import filled
 
 QUANTUM = 0.001  # of places [mm]
+OF_GRID = 0.0002  # of places over a grid, at whose rim rounding counts many times [mm]
 FINE = 1e-7  # of other numbers [of the greatest]
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-"
 _ORDERS = 4
@@ -23,6 +24,7 @@ class Tracks:
 
     texts: list[str | list[object]]
     masks: list[str]
+    quantum: float = QUANTUM
 
     def __post_init__(self) -> None:
         self._numbers: dict[str, int] = {}
@@ -30,7 +32,7 @@ class Tracks:
 
     def place(self, values: np.ndarray) -> float | list[int]:
         """A number that never changes, or the number of a track [mm]."""
-        return self._added(values, QUANTUM)
+        return self._added(values, self.quantum)
 
     def fine(self, values: np.ndarray) -> float | list[int]:
         """The same of a number that is no place."""
