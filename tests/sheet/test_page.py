@@ -224,11 +224,7 @@ def test_a_page_tells_the_first_of_each_plane_and_takes_its_steps():
     assert whole.drivers == (0.5,)
     assert whole.title == machine.headline("en")
     texts = [mark for mark in whole.marks if isinstance(mark, Text)]
-    assert [("".join(run.text for run in text.label), text.step) for text in texts] == [
-        ("head", None),
-        ("A", 1),
-        (", B", 2),
-    ]
+    assert [("".join(run.text for run in text.label), text.step) for text in texts] == [("head", None), ("A", 1), (", B", 2)]
     assert texts[2].at == pytest.approx(texts[1].at + width(plain("A"), texts[1].size))
     one, two = step_sheets(whole, (1, 2))
     assert [(mark.step, mark.new) for mark in one.marks] == [(None, False), (1, True), (1, True)]
