@@ -38,7 +38,7 @@ from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
 _MANY = 6.0  # at a higher price, that of a fifth leader on one figure, other papers are tried
-_CROWD = 32  # labels without a good place, of which two details relieve no more
+_CROWD = 32  # labels without a good place, of which details relieve no more
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 
 

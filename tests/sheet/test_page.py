@@ -21,6 +21,7 @@ from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, sheet
 from graphkin.sheet.about_sheet import about_sheet
 from graphkin.sheet.centre_sheet import centre_sheet
+from graphkin.sheet.corners import standing
 from graphkin.sheet.finding_sheet import positions_sheet
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain, width
@@ -157,6 +158,26 @@ def test_a_given_scale_is_kept_where_it_fits():
     draw, room = box_of(0j, 0.1 + 0.05j), Room(0, 0, 120, 90)
     assert Extent.of([0j, 0.1 + 0.05j], draw, 0.0013).scale(room) == 0.0013
     assert Extent.of([0j, 0.1 + 0.05j], draw, 0.0009).scale(room) == 0.001
+
+
+@pytest.mark.parametrize("foot", [False, True])
+def test_blocks_keep_off_the_sides_of_their_room_and_off_one_another(foot: bool):
+    """At every width at which they fit: 1 mm off a side, 2.5 mm between two that stand side by side."""
+    draw, sizes = box_of(0j, 0.1 + 0.05j), (50 + 20j, 60 + 16j)
+    extent = replace(Extent.of([0j, 0.1 + 0.05j], draw), blocks=tuple(((size,), foot) for size in sizes))
+    beside = 0
+    for wide in np.arange(50.0, 150.0, 0.5):
+        for high in (55.0, 90.0):
+            room = Room(20.0, 10.0, 20.0 + wide, 10.0 + high)
+            stands = standing(np.array([[room.left], [room.top], [room.right], [room.bottom]]), extent)
+            if np.isfinite(stands.scales[0]):
+                ends = [(at, at + size) for (_, at), size in zip(stands.corners(room), sizes, strict=True)]
+                assert all(low.real - room.left >= 1 and room.right - far.real >= 1 for low, far in ends)
+                (_, left), (right, _) = sorted(ends, key=lambda each: each[0].real)
+                if len({low.imag == room.top for low, _ in ends}) == 1:
+                    beside += 1
+                    assert right.real - left.real >= 2.5
+    assert beside
 
 
 def test_a_paper_is_cut_to_its_figure():
