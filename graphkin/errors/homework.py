@@ -12,7 +12,7 @@ __all__ = [
     "NoRange", "NoRightNumber", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant",
     "NotAQuestion", "NotAResult", "NotASet", "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform",
     "NotMarkable", "NothingToMark", "OffTheDrawing", "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SameNumbers",
-    "SenseDisputed", "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong", "TurnedPage", "TwoNames",
+    "SenseDisputed", "SeveralStudents", "StudentTwice", "StudentWithoutId", "TooMuch", "TookTooLong", "TurnedPage", "TwoNames",
     "UnknownStudent", "WantsExtra",
 ]  # fmt: skip
 
@@ -216,6 +216,12 @@ class StudentTwice(LocatedError):
     student: str
     en = "{where}: student {student!r} stands in the list twice. Leave each id once."
     zh = "{where}：名单中学生 {student!r} 出现两次，每个学号只保留一次。"
+
+
+class StudentWithoutId(LocatedError):
+    student: str
+    en = "{where}: {student!r} has no id in the list. Give everybody one, or delete the row."
+    zh = "{where}：名单中 {student!r} 没有学号。请补上学号，或删去该行。"
 
 
 class NoAnswers(LocatedError):

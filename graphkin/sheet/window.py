@@ -77,7 +77,8 @@ def constructions(method: Method) -> dict[Plane, Construction]:
     return {"position": method.position, "velocity": method.velocity, "acceleration": method.acceleration}
 
 
-_TRIAL = 100.0  # size of a figure when it is drawn to see how far its signs reach [mm]
+_TRIAL, _WALL = 100.0, 2000.0
+"""Size of a figure when it is drawn to see how far its signs reach; larger than a wall none is tried [mm]."""
 _LETTERS = 6.5  # room for labels around a figure [mm]
 _CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
 Stairs = tuple[tuple[tuple[int, int], tuple[tuple[float, float], ...]], ...]
@@ -168,7 +169,8 @@ class Extent:
 def trial_window(points: Sequence[complex], given: float | None = None) -> Window:
     """The window through which places are seen to learn how they lie, at a given scale or as large as a trial [mm]."""
     low, high = corners(points)
-    return Window(0j, given or finest(high - low, complex(_TRIAL, _TRIAL)))
+    trial = finest(high - low, complex(_TRIAL, _TRIAL))
+    return Window(0j, given if given and given > trial * _TRIAL / _WALL else trial)
 
 
 def _stairs(marks: Sequence[Mark], low: complex, high: complex, scale: float) -> Stairs:

@@ -19,7 +19,7 @@ from pathlib import PurePosixPath
 from typing import Literal
 
 from graphkin.base.value import frozen
-from graphkin.errors import NoStudents, SameName, StudentTwice, TwoNames, UnknownStudent, Where
+from graphkin.errors import NoStudents, SameName, StudentTwice, StudentWithoutId, TwoNames, UnknownStudent, Where
 from graphkin.model.quantities import position_of
 from graphkin.submissions.submission import DRAWINGS, tidy_id
 
@@ -82,11 +82,11 @@ def folded(text: str) -> str:
 def students_in(rows: Iterable[Sequence[str]], where: Where) -> tuple[Student, ...]:
     """By the column of ids that a header names, else the first column of all rows, names in the second.
 
-    Raises StudentTwice, NoStudents."""
+    Raises StudentTwice, StudentWithoutId, NoStudents."""
     filled = [row for row in rows if any(cell.strip() for cell in row)]
     begins = next((k for k, row in enumerate(filled[:_BEFORE_HEAD]) if id_column(row) is not None), -1)
     head, rest = [*filled[begins]] if begins >= 0 else ["id", ""], filled[begins + 1 :]
-    if any(folded(cell).startswith("sis ") for cell in head):
+    if canvas := any(folded(cell).startswith("sis ") for cell in head):  # it has a row of points
         head = [_IN_CANVAS.get(folded(cell), cell) for cell in head]
     if begins < 0 and not any(_DIGIT.search("".join(row[1:2])) for row in rest):
         head = ["id", "name"]
@@ -98,7 +98,10 @@ def students_in(rows: Iterable[Sequence[str]], where: Where) -> tuple[Student, .
         if id in students:
             raise StudentTwice(where, id)
         names = tuple((tidy_id(name), tidy_id(cell)) for k, (name, cell) in cells if k != at and field_of(name))
-        students |= {id: Student(id, names)} if id else {}
+        if id:
+            students[id] = Student(id, names)
+        elif names and not canvas and (nameless := next((cell for _, cell in names if cell), "")):
+            raise StudentWithoutId(where, nameless)
     if not students:
         raise NoStudents(where)
     return tuple(students.values())

@@ -26,6 +26,7 @@ from graphkin.errors import (
     NoVariant,
     OutOfRange,
     StudentTwice,
+    StudentWithoutId,
     TooDeep,
     UnknownQuantity,
 )
@@ -137,6 +138,9 @@ def test_a_bare_list_and_a_number(tmp_path: Path):
     assert [s.id for s in roster("10")][0:10:9] == ["s01", "s10"]
     (tmp_path / "a.csv").write_text("student\ns1\ns1\n")
     with pytest.raises(StudentTwice):
+        roster(str(tmp_path / "a.csv"))
+    (tmp_path / "a.csv").write_text("id,name\ns1,Anna\n,Bob\n")
+    with pytest.raises(StudentWithoutId, match="Bob"):
         roster(str(tmp_path / "a.csv"))
 
 

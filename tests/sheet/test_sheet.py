@@ -357,8 +357,9 @@ def test_finer_scales() -> None:
     assert [finer(s) for s in (1.0, 5.0, 2.0, 2.5, 0.001, 1e9)] == [0.6, 4.0, 1.5, 2.0, 0.0006, 6e8]
 
 
-def test_a_given_scale_too_fine_for_paper_names_one_that_fits() -> None:
-    method, plot = example(velocity="0.0001")
+@pytest.mark.parametrize("scale", ["0.0001", "1e-9"])
+def test_a_given_scale_too_fine_for_paper_names_one_that_fits(scale: str) -> None:
+    method, plot = example(velocity=scale)
     with pytest.raises(TooLargeForPaper, match=r"ex\.toml:\d+, scales\.velocity.*0\.0015 would fit") as caught:
         sheet(method, plot)
     assert "放不进" in caught.value.message("zh")

@@ -178,7 +178,7 @@ def set_text(files: Mapping[str, str], students: Iterable[Student] = ()) -> str:
 def class_list(path: Path) -> tuple[Student, ...]:
     """The students of a class list, CSV or XLSX, under heads in any order, of Moodle, Canvas, Gradescope or 学习通.
 
-    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, StudentTwice, NoStudents.
+    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, StudentTwice, StudentWithoutId, NoStudents.
     """
     where = Where(str(path))
     with opening(path):

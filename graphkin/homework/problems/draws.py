@@ -355,7 +355,7 @@ MOST = 100_000
 def roster(given: str) -> tuple[Student, ...]:
     """The students of a class list, or s1 .. sN for a number N.
 
-    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, OutOfRange, StudentTwice, NoStudents.
+    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, OutOfRange, StudentTwice, StudentWithoutId, NoStudents.
     """
     if given.isdecimal() and given.isascii():
         if len(given) > 6 or not 0 < int(given) <= MOST:
