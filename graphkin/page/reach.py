@@ -139,7 +139,7 @@ class Reach:
         same = all(abs(complex(end.position[name]) - complex(place)) < near for name, place in start.position.items())
         return same and not self.method.structure.contacts
 
-    def clear(self, driver: int, us: Sequence[float]) -> np.ndarray:
+    def clear(self, driver: int, us: Sequence[float] | np.ndarray) -> np.ndarray:
         """Places along one driver, those at its change points beside them: there polygons are 0/0."""
         one, axis = self.courses[driver], self.axes[driver]
         aside, clear = stride(self.method, one.path.pace, _ASIDE_DEG, _ASIDE_PART), np.array(us, dtype=float)
