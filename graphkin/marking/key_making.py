@@ -19,7 +19,6 @@ from graphkin.marking.tolerances import DRAWINGS, drawings_of, spread
 from graphkin.model.mechanism import Mechanism, Usual
 from graphkin.model.quantities import EDGE, Quantity
 from graphkin.planning import Method
-from graphkin.planning.asked import all_motions
 from graphkin.running import replay_all
 
 _FEW = 500  # drawings where many problems are compared
@@ -38,7 +37,7 @@ def make_key(method: Method, marking: Marking, quantities: Sequence[Quantity] = 
     marks       it marks work; else it is read only, and of mistakes it has the values alone, not what a pencil adds
     """
     mechanism, plot = method.mechanism, replay_all(method)
-    asked = asked_of(mechanism) or {quantity.text: quantity for quantity in all_motions(mechanism)}
+    asked = asked_of(mechanism)
     words = {quantity.text: question for question, quantity in asked.items()}
     every = list({q.text: q for q in (*asked.values(), *on_the_way(method), *quantities)}.values())
     right = _right(method, plot, every)
@@ -52,7 +51,7 @@ def make_key(method: Method, marking: Marking, quantities: Sequence[Quantity] = 
     failed = drawings.failed + (1 - drawings.failed) * np.isnan(drawn).mean(axis=0)
     drawn = np.where(sizes, np.abs(drawn), drawn)
     hardly = drawings_of(method, marking, DRAWINGS, _HARDLY).values(every)[0]
-    worth = {text: mechanism.worth.get(text, 1.0) for text in asked}
+    worth = {text: mechanism.worth.get(text, 1.0) for text in asked} or {q.text: 1.0 for q in every}
     entries = tuple(
         _doubted(
             _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth),

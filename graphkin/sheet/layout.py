@@ -30,7 +30,7 @@ _MECHANISM = 2.2  # the weight of the mechanism: its signs keep their size and n
 _INK = 1.0  # the worth of paper that is used
 _AT_ONCE = 256  # so many divisions are held against blocks at once
 _COARSER = 2.1  # so much coarser a figure may be drawn to have room for its equations and tables beside it
-_FAIR, _MOST, _DEAR = 0.29, 0.39, 40.0
+_FAIR, _MOST, _DEAR = 0.27, 0.4, 40.0
 """So much of the field each of three figures has at least, and the mechanism at most; the cost of what is not so."""
 
 Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
