@@ -32,7 +32,7 @@ def asked_parts(
     return shown
 
 
-def all_motions(mechanism: Mechanism, planes: Sequence[Plane] = PLANES[1:]) -> tuple[Quantity, ...]:
+def all_motions(mechanism: Mechanism, planes: Sequence[Plane]) -> tuple[Quantity, ...]:
     """What is asked where a file asks for nothing: how every link turns that is not driven, and how every point moves
     that is no aid."""
     links = [link for link in mechanism.moving if link not in mechanism.driven]

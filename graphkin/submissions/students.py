@@ -100,7 +100,7 @@ def students_in(rows: Iterable[Sequence[str]], where: Where) -> tuple[Student, .
         names = tuple((tidy_id(name), tidy_id(cell)) for k, (name, cell) in cells if k != at and field_of(name))
         if id:
             students[id] = Student(id, names)
-        elif names and not canvas and (nameless := next((cell for _, cell in names if cell), "")):
+        elif not canvas and (nameless := next((cell for _, cell in names if cell), "")):
             raise StudentWithoutId(where, nameless)
     if not students:
         raise NoStudents(where)
