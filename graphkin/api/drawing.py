@@ -258,7 +258,7 @@ class Drawing(Readable[Number, Vector]):
         from graphkin.say import explain
         from graphkin.sheet import scales_of
 
-        scales = scales_of(self.method, self.plot, lang)
+        scales = scales_of(self.method, self.plot)
         on_paper: dict[str, float] = {key: scales[plane] for plane, key in SCALES.items()}
         plot, ruler = self.plot, None
         if as_drawn:

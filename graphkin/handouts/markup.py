@@ -30,7 +30,7 @@ MARK = "graphkin solution"
 
 def solution(drawing: Drawing, lang: Lang, *, everything: bool = False, only: Plane = "acceleration") -> Handout:
     """The written solution that `explain` prints, as blocks, at the scales of the sheet."""
-    scales = {KEYS[plane]: scale for plane, scale in scales_of(drawing.method, drawing.plot, lang).items()}
+    scales = {KEYS[plane]: scale for plane, scale in scales_of(drawing.method, drawing.plot).items()}
     entries = derivation(drawing.method, drawing.plot, scales, lang, everything, only)
     digest = hashlib.sha256(drawing.mechanism.text.encode()).hexdigest()[:12]
     foot = Foot(say("handouts.stage solution", lang), graphkin.__version__, digest, "", say("handouts.bar", lang))

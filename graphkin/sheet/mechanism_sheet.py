@@ -63,12 +63,11 @@ def mechanism_sheet(
     """
     if style == "given":
         drawing = Planes(method, plot, ("position",), style, lang)
-        contents = SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
-        return replace(cheapest(contents, paper).page.sheet(), given=True)
+        return replace(_arranged(drawing, partial(_bare, tight=tight), paper).page.sheet(), given=True)
     method, plot = shown(method, plot)
-    contents = _whole(Planes(method, plot, _planes(only), style, lang, paths, breaks=upto is None), tight)
-    contents = contents if equations else replace(contents, without=frozenset({"equations"}))
-    return cheapest(contents, paper).page.sheet() if upto is None else next(_staged(contents, paper, [upto]))
+    drawing = Planes(method, plot, _planes(only), style, lang, paths, breaks=upto is None)
+    best = _arranged(drawing, partial(_whole, tight=tight, equations=equations), paper)
+    return best.page.sheet() if upto is None else next(_staged(best, paper, [upto]))
 
 
 def mechanism_step_sheets(
@@ -77,11 +76,18 @@ def mechanism_step_sheets(
 ) -> Iterator[Sheet]:  # fmt: skip
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     method, plot = shown(method, plot)
-    yield from _staged(_whole(Planes(method, plot, _planes(only), "construction", lang), tight), paper)
+    drawing = Planes(method, plot, _planes(only), "construction", lang)
+    yield from _staged(_arranged(drawing, partial(_whole, tight=tight), paper), paper)
 
 
-def _whole(drawing: Planes, tight: bool = False) -> SheetContents:
-    return SheetContents(drawing, {} if tight else tables(drawing.method, drawing.plot, drawing.lang), tight=tight)
+def _bare(drawing: Planes, tight: bool) -> SheetContents:
+    """What is given, and nothing else."""
+    return SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
+
+
+def _whole(drawing: Planes, tight: bool = False, equations: bool = True) -> SheetContents:
+    found = {} if tight else tables(drawing.method, drawing.plot, drawing.lang)
+    return SheetContents(drawing, found, tight=tight, without=frozenset() if equations else frozenset({"equations"}))
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -89,9 +95,9 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
     return tuple(plane for plane in PLANES if plane in planes)
 
 
-def scales_of(method: Method, plot: Plot, lang: Lang = "en", breaks: bool = True) -> Mapping[Plane, float]:
-    """The scales of the sheet, or of one on which no arrow is drawn broken."""
-    return cheapest(_whole(Planes(method, plot, PLANES, "construction", lang, breaks=breaks)), None).layout.scales
+def scales_of(method: Method, plot: Plot, breaks: bool = True) -> Mapping[Plane, float]:
+    """The scales of the sheet in every language, or of one on which no arrow is drawn broken."""
+    return cheapest(_whole(Planes(method, plot, PLANES, "construction", "en", breaks=breaks)), None).layout.scales
 
 
 @frozen
@@ -170,6 +176,20 @@ class Arrangement:
         return page.trimmed if self.contents.tight else page
 
 
+def _arranged(drawing: Planes, contents: Callable[[Planes], SheetContents], paper: str | None) -> Arrangement:
+    """The cheapest arrangement of the English sheet; of another language with its scales, on its paper."""
+    best = cheapest(contents(replace(drawing, lang="en")), paper)
+    if drawing.lang == "en":
+        return best
+    own, english = contents(drawing), best.contents
+    kept = replace(own, low=english.low, without=english.without, detailed=english.detailed, scales=best.layout.scales)
+    larger = (other for other in papers_for(paper) if other.area > best.sold.area)
+    with suppress(TooLargeForPaper):
+        alike = Arrangement.on(kept, [best.sold, *larger])
+        return alike.cut if paper is None or own.tight else alike
+    return cheapest(own, paper)
+
+
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure. A figure for
     another document stays on the smallest. None is composed further once another is known to be cheaper."""
@@ -197,14 +217,13 @@ def _arrangements(contents: SheetContents, papers: Sequence[Paper]) -> Iterator[
         yield Arrangement.on(replace(contents, detailed=knots), papers)
 
 
-def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
+def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    best = cheapest(contents, paper)
     told, stage = _spoken(best), replace(best, contents=replace(best.contents, stages=True))
     same = [each for each in papers_for(paper) if each.area == best.sold.area]
     wide = min(tables_room(each.reduced) for each in same)
     said = max(WrittenLines.sentences(texts, wide, LABEL).size.imag for texts in told.values())  # over the footer
-    for scales in () if contents.tight else (best.layout.scales, {}):  # those of the whole sheet, where there is room
+    for scales in () if best.contents.tight else (best.layout.scales, {}):  # those of the whole sheet, where there is room
         with suppress(TooLargeForPaper):
             stage = Arrangement.on(replace(stage.contents, said=said, scales=scales, tables={}), same)
             stage = stage if paper else stage.cut
@@ -220,7 +239,7 @@ def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] =
 def _spoken(stage: Arrangement) -> dict[Act, list[str]]:
     """The number and the sentence of each act, at the scales that are drawn. Raises TooLargeForPaper."""
     drawing, planes = stage.contents.drawing, stage.contents.planes
-    others = {} if planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang, breaks=False)
+    others = {} if planes == PLANES else scales_of(drawing.method, drawing.plot, breaks=False)
     reading = drawing.reading({**others, **stage.layout.scales})
     entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
     texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}

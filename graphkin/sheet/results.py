@@ -179,7 +179,7 @@ class _TablesInMaking:
                 text, label = lines.result(quantity), label_of(quantity)
                 far = isinstance(quantity, asked.Centre) and "°" in text  # at infinity: its direction is told
                 unit = "°" if far else EDGE[quantity.unit].sign
-                figure = text.replace("°", "") if far else text.removesuffix(unit).rstrip()
+                figure = text.replace("°", "") if far else text[max(0, text.find("(")) :].removesuffix(unit).rstrip()
                 rows.append((bold(label if figure == text else _unit(label, unit)), bold(formula(figure))))
         return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 

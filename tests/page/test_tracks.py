@@ -31,6 +31,15 @@ def cells_of(name: str, plane: Plane) -> np.ndarray:
     return cells_shown(knots_of(name), plane)
 
 
+def reached(knots: PageKnots) -> int:
+    """The number of cells of a grid to all corners of which the mechanism gets."""
+    there = np.array([plot is not None for plot in knots.plots]).reshape(knots.shape)
+    for n, axis in enumerate(knots.axes):
+        beside = np.roll(there, -1, n)
+        there = np.delete(there & beside, [] if axis.period else -1, n)
+    return int(there.sum())
+
+
 def unpacked(text: str) -> list[int]:
     numbers, pieces = [], []
     for letter in text:
@@ -83,14 +92,14 @@ def test_cells_of_a_grid_are_shown_where_they_are_near_enough(plane):
 
 @pytest.mark.parametrize("name", ["p3-14", "p3-21", "p3-22", "s4-ex6"])
 def test_the_drawn_position_of_several_drivers_is_a_knot(name):
-    """There all planes are shown, and in more than every fourth cell around."""
+    """There all planes are shown, and in two of five cells to all corners of which the mechanism gets."""
     knots = knots_of(name)
     drawn = knots.reach.drawn
     at = tuple(int(np.abs(axis.u - u).argmin()) for axis, u in zip(knots.axes, drawn, strict=True))
     assert [axis.u[k] for axis, k in zip(knots.axes, at, strict=True)] == pytest.approx(drawn, abs=1e-9)
     for plane in PLANES:
         assert knots.shown[plane].reshape(knots.shape)[at], plane
-        assert cells_of(name, plane).mean() > 0.25, plane
+        assert cells_of(name, plane).sum() > 0.4 * reached(knots), plane
 
 
 @pytest.mark.parametrize("ends", ["line", "low", "high", "both"])

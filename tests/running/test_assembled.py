@@ -49,7 +49,7 @@ def test_random_mechanisms(kind: str):
         ("ex3-7", "Assembly: D above AB, E to the left of BD.", "装配位置：D 在 AB 的上方，E 在 BD 的左侧。"),
         ("p3-6b", "Assembly: C above D.", "装配位置：C 在 D 的上方。"),
         ("p3-7", "Assembly: F at that of its two possible places which is farther from A, C below BD.", None),
-        ("p3-15", "Assembly: C near (-40, 800), D near (20, -160).", "装配位置：C 在（-40，800）附近，D 在（20，-160）附近。"),
+        ("p3-15", "Assembly: C near (-40, 800), D near (20, -160).", "装配位置：C 在 (-40, 800) 附近，D 在 (20, -160) 附近。"),
         ("scotch-yoke", "", ""),
     ],
 )  # fmt: skip

@@ -306,7 +306,7 @@ def test_the_problem_as_it_was_set() -> None:
     """Lengths and angles that the file states, in its units; speeds as revolutions; and the drawing made from these."""
     text = "\n".join(whole(*drawn(AS_SET), "zh"))
     assert "l_AB = 1 in = 25.4 mm，l_BC = 60 mm，l_BE = 30 mm，∠CBE = 30°" in text
-    assert "（in）：A（0，0），D（3，−0.5）" in text
+    assert "（in）：A(0, 0)，D(3, −0.5)" in text
     assert "AB 沿 x 轴正向（φ1 = 0°），n1 = 60 r/min（顺时针），ω1 = 2πn1/60 = 6.283 rad/s，α1 = 0" in text
     assert "构件 2 上的 E：作 ∠CBE = 30°（B→C→E 逆时针），取 BE = " in text
     turned = "\n".join(whole(*drawn(AS_SET.replace("angle = 0", "angle = -20")), "en"))

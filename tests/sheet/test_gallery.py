@@ -40,6 +40,15 @@ def test_the_gallery_s_own_files_are_good():
     assert all(measure(FIGURES / name / f"{name}.svg").passed(0.01) for name in ("ex3-1", "p3-15", PATH))
 
 
+@pytest.mark.parametrize("name", library.names())
+def test_a_drawing_has_the_same_scales_on_the_same_paper_in_both_languages(name: str):
+    english, chinese = ((FIGURES / name / f"{name}{end}.svg").read_text("utf-8") for end in ("", "-zh"))
+    (ours,), (theirs,) = (re.findall(r"<desc>(.*?)</desc>", text) for text in (english, chinese))
+    scales = [re.findall(r"= ([\d.e-]+)", told) for told in (ours, theirs)]
+    assert scales[0] == scales[1] != []
+    assert english.partition("viewBox")[2][:16] == chinese.partition("viewBox")[2][:16]
+
+
 def test_gallery_is_whole():
     assert {path.name for path in FIGURES.iterdir() if path.is_dir()} == {*library.names(), FEEDBACK, PATH, MANUAL}
 

@@ -47,7 +47,7 @@ PHRASES: Phrases = {
     "centres.lines coincide": ("no two lines through it that differ are known", "已知的过该点的直线重合或不足两条"),
     "centres.together": ("{name}: links {first} and {second} have no relative motion at this instant, and no centre.",
                          "{name}：构件 {first}、{second} 此瞬时无相对运动，不存在瞬心。"),
-    "centres.mm": ("at {place} mm", "坐标{place}mm"),
+    "centres.mm": ("at {place} mm", "坐标 {place} mm"),
     "centres.infinite": ("at infinity, in the direction {angle}", "在方向 {angle} 的无穷远处"),
     "centres.shorter": ("By them, with lengths measured on paper in mm (μ_l = {scale} m/mm):",
                         "用瞬心求速度（长度在图上量取，mm，μ_l = {scale} m/mm）："),
@@ -162,7 +162,7 @@ PHRASES: Phrases = {
                         "两点速度在 {a}{b} 连线上的投影相等，均为 {component:read} m/s，符合速度投影定理，属同一刚体。"),
     "about.two meet": ("The velocities are not parallel. The line through {a} across v_{a} and the line through {b} "
                        "across v_{b} meet at the instant centre P ({x:read}, {y:read}) mm.",
-                       "两速度不平行：过 {a} 作 v_{a} 的垂线，过 {b} 作 v_{b} 的垂线，两垂线的交点即为瞬心 P（{x:read}，{y:read}）mm。"),
+                       "两速度不平行：过 {a} 作 v_{a} 的垂线，过 {b} 作 v_{b} 的垂线，两垂线的交点即为瞬心 P ({x:read}, {y:read}) mm。"),
     "about.two infinity": ("The velocities are parallel and equal. The perpendiculars are parallel: the instant "
                            "centre lies at infinity, in the direction {at:read}°; ω = 0, the body is in translation "
                            "at this instant.",
@@ -170,9 +170,9 @@ PHRASES: Phrases = {
     "about.two similar": ("The velocities are parallel, across {a}{b}, and unequal. By similar triangles the line "
                           "through the tips of the two velocity arrows meets the line {a}{b} at the instant centre P "
                           "({x:read}, {y:read}) mm.",
-                          "两速度平行（均垂直于 {a}{b}）但不相等：由相似三角形，两速度矢端的连线与 {a}{b} 连线的交点即为瞬心 P（{x:read}，{y:read}）mm。"),
+                          "两速度平行（均垂直于 {a}{b}）但不相等：由相似三角形，两速度矢端的连线与 {a}{b} 连线的交点即为瞬心 P ({x:read}, {y:read}) mm。"),
     "about.two point": ("The velocity of {still} is 0: {still} itself is the instant centre P ({x:read}, {y:read}) mm.",
-                        "点 {still} 的速度为零，{still} 即为瞬心 P（{x:read}，{y:read}）mm。"),
+                        "点 {still} 的速度为零，{still} 即为瞬心 P ({x:read}, {y:read}) mm。"),
     "about.two rest": ("Both velocities are 0: the body stands still at this instant, and no instant centre is seen.",
                        "两点速度均为零：刚体此刻静止，看不出瞬心。"),
     "about.two omega": ("{omega}, {sense}.", "{omega}（{sense}）。"),

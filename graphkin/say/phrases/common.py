@@ -5,7 +5,7 @@ from graphkin.say.catalogue import Phrases
 # fmt: off
 PHRASES: Phrases = {
     "common.note": (" ({note})", "（{note}）"),
-    "common.place": ("({x}, {y})", "（{x}，{y}）"),
+    "common.place": ("({x}, {y})", "({x}, {y})"),
     "common.and": (", ", "，"),
     "common.broken off": ("Aborted!", "已中断。"),
     "common.list": (", ", "、"),

@@ -22,7 +22,7 @@ PHRASES: Phrases = {
     "assembly.drawn": ("Assembly: {told}.", "装配位置：{told}。"),
     "assembly.distance": ("{point} at that of its two possible places which is [farther from|nearer to] {line}",
                           "{point} 取两个可能位置中离 {line} [较远|较近]者"),
-    "assembly.near": ("{point} near ({x}, {y})", "{point} 在（{x}，{y}）附近"),
+    "assembly.near": ("{point} near ({x}, {y})", "{point} 在 ({x}, {y}) 附近"),
     # === files of teaching platforms: columns, titles, what is left out
     "platforms.problem title": ("{set}, {id}", "{set} {id}"),
     "platforms.answers": ("Answer with three significant digits, in the units stated; counter-clockwise is positive.",

@@ -317,7 +317,7 @@ PHRASES: Phrases = {
     "design.proof": ("Analysed back from its lengths: ", "由杆长分析验证："),
     "design.family": ("Admissible A on the circle of centre ({x:n}, {y:n}) mm, radius {radius:mm} ({axes}): {arcs}; "
                       "least transmission angle at most {best:deg}.",
-                      "许用的 A 点在圆心（{x:n}，{y:n}）mm、半径 {radius:mm} 的圆上（{axes}）：{arcs}；最小传动角最大可达 {best:deg}。"),
+                      "许用的 A 点在圆心 ({x:n}, {y:n}) mm、半径 {radius:mm} 的圆上（{axes}）：{arcs}；最小传动角最大可达 {best:deg}。"),
     "design.axes rocker": ("D is the origin, the y axis bisects ∠C1DC2", "以 D 为原点，y 轴为 ∠C1DC2 的平分线"),
     "design.axes slider": ("C1 is the origin, the x axis points to C2", "以 C1 为原点，x 轴由 C1 指向 C2"),
     "design.arcs": ("from {start:deg} to {end:deg}", "{start:deg} 至 {end:deg}"),

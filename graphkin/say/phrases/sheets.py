@@ -136,7 +136,7 @@ PHRASES: Phrases = {
                                "将各构件表示为杆矢量，其长度为 l，方位角为 θ，由 x 轴起逆时针方向计量为正；滑块位移 s 为长度变化的矢量。i 为虚数单位，{euler}。"),
     "equations.drivers": ("Given: the [motion of the driver|motions of the drivers], {drivers}.", "已知：原动件的运动 {drivers}。"),
     "equations.auxiliary fixed": ("{letter} is an auxiliary fixed point, at ({x}, {y}) mm.",
-                                  "{letter} 为机架上的辅助点，坐标为（{x}，{y}）mm。"),
+                                  "{letter} 为机架上的辅助点，坐标为 ({x}, {y}) mm。"),
     "equations.auxiliary": ("{letter} is an auxiliary point of link {link}: there the line begins on which {point} "
                             "moves.",
                             "{letter} 为构件 {link} 上的辅助点，即 {point} 所沿直线的起点。"),
