@@ -15,7 +15,8 @@ from graphkin.sheet.marks import Place, Text
 
 LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
-_CHINESE_SIGNS = "√∥⊥"  # signs that the Chinese letters have, and Latin ones may not
+_CHINESE_SIGNS = "√⊥"  # signs that the Chinese letters have, and Latin ones may not
+_AS_BARS = str.maketrans({"∥": "||"})  # of the sign of parallels Chinese letters make one as wide as a character
 _DOTTED = {"\u1e61": "s\u02d9", "s\u0308": "s\u00a8"}
 """Letters that few fonts have: another one, and the dots over it by themselves."""
 _OVER = 0.07  # so far to the right of where the letter begins the dots begin, which are less wide and lean [em]
@@ -76,6 +77,7 @@ def runs(mark: Text) -> list[LetterSpan]:
             at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
             for k, letters in enumerate(_DOTTED.get(bare, [bare])):
                 if letters:
+                    letters = letters.translate(_AS_BARS)
                     spans.append(LetterSpan(letters, at + complex(k * _OVER * size), size, run.italic, run.bold))
             start += run_width(run._replace(text=text), mark.size) if text != run.text else 0.0
     return spans
