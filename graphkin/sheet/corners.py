@@ -22,7 +22,9 @@ from graphkin.sheet.window import Extent, Window
 _AIR = 6.0  # from a block to the figure beside it, with room for letters [mm]
 _LEAST = 5.0  # points in less room than this are no figure [mm]
 _EDGE, _RIM, _TIGHT = 3.0, 1.0, 1.5  # from a block to the side of its corner, to the other, and to other blocks [mm]
-_OTHER_SIDE, _OTHER_END = 0.04, 0.1  # the cost of a block on the right, or at the end it is not meant for
+_OTHER_SIDE, _OTHER_END = (0.24, 0.04), 0.1
+"""The cost of a block on the right, where it should stand under the heading and where at the foot; or at the end that
+it is not meant for."""
 _CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
 
 
@@ -64,7 +66,7 @@ def _choices(extent: Extent, sizes: Sequence[complex], foot: bool) -> Iterator[_
         part = whole * abs(side - np.where(there, stairs, 0.0))
         off, part = np.where(there, (off, part), first.swapaxes(0, 1))
         shape = np.repeat(np.arange(len(sizes)), stair.shape[1])
-        yield _Choices(corner, off, part, size, shape, _OTHER_SIDE * corner[0] + _OTHER_END * (corner[1] != foot))
+        yield _Choices(corner, off, part, size, shape, _OTHER_SIDE[foot] * corner[0] + _OTHER_END * (corner[1] != foot))
 
 
 def _need(choices: _Choices, keeps: Sequence[Array], room: Array) -> Array:
