@@ -79,6 +79,14 @@ def _splines(x: Array, count: int) -> Array:
     return values
 
 
+def _modes(pull: Array, stiff: Array) -> tuple[Array, Array]:
+    """Shapes of a field in which all stiffnesses that are tried are solved alike: as columns, and the part of each that
+    is stiffness and not pull."""
+    lower = np.linalg.cholesky(pull + stiff + _LEAST * np.eye(pull.shape[0]))
+    part, modes = np.linalg.eigh(np.linalg.solve(lower, np.linalg.solve(lower, stiff).T))
+    return np.linalg.solve(lower.T, modes), part
+
+
 def smoothed(places: Array, values: Array, size: tuple[float, float]) -> tuple[Array, Array, Array]:
     """A smooth field near scattered values, as smooth as leaves the least to a value that is not looked at; values that
     stand apart from the others count little. The field's table, `_TABLE` apart (ny, nx); how far each value is from
@@ -90,13 +98,14 @@ def smoothed(places: Array, values: Array, size: tuple[float, float]) -> tuple[A
     stiff = np.kron(bends[0].T @ bends[0], np.eye(counts[1])) + np.kron(np.eye(counts[0]), bends[1].T @ bends[1])
     weights = np.ones(places.size)
     for _ in range(_ROUNDS):
-        pull = basis.T * weights
-        fits = []
+        modes, stiffness = _modes((basis.T * weights) @ basis, stiff)
+        shown = basis @ modes
+        pull, fits = shown.T @ (weights * values), []
         for smooth in _SMOOTH:
-            hat = np.linalg.solve(pull @ basis + smooth * stiff + _LEAST * np.eye(pull.shape[0]), pull)
-            own = np.einsum("pk,kp->p", basis, hat)  # what of its own value each has in what the field is there
-            shift = hat @ values
-            fits.append((shift, (values - basis @ shift) / np.maximum(1 - own, 0.05)))
+            give = 1 / (1 + (smooth - 1) * stiffness)
+            own = weights * (shown**2 @ give)  # what of its own value each has in what the field is there
+            shift = modes @ (give * pull)
+            fits.append((shift, (values - shown @ (give * pull)) / np.maximum(1 - own, 0.05)))
         shift, off = min(fits, key=lambda fit: np.sum(weights * np.abs(fit[1]) ** 2))
         weights = 1 / (1 + (np.abs(off) / (_APART * max(float(np.median(np.abs(off))), 1e-4))) ** 2) ** 2
     x, y = (_splines(np.arange(0.0, n + _TABLE, _TABLE), count) for n, count in zip(size, counts))
