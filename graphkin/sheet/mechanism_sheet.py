@@ -223,7 +223,7 @@ def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -
     same = [each for each in papers_for(paper) if each.area == best.sold.area]
     wide = min(tables_room(each.reduced) for each in same)
     said = max(WrittenLines.sentences(texts, wide, LABEL).size.imag for texts in told.values())  # over the footer
-    for scales in () if best.contents.tight else (best.layout.scales, {}):  # those of the whole sheet, where there is room
+    for scales in () if best.contents.tight else (best.layout.scales, {}):  # those of the whole sheet, if there is room
         with suppress(TooLargeForPaper):
             stage = Arrangement.on(replace(stage.contents, said=said, scales=scales, tables={}), same)
             stage = stage if paper else stage.cut
