@@ -382,6 +382,9 @@ class NoVariant(LocatedError):
 
 _REFUSED: dict[str, dict[Lang, str]] = {
     "assembly": {"en": "does not assemble", "zh": "不能装配"},
+    "elsewhere": {
+        "en": "in another assembly than in the middle of the ranges", "zh": "不能由范围中点的装配形式连续到达",
+    },
     "dead point": {"en": "near a dead point", "zh": "接近死点"},
     "short": {"en": "a vector too short to measure", "zh": "矢量太短"},
     "taken": {"en": "like another student's", "zh": "与其他学生相同"},

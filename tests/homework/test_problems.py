@@ -36,6 +36,7 @@ from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.problem_folder import SetOrder, write_problems
 from graphkin.homework.grading import key_for
 from graphkin.homework.problems import Variant, draws, read_template, roster, well_posed
+from graphkin.homework.problems.carried import carried
 from graphkin.homework.problems.posed import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
@@ -254,6 +255,51 @@ def test_numbers_that_are_refused_are_solved_once(template: Path, monkeypatch: p
     with pytest.raises(NoVariant, match="a vector too short to measure: 200"):
         variants(read_template(template), roster("3"), "1")
     assert len(solved) <= draws._SAMPLE_TRIES + 2
+
+
+DRAG_LINK = """ask = ["omega 3", "v C"]
+frame = { A = [0, 0], D = [30, 0] }
+links = { 1.AB = { from = 60, to = 66, step = 1 }, 2.BC = 62, 3.DC = 70 }
+driver = [{ vector = "AB", angle = { from = 0, to = 355, step = 5 }, omega = 10 }]
+sketch = { C = [60, 60] }
+"""
+
+
+def test_all_students_have_one_assembly(template: Path, tmp_path: Path):
+    """C goes all the way round, so that for half of the crank's angles the sketch is nearer to the crossed linkage."""
+    template.write_text(DRAG_LINK, encoding="utf-8")
+    result = CliRunner().invoke(main, ["problems", str(template), "--students", "12", "-o", str(tmp_path / "set"), "--lang", "en"])
+    assert result.exit_code == 0, result.output
+    sides, sketched = set(), []
+    for path in sorted((tmp_path / "set" / "teacher").glob("s??.toml")):
+        mechanism = loading.load(path)
+        place = replay_all(plan(mechanism)).position
+        sides.add(math.copysign(1, ((place["C"] - place["B"]) * (place["D"] - place["B"]).conjugate()).imag))
+        if mechanism.sketch["C"] != 0.06 + 0.06j:
+            sketched.append(path.stem)
+            assert abs(mechanism.sketch["C"] - place["C"]) < 1e-5
+    assert len(sides) == 1
+    assert sketched
+    assert f"{len(sketched)} students the sketch is nearer to another assembly: " in result.stderr
+    assert all(name in result.stderr for name in sketched)
+
+
+def test_numbers_to_which_the_assembly_does_not_lead_are_no_problem(template: Path):
+    """A crank longer than its rod turns to and fro on one side of the guide's point; on the other side it would again."""
+    text = """ask = ["v C"]
+frame.A = [0, 0]
+links = { 1.AB = 50, 2.BC = 30, 3.points = ["C"] }
+slide = [{ block = "3", point = "C", guide = "frame", through = "A" }]
+driver = [{ vector = "AB", angle = { from = -20, to = 199, step = 1 }, omega = 10 }]
+sketch = { C = [74, 0] }
+"""
+    template.write_text(text, encoding="utf-8")
+    read_one = read_template(template)
+    angle = {k: read_one.mechanism([k]).drivers[0].value for k in (20, 50, 190, 210)}
+    assert [round(math.degrees(value)) for value in angle.values()] == [0, 30, 170, 190]
+    assert [carried(read_one, [k]) is not None for k in angle] in ([True, True, False, False], [False, False, True, True])
+    for k in (190, 210):
+        plan(read_one.mechanism([k]))  # it can be put together there
 
 
 def test_the_command(template: Path, tmp_path: Path):
