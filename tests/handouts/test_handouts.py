@@ -336,6 +336,25 @@ def test_a_solution_is_written_by_the_ending(kind: str, tmp_path: Path):
     assert path.read_text() == "mine"
 
 
+def test_what_problems_would_not_ask_is_said(tmp_path: Path):
+    """A handout of a mechanism asks what its file asks; who hands it out reads what `tolerance` says of it."""
+    told = CliRunner().invoke(main, ["tolerance", "ex3-3", "--lang", "en"]).stdout
+    (sentence,) = (line for line in told.splitlines() if "`graphkin problems` asks no such value" in line)
+    for stage, name, said in (("problem", "ex3-3", True), ("solution", "ex3-3", False), ("problem", "ex3-5", False)):
+        args = ["handout", name, "--stage", stage, "-o", str(tmp_path / f"{name}-{stage}.html"), "--lang", "en"]
+        result = CliRunner().invoke(main, args)
+        assert result.exit_code == 0
+        assert (f"ask: {sentence}" in result.stderr) is said
+        assert ("asks no such value" in result.stderr) is said
+
+
+def test_further_positions_that_cannot_be_told_are_said():
+    text = library.text("ex3-3").replace("[[driver]]", "[[driver]]\nalso = [61]", 1)
+    first, *others = problem.untold_answers(graphkin.loads(text), "en")
+    assert "ω6 may" in first
+    assert "ω6 #2 may" in " ".join(others)
+
+
 def test_common_mistakes_list_only_what_they_move():
     """Along a guide that runs the other way the same speed comes with a sign; the answer has none, nor has the mistake."""
     entries = (KeyEntry("v E", "m/s", "size", 0.176, 0.003, 0.009, 1.0), KeyEntry("theta 3", "rad", "angle", 6.2, 0.01, 0.03))

@@ -28,7 +28,8 @@ from graphkin.homework.problems.posed import PosedProblem, Refused, answers, wel
 from graphkin.homework.problems.template import Template, digest
 from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, MistakeVisibility, mistake_visibility
 from graphkin.marking.key import TELLS, Marking, columns
-from graphkin.marking.key_making import AskedAnswers, asked_alone, parts_off
+from graphkin.marking.key_making import AskedAnswers, asked_alone
+from graphkin.marking.tolerances import parts_off
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import at_position
 from graphkin.running import replay_all
