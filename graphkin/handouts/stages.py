@@ -153,7 +153,8 @@ def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     grid = room(problem, plane)
     tall = grid.height > ROOM.imag
     yield from [measured(problem, 1, grid.width)] if tall and not drawn else []
-    before, after = say("handouts.draw here", problem.lang, which=drawn, scale="\0").split("\0")
+    angle = "".join(run.text for run in grid.mark)
+    before, after = say("handouts.draw here", problem.lang, which=drawn, scale="\0", angle=angle).split("\0")
     yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
     yield grid
     yield from [] if tall or drawn else [measured(problem, 3, grid.width)]

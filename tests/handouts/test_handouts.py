@@ -128,6 +128,16 @@ def test_a_worksheet_tells_nothing_by_its_rooms(name):
     assert len({room.pole for room in again}) > 2
 
 
+@pytest.mark.parametrize(("lang", "said"), [("en", "line at 150° to +x"), ("zh", "与 +x 成 150°")])
+def test_the_line_through_the_pole_is_explained(lang, said):
+    """It has the direction of the first arrow, which is given with the driver, and serves to set a triangle against."""
+    blocks = handout([graphkin.load("ex3-1")], "blank", lang).blocks
+    k = next(k for k, block in enumerate(blocks) if isinstance(block, GridRoom))
+    assert np.degrees(blocks[k].direction) == pytest.approx(150)
+    text = next(block for block in blocks[k - 1 :: -1] if isinstance(block, Paragraph)).words
+    assert said in "".join(run.text for run in text)
+
+
 @pytest.mark.parametrize("upto", [0, 1, 2, 9])
 def test_a_half_worked_solution_stops_between_equations(upto):
     made = handout([graphkin.load("ex3-5")], "half", "en", upto=upto)
