@@ -9,7 +9,8 @@ from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, Located
 __all__ = [
     "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenBoard", "BrokenSubmission", "CentresNotMarked", "ForeignBoard", "HandedTwice",
     "LetterTwice", "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoNumbers", "NoPaperScale",
-    "NoRange", "NoRightNumber", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant",
+    "NoRange", "NoRightNumber", "NoRows", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant",
+    "NoneMarked",
     "NotAQuestion", "NotAResult", "NotASet", "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform",
     "NotMarkable", "NothingToMark", "OffTheDrawing", "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SameNumbers",
     "SenseDisputed", "SeveralStudents", "StudentTwice", "StudentWithoutId", "TooMuch", "TookTooLong", "TurnedPage", "TwoNames",
@@ -222,6 +223,17 @@ class StudentWithoutId(LocatedError):
     student: str
     en = "{where}: {student!r} has no id in the list. Give everybody one, or delete the row."
     zh = "{where}：名单中 {student!r} 没有学号。请补上学号，或删去该行。"
+
+
+class NoRows(LocatedError):
+    en = "{where}: the table has a header and no rows below it. Write a row for each student."
+    zh = "{where}：表中只有表头，没有数据行。请为每名学生写一行。"
+
+
+class NoneMarked(GraphkinError):
+    count: int
+    en = "None of what was handed in could be marked ({count}): the reason stands with each."
+    zh = "交来的作业均未能评阅（共 {count} 份），原因见各行。"
 
 
 class NoAnswers(LocatedError):
