@@ -9,7 +9,7 @@ import click
 
 from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
-from graphkin.errors import Lang
+from graphkin.errors import Lang, NothingToScan
 
 if TYPE_CHECKING:
     from graphkin.handouts import Handout, Stage
@@ -65,6 +65,8 @@ def handout(
         raise click.UsageError(f"{output}: the file to write must end in .pdf or .html, or be a folder")
     if scan is not None and kind == ".html":
         raise click.UsageError("--scan needs a .pdf: a page of a browser has no fixed size")
+    if scan is not None and stage == "solution":
+        raise NothingToScan()
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     books = [(output, problems)]
     if folder:

@@ -7,7 +7,7 @@ from typing import ClassVar
 from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, LocatedError, WordTable
 
 __all__ = [
-    "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenBoard", "BrokenSubmission", "CentresNotMarked", "ForeignBoard", "HandedTwice",
+    "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenBoard", "BrokenSubmission", "CentresNotMarked", "ExcelInside", "ForeignBoard", "HandedTwice",
     "LetterTwice", "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoNumbers", "NoPaperScale",
     "NoRange", "NoRightNumber", "NoRows", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant",
     "NoneMarked",
@@ -228,6 +228,11 @@ class StudentWithoutId(LocatedError):
 class NoRows(LocatedError):
     en = "{where}: the table has a header and no rows below it. Write a row for each student."
     zh = "{where}：表中只有表头，没有数据行。请为每名学生写一行。"
+
+
+class ExcelInside(LocatedError):
+    en = "{where}: this is an Excel file that has another ending. Give it its own (.xlsx), or save it as CSV."
+    zh = "{where}：这是改了扩展名的 Excel 文件。请改回 .xlsx，或另存为 CSV。"
 
 
 class NoneMarked(GraphkinError):

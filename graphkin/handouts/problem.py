@@ -159,11 +159,15 @@ class HandoutProblem:
     def answers(self) -> Section:
         return self._sections[-1]
 
+    @property
+    def equations(self) -> int:
+        """The number of its vector equations."""
+        return sum(isinstance(each, entry.VectorEquation) for section in self.parts for each in section.entries)
+
     def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
         """The parts as far as whole equations and what is said of their arrows go, the last with the next equation.
         Of a single equation none is done."""
-        every = [each for section in self.parts for each in section.entries if isinstance(each, entry.VectorEquation)]
-        equations, seen = equations if len(every) > 1 else 0, 0
+        equations, seen = equations if self.equations > 1 else 0, 0
         for section in self.parts:
             for k, each in enumerate(section.entries):
                 if isinstance(each, entry.VectorEquation):

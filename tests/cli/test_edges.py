@@ -202,6 +202,8 @@ REFUSED = [
     (("find", "ex3-1", "a_k B = 0"), 3, "Write `a_k B2B3`"),
     (("find", "ex3-1", "a_n B = 0"), 3, "Write `a_n BA`"),
     (("linkage", "ex3-5", "--fix", "2", "--json"), 2, "leave out --json"),
+    (("draw", "ex3-1", "-o", "/dev/full"), 3, "/dev/full: cannot be written (not a folder)"),
+    (("handout", "ex3-1", "-o", "/dev/full"), 3, "/dev/full: cannot be written (not a folder)"),
     (("linkage", "--guide", "1e-12", "1e9", "0"), 3, "--guide: 1e-12"),
 ]
 

@@ -138,13 +138,24 @@ def test_the_line_through_the_pole_is_explained(lang, said):
     assert said in "".join(run.text for run in text)
 
 
-@pytest.mark.parametrize("upto", [0, 1, 2, 9])
+@pytest.mark.parametrize("upto", [0, 1, 2])
 def test_a_half_worked_solution_stops_between_equations(upto):
     made = handout([graphkin.load("ex3-5")], "half", "en", upto=upto)
     rows = [block for block in made.blocks if isinstance(block, TermRows)]
     whole = [block for block in rows if None not in block.columns]
-    assert len(whole) == min(upto, 2)
+    assert len(whole) == upto
     assert len(rows) - len(whole) == (upto < 2)
+
+
+def test_more_equations_than_there_are_and_scans_of_solutions_are_refused(tmp_path: Path):
+    """Of a book's problems the longest has so many."""
+    output = ("-o", str(tmp_path / "a.pdf"), "--lang", "en")
+    over = CliRunner().invoke(main, ["handout", "ex3-5", "s2-2", "--stage", "half", "--upto", "3", *output])
+    assert (over.exit_code, over.stderr) == (3, "--upto: 3 will not do: a number from 0 to 2 is wanted here. Correct it.\n")
+    scan = CliRunner().invoke(main, ["handout", "ex3-5", "--scan", "1", *output])
+    assert scan.exit_code == 3
+    assert "a solution leaves nothing to measure" in scan.stderr
+    assert not [*tmp_path.iterdir()]
 
 
 def test_of_a_single_equation_none_is_done():

@@ -19,12 +19,13 @@ from graphkin import api
 from graphkin import files as loading
 from graphkin.cli import main
 from graphkin.errors import (
+    ExcelInside,
     GraphkinError,
     Lang,
     NoRange,
     NotATemplate,
+    NotBetween,
     NoVariant,
-    OutOfRange,
     StudentTwice,
     StudentWithoutId,
     TooDeep,
@@ -97,7 +98,7 @@ def test_every_variant_is_posed_well(template: Path):
     (("{ from = 20, to = 28, step = 1 }", "{ from = 20, step = 1 }"), NoRange),
     (('to = "120 rpm"', 'to = "120 rad/s"'), NoRange),
     (('"omega 3" = 2', '"omega 9" = 2'), UnknownQuantity),
-    (('"omega 3" = 2', '"omega 3" = -2'), OutOfRange),
+    (('"omega 3" = 2', '"omega 3" = -2'), NotBetween),
     (("DC = 48", "DC = 480"), GraphkinError),
     (('omega = { from = "60 rpm", to = "120 rpm", step = "10 rpm" }', "omega = 0"), NoVariant),
     (("angle = 100", "angle = 100\nspeed = 3"), GraphkinError),
@@ -143,6 +144,22 @@ def test_a_bare_list_and_a_number(tmp_path: Path):
     (tmp_path / "a.csv").write_text("id,name\ns1,Anna\n,Bob\n")
     with pytest.raises(StudentWithoutId, match="Bob"):
         roster(str(tmp_path / "a.csv"))
+
+
+@pytest.mark.parametrize("number", ["0", "-3", "100001", "9" * 30])
+def test_so_many_students_are_none(number: str):
+    with pytest.raises(NotBetween, match="from 1 to 100,000"):
+        roster(number)
+
+
+@pytest.mark.parametrize("old", [False, True])
+def test_a_workbook_by_another_name_is_told(old: bool, tmp_path: Path):
+    path = tmp_path / "class.csv"
+    openpyxl.Workbook().save(path)
+    if old:
+        path.write_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(2000))
+    with pytest.raises(ExcelInside, match="this is an Excel file"):
+        roster(str(path))
 
 
 def order(template: Path, folder: Path, students: tuple[Student, ...], seed: str = "1", lang: Lang = "en") -> SetOrder:

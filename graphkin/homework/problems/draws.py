@@ -20,7 +20,7 @@ import numpy as np
 from graphkin.base.geometry import Array
 from graphkin.base.value import bulky, frozen
 from graphkin.base.worklist import ahead
-from graphkin.errors import GraphkinError, NoVariant, OutOfRange, Where
+from graphkin.errors import GraphkinError, NotBetween, NoVariant, Where
 from graphkin.homework.grading.keys import USUAL, Pencils, further_methods, marking_of, page_scales
 from graphkin.homework.grading.sets import class_list
 from graphkin.homework.problems.carried import carried
@@ -346,11 +346,11 @@ MOST = 100_000
 def roster(given: str) -> tuple[Student, ...]:
     """The students of a class list, or s1 .. sN for a number N.
 
-    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, OutOfRange, StudentTwice, StudentWithoutId, NoStudents.
+    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, NotBetween, StudentTwice, StudentWithoutId, NoStudents.
     """
-    if given.isdecimal() and given.isascii():
+    if given.lstrip("+-").isdecimal() and given.isascii():
         if len(given) > 6 or not 0 < int(given) <= MOST:
-            raise OutOfRange(Where("--students"), given[:20])
+            raise NotBetween(Where("--students"), given[:20], 1, MOST)
         wide = len(given)
         return tuple(Student(f"s{number:0{wide}d}") for number in range(1, int(given) + 1))
     return class_list(Path(given))
