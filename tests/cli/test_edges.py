@@ -208,6 +208,24 @@ REFUSED = [
 ]
 
 
+@pytest.mark.parametrize("name", ["graphkin.cli", "click", "graphkin.errors"])
+def test_breaking_off_while_it_is_loaded_is_quiet(name: str) -> None:
+    """As if Ctrl-C were pressed while a module is imported, by either way to start."""
+    finder = f"""import sys
+class Finder:
+    def find_spec(self, name, path=None, target=None):
+        if name == {name!r}:
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Finder())
+sys.argv = ["graphkin", "list"]
+import runpy
+runpy."""
+    root = Path(__file__).parents[2]
+    for start in ("run_module('graphkin', run_name='__main__')", f"run_path({str(root / 'cli.py')!r}, run_name='__main__')"):
+        done = subprocess.run([sys.executable, "-c", finder + start], capture_output=True, env={**os.environ, "PYTHONPATH": str(root)})
+        assert (done.returncode, done.stdout, done.stderr) == (130, b"", b"")
+
+
 @pytest.mark.parametrize(("words", "status", "said"), REFUSED, ids=[" ".join(words) for words, _, _ in REFUSED])
 def test_refused_before_any_work(words: tuple[str, ...], status: int, said: str) -> None:
     result = run(*words)
