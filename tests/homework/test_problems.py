@@ -146,6 +146,25 @@ def test_a_bare_list_and_a_number(tmp_path: Path):
         roster(str(tmp_path / "a.csv"))
 
 
+@pytest.mark.parametrize(("table", "called"), [
+    ("id,name,email\n101,Anna Li,anna@uni.edu\n", "101 Anna Li"),
+    ("学号,姓名,邮箱,登录名\n2027001,王小明,wang@uni.edu,wxm\n", "2027001 王小明"),
+    ("First name,Last name,Email address\nAnna,Li,anna@uni.edu\n", "Anna Li"),
+    ("email\nanna@uni.edu\n", "anna@uni.edu"),
+    ("id\n101\n", "101"),
+])  # fmt: skip
+def test_a_student_s_page_has_no_address(rocker: Path, tmp_path: Path, table: str, called: str):
+    """It stands there only for want of a name; the set's list, for the teacher, has all of the row."""
+    (tmp_path / "class.csv").write_text(table, encoding="utf-8")
+    students = roster(str(tmp_path / "class.csv"))
+    [*_] = write_problems(order(rocker, tmp_path / "set", students))
+    (page,) = (path for path in (tmp_path / "set" / "students").glob("*.html") if not path.name.startswith("_"))
+    text = page.read_text("utf-8")
+    assert f" · {called} (" in text
+    assert ("uni.edu" in text) is ("@" in called)
+    assert ("uni.edu" in table) is ("uni.edu" in (tmp_path / "set" / "teacher" / "set.json").read_text("utf-8"))
+
+
 @pytest.mark.parametrize("number", ["0", "-3", "100001", "9" * 30])
 def test_so_many_students_are_none(number: str):
     with pytest.raises(NotBetween, match="from 1 to 100,000"):
