@@ -57,7 +57,8 @@ from __future__ import annotations
 
 from importlib import import_module
 from types import FunctionType
-from typing import TYPE_CHECKING, Any
+
+TYPE_CHECKING = False  # `typing` takes longer to load than all of this, and until then Ctrl-C prints a traceback
 
 __version__ = "0.2.0"
 
@@ -91,6 +92,8 @@ __all__ = [
 ]  # fmt: skip
 
 if TYPE_CHECKING:
+    from typing import Any
+
     from graphkin.api import Drawing, load, motion, plan, replay, sweep, trial
     from graphkin.api.answers import centres, data_of, design, find, lines_of, linkage, sheet_of, structure
     from graphkin.api.batches import solve_many, sweep_many

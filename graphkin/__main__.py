@@ -1,6 +1,19 @@
-"""The commands, as `python -m graphkin`."""
+"""The commands, as `python -m graphkin`, as `graphkin`, and of a clone as `python cli.py`."""
 
-from graphkin.cli import main
+import os
+
+_BROKEN_OFF = 130  # the exit status after Ctrl-C, as shells have it
+
+
+def run() -> None:
+    """Start the commands; whoever breaks off while they are being loaded gets no traceback."""
+    try:
+        from graphkin.cli import main
+
+        main()
+    except KeyboardInterrupt:
+        os._exit(_BROKEN_OFF)
+
 
 if __name__ == "__main__":  # processes of `--jobs` import this file, too
-    main()
+    run()

@@ -9,7 +9,7 @@ import click
 
 from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
-from graphkin.errors import Lang
+from graphkin.errors import Lang, NothingToScan
 
 if TYPE_CHECKING:
     from graphkin.handouts import Handout, Stage
@@ -53,6 +53,7 @@ def handout(
       graphkin handout homework --stage blank --scan 0 -o sheets/
     """
     from graphkin.handouts import in_languages, saving
+    from graphkin.handouts.problem import untold_answers
     from graphkin.outputs import files
     from graphkin.outputs.sheets_json import NAME
 
@@ -64,6 +65,8 @@ def handout(
         raise click.UsageError(f"{output}: the file to write must end in .pdf or .html, or be a folder")
     if scan is not None and kind == ".html":
         raise click.UsageError("--scan needs a .pdf: a page of a browser has no fixed size")
+    if scan is not None and stage == "solution":
+        raise NothingToScan()
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     books = [(output, problems)]
     if folder:
@@ -76,6 +79,9 @@ def handout(
         with streams.waiting(len(books) == 1):
             made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose,
                                 duplex=duplex, number=number)  # fmt: skip
+        for machine, who in several if stage != "solution" else ():
+            for line in untold_answers(machine, lang) if who is None else ():  # those of a set can be told
+                click.echo(line, err=True)
         pages = _write(path, made, paper, font, scan, force, output / NAME if folder else None)
         scan = None if scan is None else scan + pages  # sheet numbers go on from file to file, and those of problems
         number = number if number is None or any(whose) else number + 1

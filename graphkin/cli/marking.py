@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,7 @@ from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
-from graphkin.errors import Lang
+from graphkin.errors import Lang, NoneMarked
 
 if TYPE_CHECKING:
     from graphkin.homework.grading import Photographs, SetMarker
@@ -176,14 +177,18 @@ class _Grading:
             crop = self.confirm is not None
             options.append(grading.with_photographs(usual, problem.key, judge, problem.paths, self.sheets, crop))
         self._write_page(options[0].photographs, judges[0])
+        marked: list[bool] = []
         if self.output is None:
             for problem, judge, own in zip(problems, judges, options, strict=True):
                 records = grading.grade(judge, problem.paths, limits, workers=self.jobs, seen=own.photographs)
-                self._print(problem.name, records)
-            return
-        files = ResultFiles(self.output, self.kinds, self.reveal, self.assignment, self.lang, self.force, self._printed)
-        for said in files.written(problems, judges, options):
-            click.echo(str(said), err=self.as_json or isinstance(said, str))
+                marked += self._print(problem.name, records)
+        else:
+            watch = partial(self._printed, marked)
+            files = ResultFiles(self.output, self.kinds, self.reveal, self.assignment, self.lang, self.force, watch)
+            for said in files.written(problems, judges, options):
+                click.echo(str(said), err=self.as_json or isinstance(said, str))
+        if not any(marked):
+            raise NoneMarked(len(marked))
 
     def _write_page(self, seen: Photographs | None, judge: SetMarker) -> None:
         """The page on which photographs are looked at."""
@@ -196,8 +201,8 @@ class _Grading:
         write_page(self.confirm, seen.readings, reasons, called, self.lang, self.force)
         click.echo(str(self.confirm), err=True)
 
-    def _print(self, problem: str, records: Iterable[Graded]) -> None:
-        """Each as it comes."""
+    def _print(self, problem: str, records: Iterable[Graded]) -> Iterator[bool]:
+        """Each as it comes, and whether it was marked."""
         from graphkin.outputs import marks_json
         from graphkin.say.marks import grade_lines
 
@@ -208,12 +213,15 @@ class _Grading:
                 click.echo(_line(problem, marks_json.line(graded, self.lang)))
             else:
                 click.echo("\n".join(grade_lines(graded, self.lang)))
+            yield graded.marked is not None
 
-    def _printed(self, problem: str, lines: Iterable[str]) -> Iterator[str]:
-        """Each record's line, once what programs get of it is printed where that is wanted."""
+    def _printed(self, marked: list[bool], problem: str, lines: Iterable[str]) -> Iterator[str]:
+        """Each record's line, once what programs get of it is printed where that is wanted; and whether it was marked.
+        """
         from graphkin.outputs import marks_json
 
         for line in streams.counted(lines, self.as_json):
+            marked.append(marks_json.is_marked(line))
             if self.as_json and (record := marks_json.record_of(line)) is not None:
                 click.echo(_line(problem, marks_json.line_of(record)))
             yield line

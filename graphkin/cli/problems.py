@@ -44,6 +44,7 @@ def problems(
 
     TEMPLATE is a mechanism file in which numbers may be ranges: AB = { from = 20, to = 30, step = 1 }. A student's
     numbers depend on the seed and the student's id alone, as long as no two students get the same problem.
+    All get the assembly that the sketch means in the middle of the ranges.
 
     What may be handed out lies in DIR/students: each student's problem, what to hand in, a workbook to fill in. Keys
     and all else lie in DIR/teacher: `graphkin grade DIR`. The same command again goes on where it was broken off.
@@ -57,7 +58,7 @@ def problems(
     from graphkin.handouts import problem_folder as folder
     from graphkin.homework import grading
     from graphkin.homework import problems as sets
-    from graphkin.say.problems import remark
+    from graphkin.say.problems import remarks
 
     order = folder.SetOrder(
         output, sets.read_template(template), sets.roster(students), seed, lang, grading.pencils_of(pencil), force
@@ -72,8 +73,11 @@ def problems(
         with workers as executor:
             for path in further_files(order, variants, kinds, executor):
                 click.echo(str(path))
-    if shared_numbers := [variant.student.id for variant in variants if variant.shared]:
-        click.echo(remark(shared_numbers, lang), err=True)
+    alike = [variant.student.id for variant in variants if variant.shared]
+    carried = [variant.student.id for variant in variants
+               if sets.sketched_anew(order.template, variant.numbers, variant.mechanism)]  # fmt: skip
+    for note in remarks(alike, carried, lang):
+        click.echo(note, err=True)
 
 
 def _write(order: SetOrder, jobs: int) -> list[Variant]:

@@ -28,6 +28,8 @@ class CannotWrite(GraphkinError):
         """Of a system that refuses. A time limit that ends the command is no such thing, and is raised again."""
         if isinstance(error, TimeoutError) and error.errno is None:
             raise error
+        if isinstance(error, FileExistsError):  # where a folder was to be made
+            return cls(str(path), "not a folder")
         return cls(str(path), error.strerror or str(error))
 
 

@@ -7,9 +7,10 @@ from typing import ClassVar
 from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, LocatedError, WordTable
 
 __all__ = [
-    "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenBoard", "BrokenSubmission", "CentresNotMarked", "ForeignBoard", "HandedTwice",
+    "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenBoard", "BrokenSubmission", "CentresNotMarked", "ExcelInside", "ForeignBoard", "HandedTwice",
     "LetterTwice", "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoNumbers", "NoPaperScale",
-    "NoRange", "NoRightNumber", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant",
+    "NoRange", "NoRightNumber", "NoRows", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant",
+    "NoneMarked",
     "NotAQuestion", "NotAResult", "NotASet", "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform",
     "NotMarkable", "NothingToMark", "OffTheDrawing", "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SameNumbers",
     "SenseDisputed", "SeveralStudents", "StudentTwice", "StudentWithoutId", "TooMuch", "TookTooLong", "TurnedPage", "TwoNames",
@@ -224,6 +225,22 @@ class StudentWithoutId(LocatedError):
     zh = "{where}：名单中 {student!r} 没有学号。请补上学号，或删去该行。"
 
 
+class NoRows(LocatedError):
+    en = "{where}: the table has a header and no rows below it. Write a row for each student."
+    zh = "{where}：表中只有表头，没有数据行。请为每名学生写一行。"
+
+
+class ExcelInside(LocatedError):
+    en = "{where}: this is an Excel file that has another ending. Give it its own (.xlsx), or save it as CSV."
+    zh = "{where}：这是改了扩展名的 Excel 文件。请改回 .xlsx，或另存为 CSV。"
+
+
+class NoneMarked(GraphkinError):
+    count: int
+    en = "None of what was handed in could be marked ({count}): the reason stands with each."
+    zh = "交来的作业均未能评阅（共 {count} 份），原因见各行。"
+
+
 class NoAnswers(LocatedError):
     en = "{where}: no answer is found here. Write each as question = value, for example \"omega 3\" = 3.92."
     zh = "{where}：未找到任何答案。请写成 问题 = 数值 的形式，例如 \"omega 3\" = 3.92。"
@@ -382,6 +399,9 @@ class NoVariant(LocatedError):
 
 _REFUSED: dict[str, dict[Lang, str]] = {
     "assembly": {"en": "does not assemble", "zh": "不能装配"},
+    "elsewhere": {
+        "en": "in another assembly than in the middle of the ranges", "zh": "不能由范围中点的装配形式连续到达",
+    },
     "dead point": {"en": "near a dead point", "zh": "接近死点"},
     "short": {"en": "a vector too short to measure", "zh": "矢量太短"},
     "taken": {"en": "like another student's", "zh": "与其他学生相同"},

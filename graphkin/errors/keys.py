@@ -8,8 +8,8 @@ from graphkin.errors.base import AboutText, Choice, Lang, LocatedError, Where, W
 
 __all__ = [
     "AngleRange", "BadName", "DuplicateName", "KeyClash", "LongName", "MissingKey", "Negative", "NoMeaning", "NoUnit",
-    "NotANumber", "NotOneOf", "OtherDimension", "OutOfRange", "RangeHere", "TooSmall", "UnitAsKey", "UnknownKey", "UnknownLink",
-    "UnknownPoint", "UnknownSlide", "UnknownUnit", "WrongCount", "WrongType", "among",
+    "NotANumber", "NotBetween", "NotOneOf", "OtherDimension", "OutOfRange", "RangeHere", "TooSmall", "UnitAsKey", "UnknownKey",
+    "UnknownLink", "UnknownPoint", "UnknownSlide", "UnknownUnit", "WrongCount", "WrongType", "among",
 ]  # fmt: skip
 
 KINDS: WordTable = {
@@ -119,6 +119,13 @@ class NotANumber(AboutText):
 class OutOfRange(AboutText):
     en = "{where}: {given} is not a finite number of reasonable size. Write an ordinary number."
     zh = "{where}：{given} 不是大小合理的有限数，请写普通的数。"
+
+
+class NotBetween(AboutText):
+    least: float
+    most: float
+    en = "{where}: {given} will not do: a number from {least:,.0f} to {most:,.0f} is wanted here. Correct it."
+    zh = "{where}：{given} 不合要求，此处应为 {least:.0f} 到 {most:.0f} 的数，请改正。"
 
 
 class TooSmall(AboutText):

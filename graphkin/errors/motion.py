@@ -7,7 +7,7 @@ from graphkin.errors.base import AboutLink, AboutLinks, Lang, LocatedError, Wher
 __all__ = [
     "AlongOwnAxis", "AmbiguousSketch", "CannotAssemble", "DeadPoint", "FarFromSketch", "GearsApart", "HigherClass",
     "NoAssembly", "NotJoined", "NotPlaced", "NotReached", "NotRepeated", "OffTrack", "OtherSide", "PosesDiffer",
-    "RoadsDiffer", "SingularPosition", "TooFar", "called_pair",
+    "RoadsDiffer", "SingularPosition", "TooFar", "UnevenLengths", "called_pair",
 ]  # fmt: skip
 
 
@@ -191,6 +191,16 @@ class RoadsDiffer(LocatedError):
         "graphkin's: please report the file."
     )
     zh = "{where}：图解结果与解析结果相差 {worst:.1e}（相对值），故均不予给出。机构若接近死点，请稍微改变原动件的位置；否则为 graphkin 的错误，请将该文件报告给开发者。"
+
+
+class UnevenLengths(LocatedError):
+    longest_mm: float
+    shortest_mm: float
+    en = (
+        "{where}: {longest_mm:.6g} mm beside {shortest_mm:.6g} mm: too few digits are left to solve by. Correct the "
+        "length that is wrong."
+    )
+    zh = "{where}：{longest_mm:.6g} mm 与 {shortest_mm:.6g} mm 相差过大，计算位数不够。请改正有误的长度。"
 
 
 class TooFar(LocatedError):

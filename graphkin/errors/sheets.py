@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Lang, LocatedError, WordTable, listed
+from graphkin.errors.base import GraphkinError, Lang, LocatedError, WordTable, listed
 from graphkin.errors.homework import PLANES
 
-__all__ = ["NoSheetList", "NoSheetsKnown", "SheetTwice", "UnknownSheet", "UnsureDrawing"]
+__all__ = ["NoSheetList", "NoSheetsKnown", "NothingToScan", "SheetTwice", "UnknownSheet", "UnsureDrawing"]
 
 
 class NoSheetList(LocatedError):
@@ -20,6 +20,11 @@ class NoSheetList(LocatedError):
 class NoSheetsKnown(LocatedError):
     en = "{where}: to measure a picture of paper, put the sheets.json that graphkin handout --scan wrote beside KEY, or say --sheets FILE."
     zh = "{where}：量取照片须知道纸上印了什么。请把 graphkin handout --scan 生成的 sheets.json 放在 KEY 旁，或用 --sheets 指出。"
+
+
+class NothingToScan(GraphkinError):
+    en = "--scan is for paper that is drawn on: a solution leaves nothing to measure. Take --stage blank, or leave --scan out."
+    zh = "--scan 用于供学生作图的纸，solution 阶段没有可量取的内容。请用 --stage blank，或去掉 --scan。"
 
 
 class UnknownSheet(LocatedError):

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, dataclass_transform
 from pydantic_core import PydanticCustomError
 
 from graphkin.base.value import frozen
-from graphkin.errors import NOWHERE, BadName, GraphkinError, NotOneOf, OutOfRange, WrongType
+from graphkin.errors import NOWHERE, BadName, GraphkinError, NotBetween, NotOneOf, WrongType
 from graphkin.files import values
 from graphkin.files.values import name_reader, shown_value, si_quantity
 from graphkin.model.mechanism import Dimension
@@ -125,7 +125,7 @@ def _worth(value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise WrongType(NOWHERE, "number", shown_value(value))
     if not 0 <= value < MOST_POINTS:
-        raise OutOfRange(NOWHERE, shown_value(value))
+        raise NotBetween(NOWHERE, shown_value(value), 0, MOST_POINTS)
     return float(value)
 
 

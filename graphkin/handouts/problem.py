@@ -19,12 +19,14 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
-from graphkin.homework.grading.keys import key_drawn, paper_scales
+from graphkin.homework.grading.keys import further_methods, key_drawn, paper_scales
 from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.key import Key, columns, upright
+from graphkin.marking.key_making import make_key
+from graphkin.marking.tolerances import untold
 from graphkin.marking.weights import shifts
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, Centre, read
+from graphkin.model.quantities import EDGE, Centre, at_position, read
 from graphkin.outputs.letters import lettered
 from graphkin.planning.drawn_position import shown
 from graphkin.planning.needed import cut_to
@@ -39,6 +41,7 @@ from graphkin.say.numbers import number
 from graphkin.say.problems import posed_entries
 from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
+from graphkin.say.tolerances import untold_lines
 from graphkin.sheet.lettering import Label, formula, plain
 from graphkin.sheet.paper import KEYS
 from graphkin.sheet.window import constructions
@@ -156,11 +159,15 @@ class HandoutProblem:
     def answers(self) -> Section:
         return self._sections[-1]
 
+    @property
+    def equations(self) -> int:
+        """The number of its vector equations."""
+        return sum(isinstance(each, entry.VectorEquation) for section in self.parts for each in section.entries)
+
     def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
         """The parts as far as whole equations and what is said of their arrows go, the last with the next equation.
         Of a single equation none is done."""
-        every = [each for section in self.parts for each in section.entries if isinstance(each, entry.VectorEquation)]
-        equations, seen = equations if len(every) > 1 else 0, 0
+        equations, seen = equations if self.equations > 1 else 0, 0
         for section in self.parts:
             for k, each in enumerate(section.entries):
                 if isinstance(each, entry.VectorEquation):
@@ -257,6 +264,19 @@ COMMON = (
     "centre-ratio", "arm-ignored", "velocity-along-link", "tangential-along", "driver-along-crank", "conversion",
 )  # fmt: skip
 """Mistakes of students, the most frequent first."""
+
+
+def untold_answers(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """A sentence a question that `problems` would not ask, at any position: a pencil does not tell its answer."""
+    problem = drawn_problem(mechanism, lang)
+    if (key := _key(problem)) is None:
+        return
+    method = problem.drawing.method
+    off = {**untold(key, method)}
+    for at, there in enumerate(further_methods(method), 2):
+        further = untold(make_key(there, key.marking, marks=False), there)
+        off |= {at_position(text, at): part for text, part in further.items()}
+    yield from (f"{mechanism.where('ask')}: {line}" for line in untold_lines(off, lang))
 
 
 @kept(4)

@@ -11,7 +11,7 @@ from typing import assert_never
 
 import graphkin
 from graphkin.construction import Plane
-from graphkin.errors import Lang
+from graphkin.errors import Lang, NotBetween, Where
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
@@ -42,18 +42,21 @@ def handout(
 ) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
-    upto     of a half-worked solution: so many whole equations are done
+    upto     of a half-worked solution: so many whole equations are done; of a book's problems the longest has them
     answers  the answers of all at the end
     seed     of the set the problems belong to, as every page says it
     whose    the student each problem is for, if any: it stands after the title
     duplex   printed on both sides: each problem begins on the front of a sheet
     number   of the first problem; of several the first is 1 if left out. Students' own problems are one by number
 
-    Raises what loading, planning and proving raise.
+    Raises NotBetween, and what loading, planning and proving raise.
     """
     owners = whose or [None] * len(mechanisms)
     called = ["" if who is None else who.called for who in owners]
     problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, called, strict=True)]
+    most = max(problem.equations for problem in problems)
+    if stage == "half" and upto > max(most, 1):
+        raise NotBetween(Where("--upto"), str(upto), 0, most)
     numbers: Sequence[int] = [number or 0] * len(problems)
     if not any(called) and len(problems) > 1:
         numbers = range(number or 1, (number or 1) + len(problems))
@@ -153,7 +156,8 @@ def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     grid = room(problem, plane)
     tall = grid.height > ROOM.imag
     yield from [measured(problem, 1, grid.width)] if tall and not drawn else []
-    before, after = say("handouts.draw here", problem.lang, which=drawn, scale="\0").split("\0")
+    angle = "".join(run.text for run in grid.mark)
+    before, after = say("handouts.draw here", problem.lang, which=drawn, scale="\0", angle=angle).split("\0")
     yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
     yield grid
     yield from [] if tall or drawn else [measured(problem, 3, grid.width)]

@@ -91,11 +91,6 @@ def asked_alone(method: Method, plot: Plot, marking: Marking) -> AskedAnswers:
     return every, entries, drawings.failed + (1 - drawings.failed) * float(np.isnan(drawn).any(axis=1).mean())
 
 
-def parts_off(method: Method, entries: Sequence[KeyEntry]) -> dict[str, float]:
-    """The part of each value that may be off, by its question."""
-    return {entry.text: part_off(entry, method.mechanism.usual.size(entry.unit)) for entry in entries}
-
-
 def steps_of(method: Method) -> tuple[KeyStep, ...]:
     """The vector equations of both polygons with what is read off them."""
     steps = []

@@ -171,14 +171,16 @@ class Cost:
     over_all: float
 
 
+Untold = Mapping[str, tuple[float, Mapping[str, float] | None]]
+
+
 @bulky
 class Tolerances:
     """Quantities with what they may be off, and steps, the costliest first.
 
     drawings  how often the construction was drawn
     failed    part of the drawings whose links did not meet
-    untold    answers that paper does not tell: the part that may be off, more than `TELLS`, and the scales of a larger
-              drawing that tells it, where one does
+    untold    as `untold` has it
     """
 
     key: Key
@@ -186,7 +188,7 @@ class Tolerances:
     costs: tuple[Cost, ...]
     drawings: int
     failed: float
-    untold: Mapping[str, tuple[float, Mapping[str, float] | None]]
+    untold: Untold
 
     def worst(self, text: str) -> Cost | None:
         """The step that costs a quantity most."""
@@ -219,27 +221,33 @@ def tolerances(key: Key, method: Method) -> Tolerances:
         costs.append(Cost(mark, named.get(mark.of, ""), by_text, over_all))
     costly = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
     failed = every.failed + (1 - every.failed) * float(np.isnan(values).any(axis=1).mean())
-    return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed, _untold(key, method, quantities))
+    return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed, untold(key, method))
 
 
-def _untold(
-    key: Key, method: Method, quantities: Sequence[Quantity]
-) -> dict[str, tuple[float, Mapping[str, float] | None]]:
-    """The answers that paper does not tell, each with the first larger drawing that does."""
-    size, right = method.mechanism.usual.size, np.array([entry.right for entry in key.entries])
-    parts = {entry.text: part_off(entry, size(entry.unit)) for entry in key.entries if entry.points}
-    untold: dict[str, tuple[float, Mapping[str, float] | None]]
-    untold = {text: (part, None) for text, part in parts.items() if part > TELLS}
-    for times in reversed(_LARGER) if untold and not key.marking.relative else ():
+def parts_off(method: Method, entries: Sequence[KeyEntry]) -> dict[str, float]:
+    """The part of each value that may be off, by its question."""
+    return {entry.text: part_off(entry, method.mechanism.usual.size(entry.unit)) for entry in entries}
+
+
+def untold(key: Key, method: Method) -> Untold:
+    """The answers that paper does not tell, which `problems` does not ask for: the part that may be off, more than
+    `TELLS`, and the scales of the first larger drawing that tells it, where one does."""
+    asked = [entry for entry in key.entries if entry.points]
+    size, right = method.mechanism.usual.size, np.array([entry.right for entry in asked])
+    parts = parts_off(method, asked)
+    off: dict[str, tuple[float, Mapping[str, float] | None]]
+    off = {text: (part, None) for text, part in parts.items() if part > TELLS}
+    quantities = [q for entry in asked if (q := readable(method.mechanism, entry.text)) is not None]
+    for times in reversed(_LARGER) if off and not key.marking.relative else ():
         lengths = {plane: error / times for plane, error in key.marking.lengths.items()}
         drawn = drawings_of(method, replace(key.marking, lengths=lengths), DRAWINGS).values(quantities)[0]
-        scatters = spread(drawn, right, [entry.sort for entry in key.entries])
-        for entry, scatter in zip(key.entries, scatters, strict=True):
+        scatters = spread(drawn, right, [entry.sort for entry in asked])
+        for entry, scatter in zip(asked, scatters, strict=True):
             there = part_off(replace(entry, tolerance=key.marking.sigmas * scatter), size(entry.unit))
-            if entry.text in untold and there <= TELLS:
+            if entry.text in off and there <= TELLS:
                 scales = {name: scale / times for name, scale in key.marking.scales.items()}
-                untold[entry.text] = parts[entry.text], scales
-    return untold
+                off[entry.text] = parts[entry.text], scales
+    return off
 
 
 def _guides(method: Method) -> dict[tuple[str, ...], str]:

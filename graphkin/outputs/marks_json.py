@@ -168,6 +168,11 @@ def records_in(path: Path, errors: str = "strict") -> Iterator[tuple[int, Record
                 yield number, record_of(line)
 
 
+def is_marked(line: str) -> bool:
+    """True of a record's line where the submission was marked: no text in it has plain quotes."""
+    return '"status": "marked"' in line
+
+
 def record_of(line: str) -> Record | None:
     """The record in a line; None where there is none."""
     try:

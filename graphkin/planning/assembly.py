@@ -20,6 +20,8 @@ from graphkin.planning.fit_starts import Branches
 from graphkin.planning.refusals import dead_end
 from graphkin.planning.structure import Topology
 
+TOUCHING = 1e-6  # two assemblies nearer to each other are one, at a dead point
+
 
 @frozen
 class Assembly:
@@ -73,10 +75,11 @@ def _nearest(structure: Topology, assemblies: Branches) -> int:
 
 
 def _same(plot: Plot, best: int, count: int) -> np.ndarray:
-    """True for branches that are the same assembly as one of them, itself or another (at a dead point): (w,)."""
+    """True for branches that are the same assembly as one of them, itself or another (at a dead point, where rounding
+    parts them by the root of its size): (w,)."""
     size, same = _size(plot, best), np.ones(count, dtype=bool)
     for value in (*plot.position.values(), *plot.s.values()):
-        same &= np.abs(value - at(value, best)) <= 1e-9 * size
+        same &= np.abs(value - at(value, best)) <= TOUCHING * size
     return same
 
 

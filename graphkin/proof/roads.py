@@ -18,7 +18,15 @@ from graphkin.base.cache import kept
 from graphkin.base.geometry import Real, Value, number
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.errors import GraphkinError, JoinedToNothing, RepeatedDriver, RoadsDiffer, TooFewDrivers, TooManyDrivers
+from graphkin.errors import (
+    GraphkinError,
+    JoinedToNothing,
+    RepeatedDriver,
+    RoadsDiffer,
+    TooFewDrivers,
+    TooManyDrivers,
+    UnevenLengths,
+)
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Rod
@@ -34,6 +42,7 @@ __all__ = ["AGREE", "PLACES", "Proved", "apart", "apart_each", "compare", "held"
 
 AGREE = 1e-6  # results of the two roads that differ by more are not given; the tests hold them to 1e-9
 PLACES = 12  # of many positions, or many mechanisms, both ends are held, and ten between
+UNEVEN = 1e4  # a link so many times longer than another makes it doubtful what the digits say
 FLAT = float(np.sin(np.radians(0.5)))
 """If lines meet under a smaller angle the mechanism stands at a dead point, and digits are lost."""
 
@@ -57,7 +66,7 @@ def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
     exact = motion(method.mechanism, plot.facts.values)
     worst = compare(method, plot, exact)
     if not worst < AGREE:
-        raise RoadsDiffer(method.mechanism.where("driver", 0), worst)
+        raise uneven(method.mechanism) or RoadsDiffer(method.mechanism.where("driver", 0), worst)
     return Proved(plot, exact, worst)
 
 
@@ -214,8 +223,20 @@ def wrong_drivers(mechanism: Mechanism) -> GraphkinError | None:
         return TooFewDrivers(mechanism.where("driver", last), called, counted.freedoms, count)
     if counted.redundant:
         name = mechanism.drivers[which].name
-        return RepeatedDriver(mechanism.where("driver", which), called, counted.freedoms, name)
+        return uneven(mechanism) or RepeatedDriver(mechanism.where("driver", which), called, counted.freedoms, name)
     return None
+
+
+def uneven(mechanism: Mechanism) -> UnevenLengths | None:
+    """The error that names a link far longer than the shortest, beside which that has few digits: what is found then
+    may be so for this reason alone."""
+    reach = {name: max(abs(z - first) for z in others) for name, link in mechanism.links.items() if name != FRAME
+             for first, *others in [[*link.points.values()]] if others}  # fmt: skip
+    sizes = [size for size in reach.values() if size > 0]
+    longest = max(reach, key=lambda name: reach[name], default="")
+    if not sizes or max(sizes) < UNEVEN * min(sizes):
+        return None
+    return UnevenLengths(mechanism.where("links", longest), max(sizes) * 1000, min(sizes) * 1000)
 
 
 def _loose(mechanism: Mechanism, free: tuple[str, ...]) -> tuple[str, ...]:

@@ -54,10 +54,12 @@ def positions(mechanism: Mechanism) -> int:
     return max((len(driver.also) for driver in mechanism.drivers), default=0)
 
 
-def remark(shared: Sequence[str], lang: Lang) -> str:
-    """That students have problems much alike."""
-    few = say("common.and", lang).join(shared[:10]) + (" .." if len(shared) > 10 else "")
-    return say("problems.shared", lang, count=len(shared), students=few)
+def remarks(shared: Sequence[str], carried: Sequence[str], lang: Lang) -> Iterator[str]:
+    """That students have problems much alike, or in another assembly than the sketch means at their numbers."""
+    for phrase, students in (("problems.shared", shared), ("problems.carried", carried)):
+        if students:
+            few = say("common.and", lang).join(students[:10]) + (" .." if len(students) > 10 else "")
+            yield say(phrase, lang, count=len(students), students=few)
 
 
 def removed(files: Sequence[str], lang: Lang) -> str:

@@ -11,7 +11,7 @@ from graphkin.errors import Lang
 from graphkin.marking.discriminability import LOOKED_AT, WELL, SetDiscriminability
 from graphkin.marking.key import TELLS
 from graphkin.marking.power import MistakePower, Power
-from graphkin.marking.tolerances import Cost, Tolerances
+from graphkin.marking.tolerances import Cost, Tolerances, Untold
 from graphkin.model.quantities import EDGE
 from graphkin.say import names
 from graphkin.say.catalogue import say
@@ -51,14 +51,19 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
         rows.append([name, right, scatter, tolerance, part, unit, f"{cost}{steep}"])
     yield from marks_table(rows)
     yield say("tolerances.asked", lang)
-    for text, (off, scales) in tolerances.untold.items():
+    yield from untold_lines(tolerances.untold, lang)
+    yield ""
+    yield say("tolerances.costs", lang)
+    yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])
+
+
+def untold_lines(untold: Untold, lang: Lang) -> Iterator[str]:
+    """A sentence an answer that paper does not tell."""
+    for text, (off, scales) in untold.items():
         larger = scales and say("tolerances.larger", lang, scales=_scales(scales, lang))
         quantity = unbraced(names.in_signs(text))
         words = {"quantity": quantity, "part": f"{off:.1%}", "most": f"{TELLS:.0%}"}
         yield say("tolerances.untold", lang, **words, advice=larger or say("tolerances.no larger", lang))
-    yield ""
-    yield say("tolerances.costs", lang)
-    yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])
 
 
 def _scales(scales: Mapping[str, float], lang: Lang) -> str:

@@ -15,7 +15,7 @@ from pathlib import PurePosixPath
 from typing import IO
 
 from graphkin.base.value import frozen
-from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, SeveralStudents, TooMuch, Where
+from graphkin.errors import BrokenSubmission, ExcelInside, GraphkinError, NoAnswers, SeveralStudents, TooMuch, Where
 from graphkin.files.toml import parsed
 from graphkin.submissions.answers import Entry
 from graphkin.submissions.archives import checked_zip, foreign, lines_of
@@ -155,8 +155,16 @@ def shown_cell(cell: object) -> str:
     return "" if cell is None else str(cell).strip()
 
 
+_EXCEL = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")  # how workbooks begin, new ones and old ones
+
+
 def csv_cells(stream: IO[bytes], where: Where) -> Cells:
-    """The rows of a CSV in any usual encoding, by comma, semicolon or tabulator. Raises BrokenSubmission."""
+    """The rows of a CSV in any usual encoding, by comma, semicolon or tabulator. Raises ExcelInside,
+    BrokenSubmission."""
+    start = stream.read(4)
+    stream.seek(0)
+    if start in _EXCEL:
+        raise ExcelInside(where)
     csv.field_size_limit(_LONGEST_CELL)
     lines: Iterator[str] = (line.replace("\0", "") for line in lines_of(stream, where))
     first = next(lines, "")

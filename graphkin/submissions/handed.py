@@ -112,6 +112,8 @@ def _of_table(rows: Iterator[StudentDocument], by_file: Owner, where: Where, lim
         while True:
             with limited(limits.seconds, where):
                 row = next(rows, None)
+            if row is None and not line:
+                raise errors.NoRows(where)
             if row is None:
                 return
             line, nobody = row.line, named and not row.student.strip()

@@ -64,8 +64,10 @@ class Student:
 
     @property
     def called(self) -> str:
-        """The id, and all that stands beside it."""
-        return " ".join((self.id, *(text for _, text in self.names)))
+        """The id and the name, as a page for all eyes has them: an address of e-mail stands there only for want of a
+        name, and logins and a platform's numbers never."""
+        name = next((text for text, field in stated_in(self.names).items() if field == "name"), "")
+        return " ".join(filter(None, ("" if name and "@" in self.id else self.id, name)))
 
 
 def field_of(head: str) -> Field | None:

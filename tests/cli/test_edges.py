@@ -202,8 +202,55 @@ REFUSED = [
     (("find", "ex3-1", "a_k B = 0"), 3, "Write `a_k B2B3`"),
     (("find", "ex3-1", "a_n B = 0"), 3, "Write `a_n BA`"),
     (("linkage", "ex3-5", "--fix", "2", "--json"), 2, "leave out --json"),
+    (("draw", "ex3-1", "-o", "/dev/full"), 3, "/dev/full: cannot be written (not a folder)"),
+    (("handout", "ex3-1", "-o", "/dev/full"), 3, "/dev/full: cannot be written (not a folder)"),
     (("linkage", "--guide", "1e-12", "1e9", "0"), 3, "--guide: 1e-12"),
 ]
+
+
+RAM = """frame = { A = [0, 0] }
+links = { 1.AB = 30, 2.BC = 80, 3.points = ["C"] }
+slide = [{ name = "ram", block = "3", point = "C", guide = "frame", through = "A" }]
+driver = [{ slide = "ram", at = 110, velocity = 0.1 }]
+"""
+
+
+@pytest.mark.parametrize("at", ["110", "50", "-110"])
+def test_a_slide_driven_at_a_dead_centre_is_told_so(at: str) -> None:
+    """There the two assemblies are one, but for rounding, and no sketch can tell them apart; a little off it must."""
+    Path("mine.toml").write_text(RAM.replace("110", at), encoding="utf-8")
+    result = run("solve", "mine.toml", "--lang", "en")
+    assert (result.exit_code, "dead point: the lines for links 1 and 2 meet under 0.000 deg" in result.stderr) == (3, True)
+    Path("mine.toml").write_text(RAM.replace("110", "109.99"), encoding="utf-8")
+    assert "the sketch fits two assemblies equally well" in run("solve", "mine.toml", "--lang", "en").stderr
+
+
+@pytest.mark.parametrize(("text", "line"), [(RAM.replace("110", "100"), 2), (library.text("ex3-1"), 13)])
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_a_length_beside_which_others_have_no_digits_is_named(text: str, line: int, lang: str) -> None:
+    Path("mine.toml").write_text(re.sub(r"AB = \d+", "AB = 1e9", text, count=1) + '\n[sketch]\nB = [25, 15]\n' * (line == 2), encoding="utf-8")
+    result = run("solve", "mine.toml", "--lang", lang)
+    assert result.exit_code == 3
+    assert f"mine.toml:{line}, links.1" in result.stderr
+    assert "1e+09 mm" in result.stderr
+
+
+@pytest.mark.parametrize("name", ["graphkin.cli", "click", "graphkin.errors"])
+def test_breaking_off_while_it_is_loaded_is_quiet(name: str) -> None:
+    """As if Ctrl-C were pressed while a module is imported, by either way to start."""
+    finder = f"""import sys
+class Finder:
+    def find_spec(self, name, path=None, target=None):
+        if name == {name!r}:
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Finder())
+sys.argv = ["graphkin", "list"]
+import runpy
+runpy."""
+    root = Path(__file__).parents[2]
+    for start in ("run_module('graphkin', run_name='__main__')", f"run_path({str(root / 'cli.py')!r}, run_name='__main__')"):
+        done = subprocess.run([sys.executable, "-c", finder + start], capture_output=True, env={**os.environ, "PYTHONPATH": str(root)})
+        assert (done.returncode, done.stdout, done.stderr) == (130, b"", b"")
 
 
 @pytest.mark.parametrize(("words", "status", "said"), REFUSED, ids=[" ".join(words) for words, _, _ in REFUSED])

@@ -469,6 +469,7 @@ KEYS = [
     bad("TooSmall", edit(FOURBAR, "AB = 30", "AB = 1e-300"), "AB", "links.1.AB", "at least 0.000001 mm", "0.000001 mm"),
     bad("TooSmall", edit(GEARS, "[30, 20]", "[30, 0]"), "radii", "gear.0.radii.1", "greater than 0", "大于 0"),
     bad("TooSmall", FOURBAR + "[scales]\nlength = 0\n", "length", "scales.length", "greater than 0", "大于 0"),
+    bad("NotBetween", "ask = ['v C']\npoints = { 'v C' = -3 }\n" + FOURBAR, "points", "points.v C", "from 0 to 1,000,000", "0 到 1000000"),
     bad("Negative", edit(CAM, "radius = 25", "radius = -25"), "{ centre", "cam.0.profiles.0.radius", "-25 mm is negative", "为负"),
     bad("AngleRange", edit(FOURBAR, "BC = 70", "BC = 70\nBCE = 190"), "BCE", "links.2.BCE", "190 deg", "190°"),
     bad("NotOneOf", edit(CAM, '"right"', '"up"'), "{ through", "cam.0.profiles.1.side", "left, right", "left, right"),

@@ -128,13 +128,34 @@ def test_a_worksheet_tells_nothing_by_its_rooms(name):
     assert len({room.pole for room in again}) > 2
 
 
-@pytest.mark.parametrize("upto", [0, 1, 2, 9])
+@pytest.mark.parametrize(("lang", "said"), [("en", "line at 150° to +x"), ("zh", "与 +x 成 150°")])
+def test_the_line_through_the_pole_is_explained(lang, said):
+    """It has the direction of the first arrow, which is given with the driver, and serves to set a triangle against."""
+    blocks = handout([graphkin.load("ex3-1")], "blank", lang).blocks
+    k = next(k for k, block in enumerate(blocks) if isinstance(block, GridRoom))
+    assert np.degrees(blocks[k].direction) == pytest.approx(150)
+    text = next(block for block in blocks[k - 1 :: -1] if isinstance(block, Paragraph)).words
+    assert said in "".join(run.text for run in text)
+
+
+@pytest.mark.parametrize("upto", [0, 1, 2])
 def test_a_half_worked_solution_stops_between_equations(upto):
     made = handout([graphkin.load("ex3-5")], "half", "en", upto=upto)
     rows = [block for block in made.blocks if isinstance(block, TermRows)]
     whole = [block for block in rows if None not in block.columns]
-    assert len(whole) == min(upto, 2)
+    assert len(whole) == upto
     assert len(rows) - len(whole) == (upto < 2)
+
+
+def test_more_equations_than_there_are_and_scans_of_solutions_are_refused(tmp_path: Path):
+    """Of a book's problems the longest has so many."""
+    output = ("-o", str(tmp_path / "a.pdf"), "--lang", "en")
+    over = CliRunner().invoke(main, ["handout", "ex3-5", "s2-2", "--stage", "half", "--upto", "3", *output])
+    assert (over.exit_code, over.stderr) == (3, "--upto: 3 will not do: a number from 0 to 2 is wanted here. Correct it.\n")
+    scan = CliRunner().invoke(main, ["handout", "ex3-5", "--scan", "1", *output])
+    assert scan.exit_code == 3
+    assert "a solution leaves nothing to measure" in scan.stderr
+    assert not [*tmp_path.iterdir()]
 
 
 def test_of_a_single_equation_none_is_done():
@@ -334,6 +355,25 @@ def test_a_solution_is_written_by_the_ending(kind: str, tmp_path: Path):
     path.write_text("mine")
     assert CliRunner().invoke(main, ["explain", "ex3-1", "-o", str(path)]).exit_code == 3
     assert path.read_text() == "mine"
+
+
+def test_what_problems_would_not_ask_is_said(tmp_path: Path):
+    """A handout of a mechanism asks what its file asks; who hands it out reads what `tolerance` says of it."""
+    told = CliRunner().invoke(main, ["tolerance", "ex3-3", "--lang", "en"]).stdout
+    (sentence,) = (line for line in told.splitlines() if "`graphkin problems` asks no such value" in line)
+    for stage, name, said in (("problem", "ex3-3", True), ("solution", "ex3-3", False), ("problem", "ex3-5", False)):
+        args = ["handout", name, "--stage", stage, "-o", str(tmp_path / f"{name}-{stage}.html"), "--lang", "en"]
+        result = CliRunner().invoke(main, args)
+        assert result.exit_code == 0
+        assert (f"ask: {sentence}" in result.stderr) is said
+        assert ("asks no such value" in result.stderr) is said
+
+
+def test_further_positions_that_cannot_be_told_are_said():
+    text = library.text("ex3-3").replace("[[driver]]", "[[driver]]\nalso = [61]", 1)
+    first, *others = problem.untold_answers(graphkin.loads(text), "en")
+    assert "ω6 may" in first
+    assert "ω6 #2 may" in " ".join(others)
 
 
 def test_common_mistakes_list_only_what_they_move():

@@ -305,7 +305,7 @@ def test_a_class_table_among_others_is_not_taken_for_one_student_s():
 def test_a_folder_with_nothing_in_it_says_so():
     Path("nobody").mkdir()
     result = run("ex3-1", "nobody", "--json")
-    assert json.loads(result.output)["reason"].startswith("nobody: no answer is found here")
+    assert json.loads(result.stdout)["reason"].startswith("nobody: no answer is found here")
 
 
 def test_a_row_without_an_id_is_nobody_s():

@@ -183,6 +183,22 @@ def test_each_student_has_a_key():
         assert found[0]["quantities"]["omega 3"]["right"] != found[1]["quantities"]["omega 3"]["right"]
 
 
+@pytest.mark.parametrize("output", [(), ("-o", "r.json"), ("-o", "folder", "--format", "csv"), ("--json",)])
+def test_where_nothing_could_be_marked_the_status_says_so(output: tuple[str, ...]):
+    """A table with a header alone says that it has no rows; beside one that is marked it is one row of the results."""
+    Path("class.csv").write_text("student,omega 3\n", encoding="utf-8")
+    Path("hello.txt").write_text("hello", encoding="utf-8")
+    done = run("grade", "ex3-1", "class.csv", "hello.txt", *output, "--lang", "en")
+    assert done.exit_code == 3
+    assert "None of what was handed in could be marked (2)" in done.stderr
+    assert run("grade", "ex3-1", "class.csv", handed(CORIOLIS), *output, "--force", "--lang", "en").exit_code == 0
+
+
+def test_a_table_without_rows_is_told_so():
+    Path("class.csv").write_text("student,omega 3\n", encoding="utf-8")
+    assert "class.csv: the table has a header and no rows below it." in run("grade", "ex3-1", "class.csv", "--lang", "en").stdout
+
+
 @pytest.mark.parametrize("lang", LANGS)
 def test_told_in_both_languages(lang: Lang):
     text = run("grade", "ex3-1", handed(CORIOLIS), handed('"omega 3" = -5.65\n"a_k B3B2" = 3.63', "s2"), "--lang", lang).stdout

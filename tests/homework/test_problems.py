@@ -19,12 +19,13 @@ from graphkin import api
 from graphkin import files as loading
 from graphkin.cli import main
 from graphkin.errors import (
+    ExcelInside,
     GraphkinError,
     Lang,
     NoRange,
     NotATemplate,
+    NotBetween,
     NoVariant,
-    OutOfRange,
     StudentTwice,
     StudentWithoutId,
     TooDeep,
@@ -36,6 +37,7 @@ from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.problem_folder import SetOrder, write_problems
 from graphkin.homework.grading import key_for
 from graphkin.homework.problems import Variant, draws, read_template, roster, well_posed
+from graphkin.homework.problems.carried import carried
 from graphkin.homework.problems.posed import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
@@ -96,7 +98,7 @@ def test_every_variant_is_posed_well(template: Path):
     (("{ from = 20, to = 28, step = 1 }", "{ from = 20, step = 1 }"), NoRange),
     (('to = "120 rpm"', 'to = "120 rad/s"'), NoRange),
     (('"omega 3" = 2', '"omega 9" = 2'), UnknownQuantity),
-    (('"omega 3" = 2', '"omega 3" = -2'), OutOfRange),
+    (('"omega 3" = 2', '"omega 3" = -2'), NotBetween),
     (("DC = 48", "DC = 480"), GraphkinError),
     (('omega = { from = "60 rpm", to = "120 rpm", step = "10 rpm" }', "omega = 0"), NoVariant),
     (("angle = 100", "angle = 100\nspeed = 3"), GraphkinError),
@@ -142,6 +144,41 @@ def test_a_bare_list_and_a_number(tmp_path: Path):
     (tmp_path / "a.csv").write_text("id,name\ns1,Anna\n,Bob\n")
     with pytest.raises(StudentWithoutId, match="Bob"):
         roster(str(tmp_path / "a.csv"))
+
+
+@pytest.mark.parametrize(("table", "called"), [
+    ("id,name,email\n101,Anna Li,anna@uni.edu\n", "101 Anna Li"),
+    ("学号,姓名,邮箱,登录名\n2027001,王小明,wang@uni.edu,wxm\n", "2027001 王小明"),
+    ("First name,Last name,Email address\nAnna,Li,anna@uni.edu\n", "Anna Li"),
+    ("email\nanna@uni.edu\n", "anna@uni.edu"),
+    ("id\n101\n", "101"),
+])  # fmt: skip
+def test_a_student_s_page_has_no_address(rocker: Path, tmp_path: Path, table: str, called: str):
+    """It stands there only for want of a name; the set's list, for the teacher, has all of the row."""
+    (tmp_path / "class.csv").write_text(table, encoding="utf-8")
+    students = roster(str(tmp_path / "class.csv"))
+    [*_] = write_problems(order(rocker, tmp_path / "set", students))
+    (page,) = (path for path in (tmp_path / "set" / "students").glob("*.html") if not path.name.startswith("_"))
+    text = page.read_text("utf-8")
+    assert f" · {called} (" in text
+    assert ("uni.edu" in text) is ("@" in called)
+    assert ("uni.edu" in table) is ("uni.edu" in (tmp_path / "set" / "teacher" / "set.json").read_text("utf-8"))
+
+
+@pytest.mark.parametrize("number", ["0", "-3", "100001", "9" * 30])
+def test_so_many_students_are_none(number: str):
+    with pytest.raises(NotBetween, match="from 1 to 100,000"):
+        roster(number)
+
+
+@pytest.mark.parametrize("old", [False, True])
+def test_a_workbook_by_another_name_is_told(old: bool, tmp_path: Path):
+    path = tmp_path / "class.csv"
+    openpyxl.Workbook().save(path)
+    if old:
+        path.write_bytes(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(2000))
+    with pytest.raises(ExcelInside, match="this is an Excel file"):
+        roster(str(path))
 
 
 def order(template: Path, folder: Path, students: tuple[Student, ...], seed: str = "1", lang: Lang = "en") -> SetOrder:
@@ -254,6 +291,51 @@ def test_numbers_that_are_refused_are_solved_once(template: Path, monkeypatch: p
     with pytest.raises(NoVariant, match="a vector too short to measure: 200"):
         variants(read_template(template), roster("3"), "1")
     assert len(solved) <= draws._SAMPLE_TRIES + 2
+
+
+DRAG_LINK = """ask = ["omega 3", "v C"]
+frame = { A = [0, 0], D = [30, 0] }
+links = { 1.AB = { from = 60, to = 66, step = 1 }, 2.BC = 62, 3.DC = 70 }
+driver = [{ vector = "AB", angle = { from = 0, to = 355, step = 5 }, omega = 10 }]
+sketch = { C = [60, 60] }
+"""
+
+
+def test_all_students_have_one_assembly(template: Path, tmp_path: Path):
+    """C goes all the way round, so that for half of the crank's angles the sketch is nearer to the crossed linkage."""
+    template.write_text(DRAG_LINK, encoding="utf-8")
+    result = CliRunner().invoke(main, ["problems", str(template), "--students", "12", "-o", str(tmp_path / "set"), "--lang", "en"])
+    assert result.exit_code == 0, result.output
+    sides, sketched = set(), []
+    for path in sorted((tmp_path / "set" / "teacher").glob("s??.toml")):
+        mechanism = loading.load(path)
+        place = replay_all(plan(mechanism)).position
+        sides.add(math.copysign(1, ((place["C"] - place["B"]) * (place["D"] - place["B"]).conjugate()).imag))
+        if mechanism.sketch["C"] != 0.06 + 0.06j:
+            sketched.append(path.stem)
+            assert abs(mechanism.sketch["C"] - place["C"]) < 1e-5
+    assert len(sides) == 1
+    assert sketched
+    assert f"{len(sketched)} students the sketch is nearer to another assembly, or between two: " in result.stderr
+    assert all(name in result.stderr for name in sketched)
+
+
+def test_numbers_to_which_the_assembly_does_not_lead_are_no_problem(template: Path):
+    """A crank longer than its rod turns to and fro on one side of the guide's point; on the other side it would again."""
+    text = """ask = ["v C"]
+frame.A = [0, 0]
+links = { 1.AB = 50, 2.BC = 30, 3.points = ["C"] }
+slide = [{ block = "3", point = "C", guide = "frame", through = "A" }]
+driver = [{ vector = "AB", angle = { from = -20, to = 199, step = 1 }, omega = 10 }]
+sketch = { C = [74, 0] }
+"""
+    template.write_text(text, encoding="utf-8")
+    read_one = read_template(template)
+    angle = {k: read_one.mechanism([k]).drivers[0].value for k in (20, 50, 190, 210)}
+    assert [round(math.degrees(value)) for value in angle.values()] == [0, 30, 170, 190]
+    assert [carried(read_one, [k]) is not None for k in angle] in ([True, True, False, False], [False, False, True, True])
+    for k in (190, 210):
+        plan(read_one.mechanism([k]))  # it can be put together there
 
 
 def test_the_command(template: Path, tmp_path: Path):

@@ -21,11 +21,11 @@ from graphkin.files import library
 from graphkin.homework.grading import key_for, marking_of
 from graphkin.marking.answers import readable
 from graphkin.marking.key import TELLS, Key, KeyEntry, part_off
-from graphkin.marking.key_making import asked_alone, half_digit, parts_off
+from graphkin.marking.key_making import asked_alone, half_digit
 from graphkin.marking.marker import Marker
 from graphkin.marking.pencil import Slips, _on_paper, drawn_positions, seed_of
 from graphkin.marking.records import HandedNumber, StudentWork
-from graphkin.marking.tolerances import Drawings, pencil_of, spread, tolerances
+from graphkin.marking.tolerances import Drawings, parts_off, pencil_of, spread, tolerances
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.pairs import Slide
 from graphkin.outputs.study_json import tolerance_data

@@ -6,7 +6,6 @@ file, or so many of them.
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -21,14 +20,16 @@ import numpy as np
 from graphkin.base.geometry import Array
 from graphkin.base.value import bulky, frozen
 from graphkin.base.worklist import ahead
-from graphkin.errors import GraphkinError, NoVariant, OutOfRange, Where
+from graphkin.errors import GraphkinError, NotBetween, NoVariant, Where
 from graphkin.homework.grading.keys import USUAL, Pencils, further_methods, marking_of, page_scales
 from graphkin.homework.grading.sets import class_list
+from graphkin.homework.problems.carried import carried
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
-from graphkin.homework.problems.template import Template
+from graphkin.homework.problems.template import Template, digest
 from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, MistakeVisibility, mistake_visibility
 from graphkin.marking.key import TELLS, Marking, columns
-from graphkin.marking.key_making import AskedAnswers, asked_alone, parts_off
+from graphkin.marking.key_making import AskedAnswers, asked_alone
+from graphkin.marking.tolerances import parts_off
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import at_position
 from graphkin.running import replay_all
@@ -80,7 +81,7 @@ def drawn_variants(
     given_out  the numbers that some have already, by id
     executor   draws ahead, as if each student were alone; who then has what another has is drawn once more
     """
-    order = sorted(students, key=lambda student: hashlib.sha256(_bytes(seed, student.id)).digest())
+    order = sorted(students, key=lambda student: digest(seed, student.id))
     others, goal = _GivenOut(), _Goal.of(template, seed, pencils)
     fresh = ([student] for student in order if student.id not in given_out)
     found = None if executor is None else ahead(executor, partial(_each_alone, template, seed, goal), fresh, _AHEAD)
@@ -122,7 +123,7 @@ def _drawn_for(template: Template, student: Student, seed: str, others: _GivenOu
     refused: Counter[Refused] = Counter()
     good: list[tuple[Variant, _ProblemAnswers]] = []
     tried: list[tuple[tuple[int, ...], _ProblemAnswers | None]] = []
-    tries = goal.likely_first([_numbers(template, student.id, seed, attempt) for attempt in range(_TRIES)])
+    tries = goal.likely_first([template.numbers(student.id, seed, attempt) for attempt in range(_TRIES)])
     for attempt, numbers in enumerate([*tries, *tries[:_APART]]):  # at last those that others have, too
         apart = attempt < _APART and others.taken <= _APART + _CROWDED * len(others.answers)
         draw = _posed(template, student, numbers, others, goal, apart)
@@ -193,12 +194,14 @@ class _DrawnProblem:
 
 def _drawn(template: Template, numbers: tuple[int, ...], pencils: Pencils) -> _DrawnProblem | Refused:
     """The problem with these numbers, or what is against it. Raises what loading and solving raise."""
-    posed = well_posed(template.mechanism(numbers))
+    if (mechanism := carried(template, numbers)) is None:
+        return "elsewhere"
+    posed = well_posed(mechanism)
     if isinstance(posed, str):
         return posed
     marking = marking_of(posed.method, pencils, page_scales(posed.method, posed.drawn))
     # its pencil errs as that of its key does, by the text of its file
-    mechanism = template.mechanism(numbers, marking.scales)
+    mechanism = template.at_scales(mechanism, marking.scales)
     posed = replace(posed, method=replace(posed.method, mechanism=mechanism))
     asked = asked_alone(posed.method, posed.drawn, marking)
     parts = parts_off(posed.method, asked[1])
@@ -282,7 +285,7 @@ def _sample(template: Template, seed: str, pencils: Pencils) -> dict[tuple[int, 
     tried: dict[tuple[int, ...], _DrawnProblem | None] = {}
     told = failed = 0
     for attempt in range(_SAMPLE_TRIES):
-        numbers = _numbers(template, "", seed, attempt)
+        numbers = template.numbers("", seed, attempt)
         if numbers in tried or told == _SAMPLE or failed == len(tried) == _HOPELESS:
             continue
         tried[numbers] = None
@@ -295,18 +298,6 @@ def _sample(template: Template, seed: str, pencils: Pencils) -> dict[tuple[int, 
             tried[numbers] = drawn
             told += max(drawn.parts.values(), default=0.0) <= TELLS
     return tried
-
-
-def _numbers(template: Template, student: str, seed: str, attempt: int) -> tuple[int, ...]:
-    """Of each range by its place in the file, so that a range added elsewhere changes none of the others."""
-    digests = (hashlib.sha256(_bytes(seed, student, str(attempt), each.name)).digest() for each in template.ranges)
-    return tuple(
-        int.from_bytes(digest[:8], "big") % each.count for digest, each in zip(digests, template.ranges, strict=True)
-    )
-
-
-def _bytes(*parts: str) -> bytes:
-    return "\0".join(parts).encode("utf-8", "surrogatepass")
 
 
 @frozen
@@ -355,11 +346,11 @@ MOST = 100_000
 def roster(given: str) -> tuple[Student, ...]:
     """The students of a class list, or s1 .. sN for a number N.
 
-    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, OutOfRange, StudentTwice, StudentWithoutId, NoStudents.
+    Raises NoFile, Unreadable, BrokenSubmission, WantsExtra, NotBetween, StudentTwice, StudentWithoutId, NoStudents.
     """
-    if given.isdecimal() and given.isascii():
+    if given.lstrip("+-").isdecimal() and given.isascii():
         if len(given) > 6 or not 0 < int(given) <= MOST:
-            raise OutOfRange(Where("--students"), given[:20])
+            raise NotBetween(Where("--students"), given[:20], 1, MOST)
         wide = len(given)
         return tuple(Student(f"s{number:0{wide}d}") for number in range(1, int(given) + 1))
     return class_list(Path(given))

@@ -23,7 +23,7 @@ from graphkin.results import driver_values
 from graphkin.running import replay_all
 from graphkin.running.drawn_sides import drawn_sides
 
-Refused = Literal["assembly", "dead point", "short", "taken", "untold", "unlike"]
+Refused = Literal["assembly", "elsewhere", "dead point", "short", "taken", "untold", "unlike"]
 
 DEAD = math.radians(5)  # lines that meet at a smaller angle are too near a dead point
 SHORTEST = 0.02

@@ -6,6 +6,7 @@ template's own text with numbers in their places: comments and layout stay.
 
 from __future__ import annotations
 
+import hashlib
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal, InvalidOperation
@@ -14,6 +15,7 @@ from pathlib import Path
 from graphkin import files as loading
 from graphkin.base.value import frozen
 from graphkin.errors import NoRange, NotATemplate, TooDeep, Where
+from graphkin.files.loader import MechanismFile
 from graphkin.files.source import read_text, read_toml
 from graphkin.files.toml import replaced_values, value_spans
 from graphkin.files.values import is_range
@@ -60,19 +62,37 @@ class Template:
     pieces: tuple[str, ...]
     ranges: tuple[TemplateRange, ...]
 
-    def text(self, numbers: Sequence[int], scales: Mapping[str, float] | None = None) -> str:
-        """The mechanism file with the value of each range that has this number, and with these scales of the paper."""
-        values = [each.value(number) for each, number in zip(self.ranges, numbers, strict=True)]
-        text = "".join(part for pair in zip(self.pieces, [*values, ""], strict=True) for part in pair)
-        if not scales:
-            return text
-        if _SCALES.search(text):
-            return replaced_values(text, {("scales", key): scale for key, scale in scales.items()})
-        return f"{text.rstrip()}\n\n[scales]\n" + "".join(f"{key} = {scale}\n" for key, scale in scales.items())
+    def numbers(self, student: str, seed: str, attempt: int) -> tuple[int, ...]:
+        """A draw: of each range by its place in the file, so that one added elsewhere changes none of the others."""
+        digests = (digest(seed, student, str(attempt), each.name) for each in self.ranges)
+        return tuple(
+            int.from_bytes(bytes_[:8], "big") % each.count for bytes_, each in zip(digests, self.ranges, strict=True)
+        )
 
-    def mechanism(self, numbers: Sequence[int], scales: Mapping[str, float] | None = None) -> Mechanism:
+    def text(self, numbers: Sequence[int]) -> str:
+        """The mechanism file with the value of each range that has this number."""
+        values = [each.value(number) for each, number in zip(self.ranges, numbers, strict=True)]
+        return "".join(part for pair in zip(self.pieces, [*values, ""], strict=True) for part in pair)
+
+    def mechanism(self, numbers: Sequence[int]) -> MechanismFile:
         """Raises what loading raises."""
-        return loading.loads(self.text(numbers, scales), name=self.name, file=self.file)
+        return self._read(self.text(numbers))
+
+    def at_scales(self, mechanism: Mechanism, scales: Mapping[str, float]) -> MechanismFile:
+        """A problem whose file has these scales of the paper."""
+        text = mechanism.text
+        if _SCALES.search(text):
+            return self._read(replaced_values(text, {("scales", key): scale for key, scale in scales.items()}))
+        more = "".join(f"{key} = {scale}\n" for key, scale in scales.items())
+        return self._read(f"{text.rstrip()}\n\n[scales]\n{more}")
+
+    def _read(self, text: str) -> MechanismFile:
+        return loading.loads(text, name=self.name, file=self.file)
+
+
+def digest(*parts: str) -> bytes:
+    """Draws hang on nothing but these words."""
+    return hashlib.sha256("\0".join(parts).encode("utf-8", "surrogatepass")).digest()
 
 
 def read_template(path: Path) -> Template:

@@ -17,6 +17,10 @@ PHRASES: Phrases = {
     "problems.shared": ("note: {count} students have a problem whose answers are another's, within 2 %: {students}. "
                         "Widen the ranges.",
                         "提示：{count} 名学生的题目与他人答案相同（相差 2% 以内）：{students}。请放宽范围。"),
+    "problems.carried": ("note: at the numbers of {count} students the sketch is nearer to another assembly, or between "
+                         "two: {students}. "
+                         "They have that of all others, which the sketch means in the middle of the ranges.",
+                         "提示：对 {count} 名学生的数据，草图更接近另一种装配形式，或介于两者之间：{students}。其题目仍与他人相同，取范围中点处草图所指的装配形式。"),
     "problems.removed": ("removed, of students who are on the list no more: {files}", "已删除不在名单上的学生的文件：{files}"),
     # === in which assembly a mechanism is drawn
     "assembly.drawn": ("Assembly: {told}.", "装配位置：{told}。"),
