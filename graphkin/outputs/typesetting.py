@@ -86,7 +86,7 @@ def runs(mark: Text) -> list[LetterSpan]:
 def lettered(mark: Text) -> str:
     """Its letters as a reader of the file finds them."""
     text = "".join(run.text for run in mark.label)
-    return text if text.isascii() else _ANY_DOTTED.sub(lambda match: _DOTTED[match[0]], text)
+    return text if text.isascii() else _ANY_DOTTED.sub(lambda match: _DOTTED[match[0]], text).translate(_AS_BARS)
 
 
 _TEX_SIGNS = {

@@ -294,7 +294,7 @@ def test_an_equation_bears_the_numbers_of_the_steps_that_it_needs() -> None:
 
 def test_instant_centres_that_are_asked_for_stand_in_the_results_in_bold() -> None:
     marks = [mark for mark in sheet("p3-11a").marks if isinstance(mark, Text) and "34.37" in read(mark.label)]
-    assert [read(mark.label) for mark in marks] == ["at (0, 34.37)"]
+    assert [read(mark.label) for mark in marks] == ["(0, 34.37)"]
     assert all(run.bold for run in marks[0].label)
 
 
