@@ -18,7 +18,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     seen, taken, left = Counter[str](), list[pytest.Item](), list[pytest.Item]()
     for item in items:
         name = item.nodeid.partition("[")[0]
-        is_left = item.get_closest_marker("many") is not None and seen[name] % PART != 0
+        is_left = item.get_closest_marker("many") is not None and (seen[name] + len(name)) % PART != 0
         seen[name] += 1
         (left if is_left else taken).append(item)
     items[:] = taken

@@ -54,6 +54,7 @@ def hold(folder: Path, text: str, mechanism: Mechanism | None = None) -> None:
     assert not wrong(measured(drawing, mechanism or mechanism_of(drawing), 0.01))
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("number", range(len(FAMILIES)), ids=list(FAMILIES))
 def test_every_drawing_of_random_mechanisms(number: int, tmp_path: Path):
     family = list(FAMILIES)[number]
@@ -67,6 +68,7 @@ def test_every_drawing_of_random_mechanisms(number: int, tmp_path: Path):
                 hold(tmp_path, text, None if command.__name__ == "linkage" else mechanism)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("number", range(0, len(library.names()), APART), ids=lambda k: library.names()[k])
 def test_every_drawing_of_the_library(number: int, tmp_path: Path):
     name = library.names()[number]
@@ -75,6 +77,7 @@ def test_every_drawing_of_the_library(number: int, tmp_path: Path):
             hold(tmp_path, text)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", DESIGNS)
 def test_every_design(name: str, tmp_path: Path):
     for sheet in (design_sheet(DESIGNS[name]), *step_sheets(design_sheet(DESIGNS[name], lang="zh"))):
@@ -105,6 +108,7 @@ def repeated(name: str) -> list[Mechanism]:
     return [renamed(loads(family(random.Random(seed), 0.0)), seed) for seed in range(4 if MANY else 2)]
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", repeating.FAMILIES)
 def test_nothing_lies_off_a_sheet_that_is_cut(name: str):
     """Where less width breaks what stands over a figure into more lines, too."""

@@ -67,6 +67,7 @@ def to_first_order(method: Method, key: Key) -> np.ndarray:
     return found
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("place", PLACES)
 def test_scatter_is_in_proportion_or_it_is_said(place: str) -> None:
     key, method = marker(place).key, marker(place).method

@@ -141,6 +141,7 @@ def test_nothing_that_moves_is_taken_to_be_at_rest(family: str, kind: str) -> No
                 assert abs(plot.omega[link]) + abs(plot.alpha[link]) < 1e-9, (seed, link)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", POSED)
 @pytest.mark.parametrize("family", ["RRP", "geared_five_bar", "rolling", "truss"])
 def test_what_is_given_is_laid_off_and_the_driver_read_off(family: str, kind: str) -> None:

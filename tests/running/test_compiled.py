@@ -59,6 +59,7 @@ def test_library_alike(name: str):
     assert hold_alike(method, records(method).run(values), plainly(method, values), COUNT)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", MAKERS)
 def test_random_mechanisms_alike(kind: str):
     tried = 0

@@ -133,6 +133,7 @@ def test_written_files_are_fixed(path: Path) -> None:
     assert_fixed(graphkin.load(path))
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("kind", FAMILIES, ids=lambda kind: kind.__name__)
 def test_any_mechanism_is_fixed(kind: Callable[[int], Mechanism], seed: int) -> None:

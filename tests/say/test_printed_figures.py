@@ -91,6 +91,7 @@ def test_a_train_read_by_hand_is_worth_what_it_prints() -> None:
     assert hold(Drawing.of(epicyclic(200)).explain("en", as_drawn=True)) > 5
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names()[::4])
 def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
     lines = by_hand(library.load(name), scales(name))

@@ -364,6 +364,7 @@ def test_turned_since_the_drawn_position(name: str, turned: str) -> None:
     assert hold([entry.text for entry in entries if isinstance(entry, Sentence | Calculation)]) > 5
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", [triad, geared_five_bar, epicyclic, rolling, cam, circular_slot])
 @pytest.mark.parametrize("seed", range(12))
 def test_any_contact_and_group_is_worded(kind: Callable[[int], Mechanism], seed: int) -> None:

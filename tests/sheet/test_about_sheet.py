@@ -31,6 +31,7 @@ def lettered(sheet: Sheet) -> list[str]:
 EVERY = [(name, link) for name in library.names() for link in library.load(name).moving]
 
 
+@pytest.mark.many
 @pytest.mark.parametrize(("name", "link"), EVERY[::3])
 def test_nothing_leaves_the_frame(name: str, link: str):
     sheet = about_sheet(seen(name, link), lang="zh")

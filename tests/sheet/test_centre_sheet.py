@@ -88,6 +88,7 @@ def shown(drawn: Sheet) -> list[str]:
 # --- beside the other road ----------------------------------------------------------------------
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_every_centre_is_drawn_and_where_velocities_have_it(name: str, tmp_path: Path):
     drawn = sheet(name)
@@ -98,6 +99,7 @@ def test_every_centre_is_drawn_and_where_velocities_have_it(name: str, tmp_path:
     assert max(entry.off_mm for entry in report.measured) < 1e-3
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", EACH_KIND)
 @pytest.mark.parametrize("shift", [0.02, 0.02j, -0.015 + 0.015j])
 def test_a_moved_mark_is_caught(name: str, shift: complex, tmp_path: Path):

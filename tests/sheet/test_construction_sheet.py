@@ -108,6 +108,7 @@ def test_what_was_solved_is_thicker(name: str) -> None:
 # --- equations --------------------------------------------------------------------------------
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("lang", ["en", "zh"])
 @pytest.mark.parametrize("name", SEVERAL)
 def test_the_equations_are_those_of_the_words(name: str, lang: Lang) -> None:
@@ -140,6 +141,7 @@ def test_formulas_are_set_as_the_field_writes_them(text: str, runs: list[str]) -
 # --- styles -----------------------------------------------------------------------------------
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("style", ["construction", "result"])
 @pytest.mark.parametrize("name", SEVERAL)
 def test_a_ruler_measures_every_style_that_has_answers(name: str, style: Style, tmp_path: Path) -> None:

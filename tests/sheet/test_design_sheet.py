@@ -82,6 +82,7 @@ def test_the_drawing_of_example_2_3_tells_its_numbers():
     assert sheet.scales["position"] == 0.001
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", DESIGNS)
 def test_sheets_are_written_and_the_linkage_is_drawn(name):
     design = DESIGNS[name]

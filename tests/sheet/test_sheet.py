@@ -74,6 +74,7 @@ def test_example_3_1_has_the_lengths_of_the_book() -> None:
     assert page.scales == {"position": 0.001, "velocity": 0.01, "acceleration": 0.1}
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", SOLVED)
 def test_points_and_arrows_lie_where_the_replay_puts_them(name: str) -> None:
     _, plot = solved(name)
@@ -149,6 +150,7 @@ def boxes(page: Sheet) -> list[tuple[str, shapely.Polygon]]:
     return areas
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", SOLVED)
 def test_no_letters_lie_on_letters(name: str) -> None:
     for (text, one), (other, two) in combinations(boxes(drawn(name)), 2):

@@ -77,6 +77,7 @@ def test_centres_of_the_library(name: str):
     assert hold(here, motion(mechanism)) + len(here.centring.together) == count * (count - 1) // 2
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", KINDS)
 def test_centres_of_random_mechanisms(kind: str):
     tried = 0

@@ -87,6 +87,7 @@ def hold_rolling(curves: Centrodes) -> None:
         assert np.median(np.abs(both)) < 2e-3 if both.size else True
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_centrodes_of_the_library_roll(name: str):
     found, drive = moved(library.load(name))
@@ -94,6 +95,7 @@ def test_centrodes_of_the_library_roll(name: str):
         hold_rolling(curves)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize(("kind", "seed"), RANDOM)
 def test_random_centrodes_roll(kind: str, seed: int):
     if (made := some(kind, seed)) is not None:
@@ -101,6 +103,7 @@ def test_random_centrodes_roll(kind: str, seed: int):
             hold_rolling(curves)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_every_position_against_the_analysis(name: str):
     """Where Kennedy's lines run together, too."""
@@ -111,6 +114,7 @@ MAKERS = {"chain": chain, "triad": triad, "six": six_bar, "geared": geared_five_
           "rolling": rolling, "cam": cam, "cylinder": cylinder, "relative": relative_angle}  # fmt: skip
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", [*MAKERS, *DYADS])
 def test_every_random_position_against_the_analysis(kind: str):
     tried = 0
@@ -343,6 +347,7 @@ def test_infinite_is_what_centring_says():
         assert np.max(np.abs(piece.places)) < curves.found.board.size / INFINITE
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_no_slip_by_differences(name: str):
     """The centre goes along both curves with one velocity: each curve's own, by differences over five positions."""

@@ -43,12 +43,14 @@ FAMILIES = {f.__name__: f for f in (cylinder, relative_angle, coupler_angle, cha
 SOME = KINDS if COUNT else KINDS[1::3]
 
 
+@pytest.mark.many
 @pytest.mark.parametrize(("linkage", "wheel"), SOME)
 def test_linkages_that_fold_go_on_smoothly(linkage: str, wheel: str):
     for seed in range(max(COUNT, 1)):
         hold_continuous(folding(linkage, wheel, seed))
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("family", [*(DYADS if COUNT else ()), *FAMILIES])
 def test_random_mechanisms_go_on_smoothly(family: str):
     make: Callable[[int], Mechanism] = FAMILIES.get(family) or (lambda seed: dyad(family, seed))

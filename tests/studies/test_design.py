@@ -479,6 +479,7 @@ def test_the_sentences_of_example_2_3():
         assert part in text[number]
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", DESIGNS)
 def test_every_solution_is_a_mechanism_that_is_analysed_back(name):
     found = DESIGNS[name]

@@ -159,6 +159,7 @@ SHEETS = [
 ]  # fmt: skip
 
 
+@pytest.mark.many
 @pytest.mark.parametrize(("name", "condition", "count"), SHEETS)
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_positions_stand_side_by_side(name: str, condition: str, count: int, lang) -> None:

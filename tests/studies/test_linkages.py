@@ -167,6 +167,7 @@ def test_words_and_data_of_every_kind(lengths, more, kind, family, lang):
     assert (data["gamma_min"] is None) == (more.get("driver") == "coupler")
 
 
+@pytest.mark.many
 @pytest.mark.parametrize(("lengths", "more", "kind", "family"), DRIVEN)
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_sheet_of_every_kind(lengths, more, kind, family, lang):

@@ -44,11 +44,13 @@ def both(mechanism: Mechanism, count: int = 181, margin: float = 0.02) -> float:
     return apart(mechanism, *roads)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_both_roads_sweep_alike(name: str):
     assert both(library.load(name)) < 1e-9
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", [*DYADS, "cylinder", "coupler", "chain", "triad", "circular"])
 def test_both_roads_sweep_random_mechanisms_alike(kind: str):
     make = {"cylinder": cylinder, "coupler": coupler_angle, "chain": chain, "triad": triad,

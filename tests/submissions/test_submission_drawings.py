@@ -91,6 +91,7 @@ def test_geogebra_s_own_order_of_primes_and_numbers():
     assert max(misses.values()) < 0.01
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names()[::2])
 def test_own_sheets(name: str):
     """Every named vector of a sheet of graphkin's own."""
