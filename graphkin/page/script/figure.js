@@ -34,9 +34,10 @@ export class PlaneFigure {
 
   /** All marks where they are now. */
   move() {
-    const { tracks } = this.shown;
-    const drawn = tracks.isShown(this.plane.mask, this.plane.cells);
+    const { plane: { mask, cells }, shown: { tracks } } = this;
+    const drawn = tracks.isShown(mask, cells);
     this.section.classList.toggle("empty", !drawn);
+    this.section.classList.toggle("between", typeof cells === "number" && tracks.isBeside(mask));
     this.figure.toggleAttribute("hidden", !drawn);
     if (!drawn) return;
     for (const piece of this.pieces) {
