@@ -21,7 +21,7 @@ from graphkin import api
 from graphkin.analytic import motion
 from graphkin.files import library, loads
 from graphkin.model.quantities import EDGE, driven
-from graphkin.page import knots
+from graphkin.page import knots, player
 from graphkin.page.saved import play
 from graphkin.page.spoken import StepWords
 from graphkin.planning.needed import without_aids
@@ -226,6 +226,8 @@ def two_cranks(tmp_path_factory) -> Path:
     path = tmp_path_factory.mktemp("cranks") / "page.html"
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(knots, "_OF_SEVERAL", 1500)
+        patch.setattr(knots, "_OF_GRID", (10, 20))
+        patch.setattr(player, "_WORD_KNOTS", 12)
         path.write_text(play(loads(_TWO_CRANKS)).text, "utf-8")
     return path
 
