@@ -21,7 +21,7 @@ from graphkin import api
 from graphkin.analytic import motion
 from graphkin.files import library, loads
 from graphkin.model.quantities import EDGE, driven
-from graphkin.page import knots, player
+from graphkin.page import knots, player, writer
 from graphkin.page.saved import play
 from graphkin.page.spoken import StepWords
 from graphkin.planning.needed import without_aids
@@ -326,6 +326,22 @@ def test_a_lecture_in_both_languages(browsing: Browsing, page_of):
     assert "show=s4-ex2" in page.url
     again = browsing.open(page_of("ex3-7", "s4-ex2"), "#" + page.url.partition("#")[2], viewport=WIDE)
     assert again.inner_text("h1") == page.inner_text("h1")
+
+
+def test_a_watched_page_is_read_again_while_nobody_works_on_it(browsing: Browsing, tmp_path):
+    """At the same hash; not under a hand."""
+    path, text = tmp_path / "page.html", writer.page("one", "en", scripts=["words"], styles=[], data={"words": {}})
+    writer.write(path, writer.watched(text))
+    page = browsing.open(path, "#AB=70")
+    writer.write(path, writer.watched(text.replace("<title>one", "<title>two")))
+    page.wait_for_function("() => document.title === 'two'")
+    assert page.url.endswith("#AB=70")
+    page.mouse.click(100, 100)
+    page.evaluate("window.isSame = true")
+    page.wait_for_timeout(2500)
+    assert page.evaluate("window.isSame")
+    page.evaluate("dispatchEvent(new Event('blur'))")
+    page.wait_for_function("() => !window.isSame")
 
 
 def test_it_is_printed_to_scale(ex3_7):

@@ -73,7 +73,7 @@ export class StepsPanel {
       const signed = words.sure([number], template.mask, turn);
       const size = template.sizes?.includes(k) ? Math.abs(signed) : signed;
       const value = turn ? modulo(size, turn) : size;
-      return Math.abs(value) < NOISE * words.quantum(number) ? 0 : value;
+      return Math.abs(value) < NOISE * words.packed[number][0] ? 0 : value;
     });
   }
 }

@@ -63,8 +63,8 @@ export class Tracks {
     /** @type {Record<string, Stencil>} */
     this.stencils = {};
     this.nearest = 0;
-    /** @type {number[]} */
-    this.corners = [];
+    this.corners = cornersOf(axes, this.us);
+    this.atKnot = true;
   }
 
   /** @param {number[]} us */
@@ -73,6 +73,7 @@ export class Tracks {
     this.stencils = {};
     this.nearest = nearestKnot(this.axes, us);
     this.corners = cornersOf(this.axes, us);
+    this.atKnot = isAtKnot(this.axes, us);
   }
 
   /** @param {number | undefined} mask @param {number} [most] knots along each driver */
@@ -107,23 +108,17 @@ export class Tracks {
   sure(changing, mask, turn) {
     if (this.axes.length < 2 || typeof changing === "number") return this.value(changing, mask, turn);
     const [number] = changing;
-    if (isAtKnot(this.axes, this.us)) return this.isNear(mask) ? this.track(number)[this.nearest] : NaN;
+    if (this.atKnot) return this.isNear(mask) ? this.track(number)[this.nearest] : NaN;
     const [whole, aside, less, least] = [8, 7, 6, 4].map((most) => this.value(changing, mask, turn, most));
     const [many, fewer, few] = [8, 6, 4].map((most) => this.stencil(mask, most).numbers);
     const isAmong = many.length > fewer.length && fewer.length > few.length && this.corners.every((knot) => few.includes(knot));
-    const off = [aside, less, least].map((other) => Math.max(0, Math.abs(whole - other) - this.quantum(number)) / Math.abs(whole));
+    const off = [aside, less, least].map((other) => Math.max(0, Math.abs(whole - other) - this.packed[number][0]) / Math.abs(whole));
     return isAmong && !(Math.max(off[0], off[1]) > 0.001) && !(off[2] > 0.02) ? whole : NaN;
-  }
-
-  /** @param {number} number */
-  quantum(number) {
-    return this.packed[number][0];
   }
 
   /** True where the drivers are at a knot, and none of the knots beside it has something. @param {number} mask */
   isAlone(mask) {
-    const there = this.mask(mask);
-    return isAtKnot(this.axes, this.us) && [-1, 1].every((step) => !there[modulo(this.nearest + step, this.size)]);
+    return this.atKnot && [-1, 1].every((step) => !this.mask(mask)[modulo(this.nearest + step, this.size)]);
   }
 
   /** True at the knot that is nearest. @param {number | undefined} mask */
@@ -134,7 +129,7 @@ export class Tracks {
   /** True where a plane is shown: at a knot that has it, or between such knots in a cell that shows it, by its first.
    * @param {number | undefined} mask @param {number | null | undefined} cells */
   isShown(mask, cells) {
-    if (isAtKnot(this.axes, this.us)) return this.isNear(mask);
+    if (this.atKnot) return this.isNear(mask);
     return this.isAround(mask) && (typeof cells !== "number" || this.mask(cells)[this.corners[0]] === 1);
   }
 
