@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 @click.option("--board", is_flag=True, help="A drawing board: the problem to be drawn and handed in.")
 @shared.coincident_option
 @shared.method_option
-@click.option("--watch", "watched", is_flag=True, help="Write it again whenever a file is saved; where it is open it follows. Until Ctrl-C.")
+@click.option("--watch", "watched", is_flag=True,
+              help="Write it again whenever a file is saved, until Ctrl-C; where it is open it follows.")  # fmt: skip
 @shared.force_option
 @shared.speaking
 def page(
