@@ -31,7 +31,7 @@ def missing(what: str) -> None:
 
 @contextmanager
 def chromium() -> Iterator[Browser]:
-    """The browser of this machine. While it runs, no other loop of asyncio can in this thread: it is closed with each module."""
+    """The browser of this machine. While it runs, no other loop of asyncio can in this thread."""
     executable = next(filter(None, map(shutil.which, NAMES)), None)
     if executable is None:
         missing("Chromium")

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 @click.option("--board", is_flag=True, help="A drawing board: the problem to be drawn and handed in.")
 @shared.coincident_option
 @shared.method_option
-@click.option("--watch", "watched", is_flag=True, help="Write it again whenever a file is saved, until Ctrl-C.")
+@click.option("--watch", "watched", is_flag=True,
+              help="Write it again whenever a file is saved, until Ctrl-C; where it is open it follows.")  # fmt: skip
 @shared.force_option
 @shared.speaking
 def page(
@@ -50,7 +51,7 @@ def page(
             named = _board(changed[0], lang) if board else _played(changed, sources, made, coincident, method, lang)
             name, text = named
             target = output or Path(f"{name}.html")
-            writer.write(target, text, force)
+            writer.write(target, writer.watched(text) if watched else text, force)
         click.echo(str(target))
 
     def write_again(source: str) -> None:

@@ -32,6 +32,7 @@ from graphkin.marking.synonyms import called_as_asked, same_answers
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
+from graphkin.planning.asked import PLANES, all_motions
 from graphkin.running import replay_all
 
 _HALF = 0.5  # what a value is worth whose sense or whose unit alone is wrong
@@ -108,6 +109,16 @@ class Marker:
     def positions(self) -> tuple[Marker, ...]:
         """One for each position that is asked for, this one for the first."""
         return self, *(Marker(key) for key in self.key.further)
+
+    @cached_property
+    def of_board(self) -> Marker:
+        """For work at a drawing board, which has boxes for all motions where the file asks for nothing: these count."""
+        if self.method.mechanism.ask:
+            return self
+        boxes = all_motions(self.method.mechanism, PLANES[1:])
+        key, texts = _widened(self.key, self.method, boxes), {quantity.text for quantity in boxes}
+        entries = (replace(entry, points=float(entry.text in texts)) for entry in key.entries)
+        return Marker(replace(key, entries=tuple(entries)), self.method)
 
     def mark(self, works: Sequence[StudentWork]) -> list[Marked]:
         """The marks of some students, in their order; they hang on nobody else's work."""

@@ -28,8 +28,8 @@ _OF_GRID, _TRIED, _FINER, _ORDER = (10, 24), 30, (1.05, 1.8), 1 / 7
 """Knots of a turn to begin with, of three drivers and of two; places at which a grid is tried; so many more then, as
 what is off goes with the seventh power of their number."""
 _MOST_OF_ALL, _DOUBT = 0.8, 0.01
-"""This part of a grid is as near as it should be; where polynomials of two knots fewer differ by more [mm], as at
-its rim where dead points are, the middle of a cell is looked at, and the cell is not shown if that is not near."""
+"""This part of a grid is as near as it should be; where polynomials of fewer knots differ by more [mm], as at its rim
+where dead points are, the middle of a cell is looked at, and the cell is not shown if that is not near."""
 _HALVED = 5  # so often a cell is halved at most
 _BESIDE_END = 0.3  # knots are not nearer to each other [of their distance]
 Places = tuple[float, ...]
@@ -254,10 +254,10 @@ def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int
 
 
 def _is_sure(knots: PageKnots, plane: Plane, shown: np.ndarray, us: Sequence[float]) -> bool:
-    """True where polynomials of fewer knots are nearly the same."""
-    whole, less = (stencil(knots.axes, us, shown, fewer) for fewer in (0, 2))
-    if whole is None or less is None or whole[0].size == less[0].size:  # the same, which says nothing
+    """True where polynomials of fewer knots, about the place and aside of it, are nearly the same."""
+    every = [each for fewer in range(3) if (each := stencil(knots.axes, us, shown, fewer)) is not None]
+    if len({numbers.size for numbers, _ in every}) < 3:  # the same, which says nothing
         return False
-    one, other = (weights @ knots.points[plane][numbers] for numbers, weights in (whole, less))
-    off = np.abs(one - other).max() / knots.figures.window(plane).scale
-    return bool(off + np.abs(whole[1]).sum() * OF_GRID <= _DOUBT)
+    one, *others = (weights @ knots.points[plane][numbers] for numbers, weights in every)
+    off = max(np.abs(one - other).max() for other in others) / knots.figures.window(plane).scale
+    return bool(off + np.abs(every[0][1]).sum() * OF_GRID <= _DOUBT)

@@ -100,9 +100,10 @@ def figure(plane: Plane, scale: float, size: complex, written: Label, marks: Ite
     }  # fmt: skip
     heading = element("h2", {}, worded("span", f"page.{plane}"), " ")
     header = element("header", {}, heading, element("span", {"class": "scale"}, html_words(written)))
-    note = worded("p", "page.not reached" if plane == "position" else "page.too large", {"class": "note"})
+    reasons = {"far": "page.not reached" if plane == "position" else "page.too large", "unsure": "page.not drawn"}
+    notes = (worded("p", words, {"class": f"note {kind}"}) for kind, words in reasons.items())
     drawing = element("svg", paper, element("g", data, *marks))
-    return element("section", {"class": f"figure {plane}"}, header, drawing, note)
+    return element("section", {"class": f"figure {plane}"}, header, drawing, *notes)
 
 
 def kind_of(row: Row) -> str:

@@ -1,8 +1,9 @@
-"""A browser for each module of tests, and pages in it that must be silent."""
+"""One browser for all tests of this folder, and pages in it that must be silent."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,22 +18,31 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as browser:
-        yield browser
+_open = ExitStack()  # the browser, from the first test that wants it to the last of this folder
+_browsers: list[Browser] = []
+_windows: dict[str, list[Page]] = {}  # those that no test holds
 
 
 @pytest.fixture(scope="module")
-def windows(browser: Browser) -> dict[str, list[Page]]:
-    """The browser's windows that no test holds."""
-    return {}
+def browser() -> Browser:
+    if not _browsers:
+        _browsers.append(_open.enter_context(chromium()))
+    return _browsers[0]
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(nextitem: pytest.Item | None) -> None:
+    """While the browser runs no other loop of asyncio can: it is closed before a test of another folder."""
+    if nextitem is None or Path(__file__).parent not in nextitem.path.parents:
+        _open.close()
+        _browsers.clear()
+        _windows.clear()
 
 
 @pytest.fixture
-def browsing(browser: Browser, windows: dict[str, list[Page]]) -> Iterator[Browsing]:
+def browsing(browser: Browser) -> Iterator[Browsing]:
     """Opens pages; the test fails if one of them wrote an error or asked for anything."""
-    browsing = Browsing(browser, windows)
+    browsing = Browsing(browser, _windows)
     yield browsing
     browsing.close()
     assert not browsing.faults

@@ -43,11 +43,11 @@ _BUTTON = """tool => {
   return [left + width / 2, top + height / 2];
 }"""
 _FILL = """fields => {
-  for (const [key, text] of Object.entries(fields)) {
-    const field = document.querySelector(`[data-field="${key}"]`);
-    if (!field.checkVisibility()) throw new Error(`${key} is not shown`);
+  for (const [selector, text] of fields) {
+    const field = document.querySelector(selector);
+    if (!field.checkVisibility()) throw new Error(`${selector} is not shown`);
     field.value = text;
-    if (field.value !== text) throw new Error(`${key} cannot be ${text}`);
+    if (field.value !== text) throw new Error(`${selector} cannot be ${text}`);
     for (const kind of ["input", "change"]) field.dispatchEvent(new Event(kind, { bubbles: true }));
   }
 }"""
@@ -72,7 +72,7 @@ class Student:
     def tool(self, tool: str, /, **fields: str) -> None:
         """The tool is pointed at, what it is set to is typed."""
         self.page.mouse.click(*self.page.evaluate(_BUTTON, tool))
-        self.page.evaluate(_FILL, fields)
+        self.page.evaluate(_FILL, [[f'[data-field="{key}"]', text] for key, text in fields.items()])
 
     def pixel(self, plane: Plane, at: complex, seen: complex | None = None) -> tuple[float, float]:
         """Where a place of a paper is on the screen; the window shows it, or another that is to be `seen`."""
@@ -186,13 +186,14 @@ class Student:
 
     def fill_equations(self, wrong: dict[tuple[str, str], str] | None = None) -> None:
         """Every choice of the equations; `wrong`: by term and row what is chosen instead."""
-        drawing = self.problem.drawing
+        drawing, fields = self.problem.drawing, list[list[str]]()
         for equation in equation_choices(drawing.method, drawing.plot):
             row = f'[data-of-plane="{equation.plane}"][data-equation="{equation.number}"] [data-term="{{}}"]'
             for term in equation.terms:
                 for kind, right in (("direction", term.directions), ("magnitude", term.magnitudes)):
                     token = (wrong or {}).get((term.name, kind), min(right))
-                    self.page.locator(f"{row.format(term.name)} select[data-{kind}]").select_option(token)
+                    fields.append([f"{row.format(term.name)} select[data-{kind}]", token])
+        self.page.evaluate(_FILL, fields)
 
     def answers(self) -> Iterator[tuple[str, float, str]]:
         """By question the value in the first unit offered, and its sense."""
@@ -211,11 +212,11 @@ class Student:
                 yield text, value, ""
 
     def fill_answers(self, wrong: dict[str, float] | None = None) -> None:
+        fields = list[list[str]]()
         for text, value, sense in self.answers():
-            self.page.locator(f'[data-answer="{text}"]').fill(f"{value * (wrong or {}).get(text, 1.0):.4g}")
-            box = self.page.locator(f'[data-sense="{text}"]')
-            if sense and box.count():
-                box.select_option(sense) if "clock" in sense else box.fill(sense)
+            fields.append([f'[data-answer="{text}"]', f"{value * (wrong or {}).get(text, 1.0):.4g}"])
+            fields += [[f'[data-sense="{text}"]', sense]] if sense else []
+        self.page.evaluate(_FILL, fields)
 
     def hand_in(self, folder: Path, name: str = "") -> Path:
         if name:

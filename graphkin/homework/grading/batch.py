@@ -167,7 +167,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     work, more, reason = StudentWork(one.student, handed_in, unread, one.board), list[GraphkinError](), one.reason
     try:
         with limited(limits.seconds, Where(one.file)):
-            marker = judge.marker(one.student) if one.drawings else None
+            marker = _marker(judge, work) if one.drawings else None
             if marker is not None:
                 fuller, said = work, list[GraphkinError]()
                 for at in one.drawings:
@@ -244,9 +244,14 @@ def _with_drawing(
     return replace(work, numbers={**work.numbers, **new, **senses}), notes
 
 
+def _marker(judge: SetMarker, work: StudentWork) -> Marker | None:
+    marker = judge.marker(work.student)
+    return marker if marker is None or work.board is None else marker.of_board
+
+
 def _marked(judge: SetMarker, batch: Sequence[Read], seconds: float) -> Iterator[Marked | GraphkinError]:
     """In their order; those in a row who have one key are marked at once."""
-    for marker, some in groupby(batch, lambda one: judge.marker(one.work.student)):
+    for marker, some in groupby(batch, lambda one: _marker(judge, one.work)):
         assert marker is not None, "who is not of the class was refused before"
         alike = list(some)
         try:

@@ -107,8 +107,8 @@ export class DriverControl {
   }
 
   showEvent() {
-    const near = NEAR_EVENT * (this.axis.high - this.axis.low);
-    const event = this.axis.events.find((each) => Math.abs(each.value - this.value) < near);
+    const { events, high, low } = this.axis;
+    const event = events.find((each) => Math.abs(each.value - this.value) < NEAR_EVENT * (high - low));
     const text = event ? spoken(event) : "";
     if (this.events.textContent !== text) this.events.textContent = text;
   }

@@ -34,9 +34,10 @@ export class PlaneFigure {
 
   /** All marks where they are now. */
   move() {
-    const { tracks } = this.shown;
-    const drawn = tracks.isShown(this.plane.mask, this.plane.cells);
+    const { plane: { mask, cells }, shown: { tracks } } = this;
+    const drawn = tracks.isShown(mask, cells);
     this.section.classList.toggle("empty", !drawn);
+    this.section.classList.toggle("between", typeof cells === "number" && !tracks.atKnot && tracks.isBeside(mask));
     this.figure.toggleAttribute("hidden", !drawn);
     if (!drawn) return;
     for (const piece of this.pieces) {
@@ -64,11 +65,13 @@ export class PlaneFigure {
     const box = [left, top, wide, high].map((side) => side.toFixed(2)).join(" ");
     if (box === this.box) return;
     this.box = box;
-    this.letters = Math.max(wide / width, high / height); // are as large as ever
-    for (const { element, row, at } of this.pieces) if (row.kind === "text") setAttributes(element, placeOf(row, at, this.letters));
+    this.letters = Math.max(wide / width, high / height); // and arrows' heads and lines are as large as ever
+    for (const piece of this.pieces) piece.at = [];
+    this.drawing.style.setProperty("--letters", String(this.letters));
     this.drawing.setAttribute("viewBox", box);
     this.drawing.style.setProperty("--wide", `${wide.toFixed(2)}mm`);
     this.drawing.style.setProperty("--high", `${high.toFixed(2)}mm`);
+    this.move();
   }
 
   /** Marks after a step are hidden, those before it grey; 0 shows the whole. @param {number} step */
@@ -98,7 +101,7 @@ function moveTo(piece, at, letters) {
   const place = placeOf(row, at, letters);
   setAttributes(element, place);
   if (grasp) setAttributes(grasp, place);
-  head?.setAttribute("d", headPath(at));
+  head?.setAttribute("d", headPath(at, letters));
 }
 
 /** A mark's attributes where it is. @param {Row} row @param {number[]} at @param {number} letters
@@ -140,11 +143,11 @@ function turned([ax = 0, ay = 0, bx = 0, by = 0], [cx, cy, dx, dy]) {
   return `matrix(${numbers.map((number) => number.toFixed(6)).join(" ")})`;
 }
 
-/** The head of an arrow, its tip at the arrow's end. @param {number[]} ends */
-function headPath([x1, y1, x2, y2]) {
+/** The head of an arrow, its tip at the arrow's end. @param {number[]} ends @param {number} letters how large they are */
+function headPath([x1, y1, x2, y2], letters) {
   const length = Math.hypot(x2 - x1, y2 - y1);
   if (length < 0.05) return "";
-  const size = TIP * (length > 1.6 * TIP ? 1 : 0.5);
+  const size = TIP * letters * (length > 1.6 * TIP * letters ? 1 : 0.5);
   const [ex, ey] = [(x2 - x1) / length, (y2 - y1) / length];
   const [fx, fy] = [x2 - size * ex, y2 - size * ey];
   const half = (0.5 * size) / TIP;

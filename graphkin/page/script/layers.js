@@ -84,7 +84,7 @@ function diagramOf(figure, quantity, page, tracks) {
     const [place] = page.values;
     const number = at(place);
     const there = Number.isFinite(number);
-    value.textContent = there ? measured(number, quantity.unit) : "–";
+    value.textContent = measured(number, quantity.unit);
     setAttributes(cursor, { x1: x(place), x2: x(place) });
     setAttributes(dot, { cx: x(place), cy: there ? y(number) : 0, display: there ? null : "none" });
   };

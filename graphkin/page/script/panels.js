@@ -29,8 +29,7 @@ export class StepsPanel {
   }
 
   before() {
-    const step = this.shown.step || this.count + 1;
-    return this.numbers.filter((number) => number < step).pop() ?? 0;
+    return this.numbers.filter((number) => number < (this.shown.step || this.count + 1)).pop() ?? 0;
   }
 
   /** The sentences of the step shown, with the numbers of the place where the drivers are. */
@@ -63,9 +62,7 @@ export class StepsPanel {
     const passed = (near.numbers ?? []).some((number, k) => !near.sizes?.includes(k) && track(number) * (numbers[k] ?? 0) < 0);
     const alone = near.mask !== undefined && words.axes.length === 1 && words.isAlone(near.mask);
     if (!passed && !alone) return near;
-    const isAround = (/** @type {Template} */ { mask }) =>
-      mask === undefined || words.corners.some((corner) => words.mask(mask)[corner]);
-    return templates.find((one) => one !== near && isAround(one)) ?? near;
+    return templates.find((one) => one !== near && words.isBeside(one.mask)) ?? near;
   }
 
   /** @param {Template} template */
@@ -73,10 +70,10 @@ export class StepsPanel {
     const { words } = this.shown;
     return (template.numbers ?? []).map((number, k) => {
       const turn = template.turns?.includes(k) ? 360 : 0;
-      const signed = words.sure(number, template.mask, turn);
+      const signed = words.sure([number], template.mask, turn);
       const size = template.sizes?.includes(k) ? Math.abs(signed) : signed;
       const value = turn ? modulo(size, turn) : size;
-      return Math.abs(value) < NOISE * words.quantum(number) ? 0 : value;
+      return Math.abs(value) < NOISE * words.packed[number][0] ? 0 : value;
     });
   }
 }
@@ -102,17 +99,17 @@ const UNITS = { velocity: "m/s", acceleration: "m/s²" };
 /** The results where the drivers are. @param {Shown} shown @param {NodeListOf<HTMLElement>} cells */
 export function showResults({ mechanism: { values }, tracks }, cells) {
   values.forEach((value, k) => {
-    const text = tracks.isNear(value.mask) ? measured(quantityAt(value, tracks), value.unit) : "–";
+    const text = measured(tracks.isNear(value.mask) ? quantityAt(value, tracks) : NaN, value.unit);
     if (cells[k].textContent !== text) cells[k].textContent = text;
   });
 }
 
-/** A quantity where the tracks are; an angle that turns on and on rises each time the driver comes round.
+/** A quantity where the tracks are, NaN where it is not sure; an angle that turns on and on rises each time the driver comes round.
  * @param {import("./state.js").ValueData} value @param {import("./tracks.js").Tracks} tracks */
 export function quantityAt(value, tracks) {
   const [axis] = tracks.axes;
   const turns = axis?.period ? (tracks.us[0] - axis.u[0]) / axis.period : 0;
-  const number = tracks.value(value.value, value.mask, value.turn) + (value.rise ?? 0) * turns;
+  const number = tracks.sure(value.value, value.mask, value.turn) + (value.rise ?? 0) * turns;
   return value.size ? Math.abs(number) : number;
 }
 
@@ -122,7 +119,6 @@ export function arrowSize(line, scale) {
   const [x, y] = [x2 - x1, y1 - y2];
   const length = Math.hypot(x, y);
   const plane = line.getAttribute("data-plane") === "velocity" ? "velocity" : "acceleration";
-  const angle = directionOf(x, y).toFixed(1);
-  return { size: printed(length * scale), unit: UNITS[plane], angle, none: length < 0.02 };
+  return { size: printed(length * scale), unit: UNITS[plane], angle: directionOf(x, y).toFixed(1), none: length < 0.02 };
 }
 

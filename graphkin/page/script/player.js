@@ -126,8 +126,7 @@ export class Player {
     if (!line || !figure) return;
     const { size, unit, angle, none } = arrowSize(line, figure.plane.scale);
     const row = figure.pieces.find((piece) => piece.element === line)?.row;
-    const words = { name: "\0", size, unit, angle };
-    const [before = "", after = ""] = say(none ? "page.nothing" : "page.size", words).split("\0");
+    const [before = "", after = ""] = say(none ? "page.nothing" : "page.size", { name: "\0", size, unit, angle }).split("\0");
     const sentence = this.sentenceOf(row?.step);
     this.told.replaceChildren(before, ...signNodes(row?.sign ?? []), after, ...(sentence ? [html("br"), sentence] : []));
     this.told.setAttribute("data-told", line.getAttribute("aria-label"));
@@ -144,10 +143,11 @@ export class Player {
 
 /** @type {Player | null} */
 let player = null;
-let written = ""; // as the hash
+let written = ""; // as the hash, or read there
 
 function goToHash() {
-  const entries = new URLSearchParams(location.hash.slice(1));
+  written = location.hash;
+  const entries = new URLSearchParams(written.slice(1));
   const lang = entries.get("lang");
   if (lang && lang !== language()) setLanguage(lang);
   const chosen = MECHANISMS.find((each) => each.name === entries.get("show")) ?? player?.shown.mechanism ?? MECHANISMS[0];
@@ -165,7 +165,7 @@ function goToHash() {
 /** The hash, `#AB=60&step=7&lang=zh`, is what the page shows, without a new entry in the browser's history. A frame
  * without an address of its own keeps none. */
 function keepHash() {
-  if (!player) return;
+  if (!player || location.hash !== written || location.protocol === "about:") return; // a new one is to be read first
   const entries = new URLSearchParams();
   if (MECHANISMS.length > 1) entries.set("show", player.shown.mechanism.name);
   for (const driver of player.drivers) {
@@ -173,13 +173,12 @@ function keepHash() {
   }
   if (player.shown.step) entries.set("step", String(player.shown.step));
   entries.set("lang", language());
-  written = `#${entries}`;
-  if (written === location.hash || location.protocol === "about:") return;
   try {
-    history.replaceState(null, "", written);
+    history.replaceState(null, "", `#${entries}`);
   } catch {
     // too many changes in a second: the next one is written
   }
+  written = location.hash;
 }
 
 /** @param {Mechanism} mechanism */

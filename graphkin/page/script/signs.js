@@ -19,8 +19,9 @@ export function printed(value) {
   return text.replaceAll("-", "−");
 }
 
-/** A number with its unit; an angle within a turn. @param {number} value @param {string} unit */
+/** A number with its unit, where there is one; an angle within a turn. @param {number} value @param {string} unit */
 export function measured(value, unit) {
+  if (!Number.isFinite(value)) return printed(value);
   return unit === "°" ? `${printed(modulo(value, 360))}°` : printed(value) + (unit && ` ${unit}`);
 }
 

@@ -61,12 +61,10 @@ export function valueAt({ wave }, u) {
   return wave ? wave[0] - wave[1] * Math.cos(u) : u;
 }
 
-/** A value on the driver's way: round and round, or between its ends. @param {Axis} axis @param {number} value */
-export function onTheWay(axis, value) {
-  const [low, high] = axis.ends;
+/** A value on the driver's way: round, or between its ends, if need be turned. @param {Axis} axis @param {number} value */
+export function onTheWay({ unit, ends: [low, high], round }, value) {
   const turn = 2 * Math.PI;
-  if (axis.unit !== "°") return within(value, low, high);
-  if (axis.high - axis.low > turn - 1e-9) return within(axis.low + modulo(value - axis.low, turn), low, high);
-  const shifted = value + turn * Math.round(((low + high) / 2 - value) / turn);
-  return within(shifted >= low && shifted <= high ? shifted : value, low, high);
+  if (round) return low + modulo(value - low, turn);
+  const shifted = unit === "°" ? value + turn * Math.round(((low + high) / 2 - value) / turn) : value;
+  return within([value, shifted].find((each) => each > low - 1e-9 && each < high + 1e-9) ?? value, low, high);
 }

@@ -25,9 +25,8 @@ function unpacked(text) {
   return whole;
 }
 
-/** @param {string | [number, string]} packed @returns {Float64Array} */
-function unpackedTrack(packed) {
-  const [quantum, text] = typeof packed === "string" ? [QUANTUM, packed] : packed;
+/** @param {[number, string]} packed @returns {Float64Array} */
+function unpackedTrack([quantum, text]) {
   const [order = 0, ...whole] = unpacked(text);
   for (let n = 0; n < order; n++) {
     for (let k = 1; k < whole.length; k++) whole[k] += whole[k - 1];
@@ -53,7 +52,7 @@ export class Tracks {
   /** @param {Knots[]} axes @param {(string | [number, string])[]} packed @param {string[]} masks */
   constructor(axes, packed, masks) {
     this.axes = axes;
-    this.packed = packed;
+    this.packed = packed.map((each) => /** @type {[number, string]} */ (typeof each === "string" ? [QUANTUM, each] : each));
     this.masks = masks;
     this.size = axes.reduce((product, axis) => product * axis.u.length, 1);
     /** @type {Float64Array[]} unpacked when they are first asked for, as masks are */
@@ -64,8 +63,8 @@ export class Tracks {
     /** @type {Record<string, Stencil>} */
     this.stencils = {};
     this.nearest = 0;
-    /** @type {number[]} */
-    this.corners = [];
+    this.corners = cornersOf(axes, this.us);
+    this.atKnot = true;
   }
 
   /** @param {number[]} us */
@@ -74,6 +73,7 @@ export class Tracks {
     this.stencils = {};
     this.nearest = nearestKnot(this.axes, us);
     this.corners = cornersOf(this.axes, us);
+    this.atKnot = isAtKnot(this.axes, us);
   }
 
   /** @param {number | undefined} mask @param {number} [most] knots along each driver */
@@ -103,28 +103,22 @@ export class Tracks {
     return numbers.reduce((sum, number, k) => sum + weights[k] * near(track[number] ?? 0), 0);
   }
 
-  /** The same; of a coarse grid what a knot has, between knots NaN where fewer of them, or not those around, say something
-   * else. @param {number} number @param {number | undefined} mask @param {number} turn */
-  sure(number, mask, turn) {
-    if (this.axes.length < 2) return this.value([number], mask, turn);
-    if (isAtKnot(this.axes, this.us)) return this.isNear(mask) ? this.track(number)[this.nearest] : NaN;
-    const [whole, less, least] = [8, 6, 4].map((most) => this.value([number], mask, turn, most));
+  /** The same; of a grid what a knot has, between knots NaN where fewer of them, or not those around, say something
+   * else: of two kinds, as one may say the same by chance where a size goes down to nothing and up again. @param {Changing} changing @param {number | undefined} mask @param {number} [turn] */
+  sure(changing, mask, turn) {
+    if (this.axes.length < 2 || typeof changing === "number") return this.value(changing, mask, turn);
+    const [number] = changing;
+    if (this.atKnot) return this.isNear(mask) ? this.track(number)[this.nearest] : NaN;
+    const [whole, aside, less, least] = [8, 7, 6, 4].map((most) => this.value(changing, mask, turn, most));
     const [many, fewer, few] = [8, 6, 4].map((most) => this.stencil(mask, most).numbers);
     const isAmong = many.length > fewer.length && fewer.length > few.length && this.corners.every((knot) => few.includes(knot));
-    const off = [less, least].map((other) => Math.max(0, Math.abs(whole - other) - this.quantum(number)) / Math.abs(whole));
-    return isAmong && !(off[0] > 0.001) && !(off[1] > 0.02) ? whole : NaN;
-  }
-
-  /** @param {number} number */
-  quantum(number) {
-    const packed = this.packed[number];
-    return typeof packed === "string" ? QUANTUM : packed[0];
+    const off = [aside, less, least].map((other) => Math.max(0, Math.abs(whole - other) - this.packed[number][0]) / Math.abs(whole));
+    return isAmong && !(Math.max(off[0], off[1]) > 0.001) && !(off[2] > 0.02) ? whole : NaN;
   }
 
   /** True where the drivers are at a knot, and none of the knots beside it has something. @param {number} mask */
   isAlone(mask) {
-    const there = this.mask(mask);
-    return isAtKnot(this.axes, this.us) && [-1, 1].every((step) => !there[modulo(this.nearest + step, this.size)]);
+    return this.atKnot && [-1, 1].every((step) => !this.mask(mask)[modulo(this.nearest + step, this.size)]);
   }
 
   /** True at the knot that is nearest. @param {number | undefined} mask */
@@ -135,8 +129,13 @@ export class Tracks {
   /** True where a plane is shown: at a knot that has it, or between such knots in a cell that shows it, by its first.
    * @param {number | undefined} mask @param {number | null | undefined} cells */
   isShown(mask, cells) {
-    if (isAtKnot(this.axes, this.us)) return this.isNear(mask);
+    if (this.atKnot) return this.isNear(mask);
     return this.isAround(mask) && (typeof cells !== "number" || this.mask(cells)[this.corners[0]] === 1);
+  }
+
+  /** True at some knot around. @param {number | undefined} mask */
+  isBeside(mask) {
+    return mask === undefined || this.corners.some((number) => this.mask(mask)[number] === 1);
   }
 
   /** True at all knots around. @param {number | undefined} mask */

@@ -18,6 +18,10 @@ PHRASES: Phrases = {
     "page.acceleration": ("Acceleration polygon", "加速度多边形"),
     "page.too large": ("Not drawn here: too large, or too near a dead point", "此处不画：过大，或太接近死点"),
     "page.not reached": ("The mechanism does not get here", "机构到不了此位置"),
+    "page.not drawn": (
+        "Not drawn here, between the calculated positions: it would not be exact. Move a driver a little further.",
+        "此处位于计算位置之间，画出会不够准确，故不画；请将原动件再移动一点。",
+    ),
     "page.values": ("Results", "结果"),
     "page.steps": ("Construction", "作图步骤"),
     "page.step": ("Step {step} of {count}", "第 {step} 步，共 {count} 步"),
