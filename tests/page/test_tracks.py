@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import random
 from functools import cache
-from itertools import product
 
 import numpy as np
 import pytest
