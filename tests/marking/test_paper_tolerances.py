@@ -117,6 +117,7 @@ def handed(one: Marker, factor: float) -> Iterator[tuple[KeyEntry, str, float]]:
             yield entry, verdict.verdict, verdict.points * verdict.credit
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("place", ["p3-15", "p3-3a", "p3-7", "ex3-2", "s2-2", "PRR 0", "cylinder 0", "relative_angle 1"])
 @pytest.mark.parametrize("factor", [-1.9, 0.01, 1.9, 30.0, -600.0])
 def test_nothing_is_right_for_a_tolerance_beyond_its_size(place: str, factor: float) -> None:
@@ -195,6 +196,7 @@ def erring(machine: Mechanism, length: float, angle: float) -> Iterator[Mechanis
         yield replace(machine, drivers=(*machine.drivers[:k], replace(driver, value=value), *machine.drivers[k + 1 :]))
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("place", PLACES)
 def test_a_step_is_called_by_its_arrow(place: str) -> None:
     """Arrows of equations that are solved together have names, too, and none is that of a class."""

@@ -73,6 +73,7 @@ def texts(page: Any) -> list[tuple[str, Any]]:
 # --- what is drawn ----------------------------------------------------------------------------
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", NAMES)
 def test_curves_are_what_the_other_road_finds(name: str):
     """The lines on paper, read back, against the loop equations."""
@@ -287,6 +288,7 @@ CROWDED = (
 )
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("lang", ["en", pytest.param("zh", marks=chinese)])
 @pytest.mark.parametrize(
     ("name", "ranges", "of"),

@@ -31,6 +31,7 @@ def _values(drawn: list[float], kinds: list[str], k: int) -> list[float]:
     return [v + (k * math.tau / PLACES if kind != "slide" else 0.001 * k) for v, kind in zip(drawn, kinds, strict=True)]
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", [*library.names()[::6], "ex3-2", "ex3-3"])
 def test_every_point_moves_with_the_slider(name: str):
     drawing = graphkin.Drawing.of(graphkin.load(name))

@@ -79,6 +79,7 @@ def test_the_amount_is_what_was_put_in() -> None:
         assert error.value.off == pytest.approx(NEAR[name], rel=1e-6)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", FAMILIES)
 def test_it_is_named_and_explained(name: str) -> None:
     mechanism = make(name, 6)

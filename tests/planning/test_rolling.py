@@ -52,6 +52,7 @@ def test_random_files_are_solved(family: str):
         assert all(abs(plot.position[p] - z) < 2e-6 for p, z in mechanism.sketch.items()), seed
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("family", FAMILIES)
 def test_random_files_are_told(family: str):
     for seed in range(COUNT // 2):

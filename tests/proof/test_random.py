@@ -44,6 +44,7 @@ def test_velocity_is_the_derivative_of_position(kind: str):
     hold_derivatives(lambda seed: make(kind, seed), range(10**6, 10**6 + 40))
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_rough_sketch_is_enough(kind: str):
     """The sketch only picks the assembly: moved a little, it gives the same."""

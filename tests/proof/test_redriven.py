@@ -50,6 +50,7 @@ def test_another_quantity_gives_the_same_motion(family: str, kind: str) -> None:
             assert plot.omega[link] == pytest.approx(before.omega[link], rel=1e-6, abs=1e-6), (seed, link)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize(
     ("family", "kind"),
     [*((each, "link") for each in ("RRP", "PRR", "cylinder", "truss", "truss_on_links")),
