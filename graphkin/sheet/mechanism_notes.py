@@ -27,7 +27,7 @@ from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.wheels import disc
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
-_MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler [mm]
+_MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler, where no other is [mm]
 _AROUND = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
 _NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
 _TOLD = 5.0  # a shorter length is told by words alone [mm]
@@ -61,9 +61,10 @@ class MechanismNotes:
         """All of it among what stands there; data that find no room are written in lines at the foot of the figure."""
         added, machine = list[Mark](), self.reading.mechanism
         asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
+        drawn = dict[str, Arc]()
         for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
             if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
-                added += self._arc(half, free)
+                added += self._arc(half, free, drawn)
         lines, unsaid = DimensionLines(self.skeleton, free), dict[bool, list[Label]]()
         lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
         at, levers = self.skeleton.at, measured_lengths(self.reading) if self.planes else ()
@@ -88,8 +89,9 @@ class MechanismNotes:
                 yield from text.marks(corner)
                 return
 
-    def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
-        """An arc in the sense in which the link turns, across its bar, with its letter."""
+    def _arc(self, rotation: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
+        """An arc in the sense in which the link turns, across its bar, with its letter; drawn: by link the first, with
+        which a second one has its middle in common: heads that point alike mean one sense."""
         (letter, plane), link = _LETTERS[rotation.word], rotation.link
         value = float((self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha)[link])
         driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
@@ -98,7 +100,8 @@ class MechanismNotes:
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, value)
         label = quantity_label(letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
-        for points, radius, middle, crossing in islice(self._places(link, free), _TRIED):
+        for place in islice(self._places(link, free, drawn.get(link)), _TRIED):
+            points, radius, middle, crossing = place
             at, turn = sum(map(self.skeleton.at, points)) / len(points), cmath.rect(1, -sense * SWEEP / 2)
             arc = spin(at, middle / turn, sense, radius, step, Shows(link, form, points))
             for away in (middle / turn, middle * turn) if crossing else (middle,):
@@ -107,14 +110,15 @@ class MechanismNotes:
                     marks = [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
                              for mark in (*arc, *letters)]  # fmt: skip
                     free.add(marks)
+                    drawn.setdefault(link, place)
                     return marks
         return []
 
-    def _places(self, link: str, free: FreeRoom) -> Iterator[Arc]:
+    def _places(self, link: str, free: FreeRoom, beside: Arc | None) -> Iterator[Arc]:
         """Places with room for such an arc: across a bar beside its pivot, or at the middle of a coupler; about a point
-        of a link that has no bar."""
+        of a link that has no bar. Of a coupler about the middle of the one beside it, on the same side."""
         own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
-        for wide, arcs in ((_APART, self._arcs(link)), (_APART / 2, self._arcs(link))):
+        for wide, arcs in ((_APART, self._arcs(link, beside)), (_APART / 2, self._arcs(link, beside))):
             while some := [*islice(arcs, _AT_ONCE)]:
                 rooms = list[list[Mark]]()
                 for points, radius, middle, crossing in some:
@@ -124,21 +128,23 @@ class MechanismNotes:
                                   for r in dict.fromkeys((radius, radius - wide, radius + wide))])  # fmt: skip
                 yield from (some[number] for number in free.fitting([(room, ()) for room in rooms]))
 
-    def _arcs(self, link: str) -> Iterator[Arc]:
+    def _arcs(self, link: str, beside: Arc | None) -> Iterator[Arc]:
         owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         bars = sorted(skeleton.bars(link), key=lambda bar: -abs(bar[0] - bar[1]))
-        if points and FRAME in owners[points[0]]:
-            at = skeleton.at(points[0])
+        pivot = points[0] if points and FRAME in owners[points[0]] else None
+        if pivot is not None:
+            at = skeleton.at(pivot)
             arms = [far - at for bar in bars for near, far in (bar, bar[::-1]) if abs(near - at) < 0.1]
             for radius, arm in product(_RADII, arms):
                 if abs(arm) > radius + 2:
-                    yield (points[0],), radius, arm / abs(arm), True
+                    yield (pivot,), radius, arm / abs(arm), True
         stretches = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2)
-                     if not centre or centre in pair]  # fmt: skip
+                     if (not centre or centre in pair) and pivot in (None, pair[0])]  # fmt: skip
         for pair, arm in sorted(stretches, key=lambda stretch: -abs(stretch[1])):
-            for radius, way in product(_MIDDLE, (1, -1)):
-                if abs(arm) > 2 * radius + 6:
-                    yield pair, radius, way * arm / abs(arm), True
+            for radius, way in product(_RADII if beside else _MIDDLE, (1, -1) if pivot is None else (1,)):
+                place = (pair, radius, way * arm / abs(arm), True) if abs(arm) > 2 * radius + 4 else None
+                if place and (beside is None or pivot or (pair, place[2]) == (beside[0], beside[2])):
+                    yield place
         for point, radius, middle in product(points, _RADII, _AROUND) if not bars else ():
             yield (point,), radius, middle, False
