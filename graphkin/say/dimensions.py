@@ -16,6 +16,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import LayOff, Measure, Normal, Swing, Tangential, Term, Turning
 from graphkin.model.mechanism import FRAME, Dimension, Driver, KeyPath, Pose
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
+from graphkin.planning.position import contact_letters
 from graphkin.say import names
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading, aside
@@ -166,20 +167,23 @@ def guide_sizes(reading: Reading) -> Iterator[Size]:
 
 def _eccentricities(reading: Reading) -> list[Size]:
     """The distances of fixed guides and tracks from the first fixed point, of those through no fixed point; where there
-    is no point, from the first of them that is parallel."""
+    is no point, from the first of them that is parallel. A track has the letter at which the wheel touches it."""
     machine, fixed, every = reading.mechanism, reading.plot.facts.shapes[FRAME], list[Size]()
-    rolls: list[tuple[Pair, Line | None, str]] = [(roll, roll.line, roll.centre) for roll in machine.of(RollingContact)]
-    slides = [(slide, slide.line, slide.point) for slide in machine.slides if slide.stands_for is None]
-    lines = [(pair, line, point) for pair, line, point in rolls + slides if line is not None and line.link == FRAME]
-    for pair, line, point in lines:
+    letters = contact_letters(reading.method.structure)
+    every_line: list[tuple[Pair, Line | None, str, str]] = [
+        *((roll, roll.line, roll.centre, letters[roll.name]) for roll in machine.of(RollingContact)),
+        *((slide, slide.line, slide.point, slide.point) for slide in machine.slides if slide.stands_for is None),
+    ]
+    lines = [(pair, line, point, name) for pair, line, point, name in every_line if line and line.link == FRAME]
+    for pair, line, point, name in lines:
         along, place = line.direction, fixed[line.origin]
-        points = machine.named(FRAME) or [one.origin for _, one, _ in lines if aside(along, one.direction) < 1e-9][:1]
+        points = machine.named(FRAME) or [one.origin for _, one, *_ in lines if aside(along, one.direction) < 1e-9][:1]
         if all(aside(along, place - fixed[other]) > reading.noise for other in points):
             end = place + along * float(dot(along, reading.at(point) - place))
             span = Span(fixed[points[0]], end, 1j * along, (points[0], point))
             path = (*machine.path(pair), "through")
             places = [*_coordinates(path, points[0]), *_coordinates(("frame", line.origin), points[0])]
-            off, symbol = aside(along, place - fixed[points[0]]), f"e_{names.point(point)}"
+            off, symbol = aside(along, place - fixed[points[0]]), f"e_{names.point(name)}"
             size = sized(reading, symbol, off, "length", *places, shape=span)
             every.append(replace(size, derived=abs(along.real * along.imag) > 1e-9))
     return every

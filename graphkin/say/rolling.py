@@ -232,8 +232,12 @@ def touched(reading: Reading, step: Touch) -> str:
     words = {"point": step.point, "centre": names.point(step.centre), "length": length}
     if contact.slide:
         return reading.say("contacts.touch line", first=second, second=first, **words)
-    line = names.pair(*contact.centres)
-    return reading.say("contacts.touch wheels", first=first, second=second, line=line, **words)
+    words |= {"first": first, "second": second, "line": names.pair(*contact.centres)}
+    away = {centre: abs(reading.at(centre) - reading.at(step.point)) for centre in contact.centres}
+    if max(away.values()) < reading.distance(*contact.centres):
+        return reading.say("contacts.touch wheels", **words)
+    end = names.point(min(away, key=away.__getitem__))
+    return reading.say("contacts.touch inside", end=end, **words)
 
 
 def rolling(polygon: PolygonReading, step: Roll) -> Iterator[Entry]:

@@ -177,11 +177,11 @@ class _TablesInMaking:
         for key, quantity in self.questions.items():
             if key not in self.shown:  # units stand with the names, as in the other tables
                 text, label = lines.result(quantity), label_of(quantity)
-                centre, unit = isinstance(quantity, asked.Centre), EDGE[quantity.unit].sign
-                if centre and "°" in text:  # at infinity: its direction is told
-                    figure, unit = text.replace("°", ""), "°"
-                else:
-                    figure = (text[max(0, text.find("(")) :] if centre else text).removesuffix(unit).rstrip()
+                unit = EDGE[quantity.unit].sign
+                if not isinstance(quantity, asked.Centre):
+                    figure = text.removesuffix(unit).rstrip()
+                else:  # its place alone; at infinity its direction is told
+                    figure = text if "°" in text else text[max(0, text.find("(")) :].removesuffix(unit).rstrip()
                 rows.append((bold(label if figure == text else _unit(label, unit)), bold(formula(figure))))
         return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 

@@ -48,7 +48,7 @@ PHRASES: Phrases = {
     "centres.together": ("{name}: links {first} and {second} have no relative motion at this instant, and no centre.",
                          "{name}：构件 {first}、{second} 此瞬时无相对运动，不存在瞬心。"),
     "centres.mm": ("at {place} mm", "坐标 {place} mm"),
-    "centres.infinite": ("at infinity, in the direction {angle}", "在方向 {angle} 的无穷远处"),
+    "centres.infinite": ("at infinity, in the direction {angle}", "在与 x 轴成 {angle} 方向的无穷远处"),
     "centres.shorter": ("By them, with lengths measured on paper in mm (μ_l = {scale} m/mm):",
                         "用瞬心求速度（长度在图上量取，mm，μ_l = {scale} m/mm）："),
     "centres.second way": ("The velocity polygon below is a second way.", "另解：用下面的速度图求解。"),

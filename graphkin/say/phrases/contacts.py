@@ -53,6 +53,9 @@ PHRASES: Phrases = {
     "contacts.touch wheels": ("Wheels {first} and {second} touch at {point}, on the line {line}, {length} from "
                               "{centre}.",
                               "轮 {first}、{second} 的接触点 {point} 在连心线 {line} 上，距 {centre} 为 {length}。"),
+    "contacts.touch inside": ("Wheels {first} and {second} touch at {point}, on the line {line} produced beyond {end}, "
+                              "{length} from {centre}.",
+                              "轮 {first}、{second} 的接触点 {point} 在连心线 {line} 过 {end} 的延长线上，距 {centre} 为 {length}。"),
     "contacts.touch line": ("Wheel {first} touches link {second} at {point}: {length} from {centre}, at right angles "
                             "to the track.",
                             "轮 {first} 与构件 {second} 的接触点 {point}：由 {centre} 作轨道的垂线，取 {length}。"),
