@@ -32,10 +32,16 @@ def at_rest(method: Method, facts: Facts) -> frozenset[Fact]:
     planes.append(_resting(method, method.acceleration, rested | planes[0]))
     links = [link for link in method.structure.bodies if link != FRAME]
     turns = [(turnings(method, "omega", link), turnings(method, "alpha", link)) for link in links]
+    # what a polygon that is cut to what is needed does not measure or draw rests with the velocities
+    reader = PartsReader(method, method.acceleration)
+    away = {fact for _, alpha in turns for fact in alpha if fact[0] == "alpha"}
+    planes[1] |= away.difference(*(reader.gives(part) for part in method.acceleration.parts))
+    drawn = {node.site for node in method.acceleration.nodes.values()}
     both = {fact for omega, alpha in turns if {*omega} <= planes[0] and {*alpha} <= planes[1] for fact in omega + alpha}
     sites = [{c.nodes[name].site: (c.plane, name) for plane, name in one if plane == c.plane}
              for c, one in zip((method.velocity, method.acceleration), planes, strict=True)]  # fmt: skip
-    return frozenset(both | {one[site] for site in {*sites[0]} & {*sites[1]} if site is not None for one in sites})
+    rest = {site for site in sites[0] if site is not None and (site in sites[1] or site not in drawn)}
+    return frozenset(both | {one[site] for site in rest for one in sites if site in one})
 
 
 def _resting(method: Method, construction: Construction, rested: set[Fact]) -> set[Fact]:
