@@ -49,6 +49,7 @@ class Size:
     worked   the value in the unit of the solution, where the file has another: ` = 50.8 mm`
     shape    where it lies in the drawing
     derived  it follows from data of the file, which does not state it
+    moved    another value than the one told is drawn: its symbol alone stands there
     """
 
     symbol: str
@@ -58,14 +59,17 @@ class Size:
     worked: str = ""
     shape: Span | Corner | None = None
     derived: bool = False
+    moved: bool = False
 
     @property
     def figure(self) -> str:
+        if self.moved:
+            return self.symbol
         return self.written or f"{given_figure(self.value)}{'' if self.unit == '°' else ' '}{self.unit}"
 
     @property
     def text(self) -> str:
-        return f"{self.symbol} = {self.figure}"
+        return self.symbol if self.moved else f"{self.symbol} = {self.figure}"
 
     @property
     def bare(self) -> Size:

@@ -17,7 +17,7 @@ from graphkin.planning.at_rest import at_rest, held_labels
 from graphkin.planning.method import births, pages
 from graphkin.planning.needed import Fact
 from graphkin.say.catalogue import say
-from graphkin.say.dimensions import sizes
+from graphkin.say.dimensions import driven, sizes
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
@@ -117,8 +117,15 @@ class Planes:
 
     @cached_property
     def sizes(self) -> list[Size]:
-        """What is given of the mechanism."""
-        return sizes(self.reading({}))
+        """What is given of the mechanism; drivers that stand elsewhere than the problem says have no value."""
+        reading = self.reading({})
+        every = sizes(reading)
+        if self.style != "given":
+            return every
+        now, drivers = self.plot.facts.values, self.method.mechanism.drivers
+        moved = {driven(reading, k, driver)[0].symbol for k, driver in enumerate(drivers)
+                 if driver.value is not None and abs(driver.value - float(now[k])) > 1e-9}  # fmt: skip
+        return [replace(size, moved=size.symbol in moved) for size in every]
 
     @cached_property
     def panels(self) -> dict[tuple[object, ...], Panel]:

@@ -289,4 +289,6 @@ def _lies_on(at: Place, arm: complex, bar: tuple[Place, Place]) -> bool:
 def angle_label(size: Size) -> Label:
     """`φ1 = 60°`; of an angle between points the value alone."""
     named = plain(size.symbol, italic=True) if len(size.symbol) == 1 else formula(size.symbol)
+    if size.moved:
+        return named
     return formula(size.figure) if size.symbol.startswith("∠") else (*named, *plain(f" = {size.figure}"))
