@@ -8,6 +8,7 @@ circle. All arrows stay where they are, to scale; those of the detail are not me
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import compress, pairwise, takewhile
@@ -217,7 +218,8 @@ def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
             yield from _pieces((*places, places[0]) if closed else places, mark, circle)
         case Disc() | ArcMark():
             arc = mark if isinstance(mark, ArcMark) else ArcMark(mark.centre, mark.radius, 0.0, cmath.tau)
-            yield from _pieces(arc_places(arc), Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
+            fine = 1 + math.sqrt(abs(arc.radius))  # pieces of a magnified arc show no corner
+            yield from _pieces(arc_places(arc, fine), Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
         case _:
             pass
 

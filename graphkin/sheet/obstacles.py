@@ -130,9 +130,9 @@ def _outlines(mark: Mark) -> Iterator[tuple[Sequence[Place], bool]]:
             yield [at + radius * turn for turn in _CIRCLE[::3]], False
 
 
-def arc_places(arc: ArcMark) -> tuple[Place, ...]:
-    """A polyline close to an arc."""
-    count = max(4, int(abs(arc.sweep) * 8))
+def arc_places(arc: ArcMark, fine: float = 1.0) -> tuple[Place, ...]:
+    """A polyline close to an arc; fine: so many times as many places."""
+    count = max(4, int(abs(arc.sweep) * 8 * fine))
     return tuple(arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep * k / count) for k in range(count + 1))
 
 
