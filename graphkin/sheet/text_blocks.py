@@ -5,10 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import repeat
+from itertools import pairwise, repeat
 from typing import Protocol
 
 from graphkin.base.value import frozen
@@ -217,6 +217,13 @@ class Ladder:
         return replace(self, blocks=tuple(part for block in self.blocks for part in block.within(room)))
 
 
+def _at_once(acts: Sequence[Act], told: Collection[Act | None]) -> Iterator[Act]:
+    """The steps of an equation but for those with a row of their own that are not followed at once by the others."""
+    gaps = [act.number for act, other in pairwise(acts) if other.number > act.number + 1]
+    first = max(gaps, default=0)
+    yield from (act for act in acts if act.number > first or act not in told)
+
+
 def ladder(entries: Iterable[Entry], rows: tuple[str, str], plane: Plane, method: Method) -> Ladder | None:
     """Every equation that the words print, with the numbers of the steps that it needs, and a row for each other
     motion; None where they print none; rows: what stands before the rows."""
@@ -228,7 +235,8 @@ def ladder(entries: Iterable[Entry], rows: tuple[str, str], plane: Plane, method
             equations = [(equation, first or entry.act) for equation, first in equations]
             equations += [(entry.row, entry.act)] if entry.row else []
     acts = [act for equation, act in equations if act is not None and not isinstance(equation, str)]
-    needs = [*acts_of_equations(method, plane, acts)]
+    told = {act for equation, act in equations if isinstance(equation, str)}
+    needs = [[*_at_once(own, told)] for own in acts_of_equations(method, plane, acts)]
     known = {act for each in needs for act in each if not isinstance(act.done, Image)}
     blocks, steps = list[EquationBlock](), iter(needs)
     for equation, act in equations:
