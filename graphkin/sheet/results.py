@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import cached_property
 from typing import assert_never
@@ -178,10 +179,11 @@ class _TablesInMaking:
             if key not in self.shown:  # units stand with the names, as in the other tables
                 text, label = lines.result(quantity), label_of(quantity)
                 unit = EDGE[quantity.unit].sign
-                if not isinstance(quantity, asked.Centre):
-                    figure = text.removesuffix(unit).rstrip()
-                else:  # its place alone; at infinity its direction is told
-                    figure = text if "°" in text else text[max(0, text.find("(")) :].removesuffix(unit).rstrip()
+                figure = text.removesuffix(unit).rstrip()
+                if isinstance(quantity, asked.Centre) and (direction := re.search(r"[\d.]+(?=°)", text)):  # at infinity
+                    figure, unit, label = direction[0], "°", (*label, Run(" → ∞ "))
+                elif isinstance(quantity, asked.Centre):
+                    figure = figure[max(0, figure.find("(")) :]
                 rows.append((bold(label if figure == text else _unit(label, unit)), bold(formula(figure))))
         return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 
