@@ -147,6 +147,15 @@ def test_a_half_worked_solution_stops_between_equations(upto):
     assert len(rows) - len(whole) == (upto < 2)
 
 
+def test_links_whose_drivers_are_at_rest_stand_still_in_half_worked_solutions_too():
+    """The engine's screw is not turned: D is a fixed point, the first equation is that of C."""
+    markup = html(handout([graphkin.load("p3-21")], "half", "en", upto=0))
+    told = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", " ", markup))
+    assert "so these links stand still" in told
+    assert "C and B are points of link 2" in told
+    assert "coincident" not in told
+
+
 def test_more_equations_than_there_are_and_scans_of_solutions_are_refused(tmp_path: Path):
     """Of a book's problems the longest has so many."""
     output = ("-o", str(tmp_path / "a.pdf"), "--lang", "en")

@@ -20,6 +20,7 @@ from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.outputs.letters import lettered
 from graphkin.say.entry import text_lines
 from graphkin.sheet.lettering import plain
+from graphkin.sheet.marks import Text
 from graphkin.submissions import Student
 
 pytest.importorskip("pypdf")
@@ -156,6 +157,9 @@ def test_a_problem_is_one_block_and_gives_no_angle_away():
         assert part.blocks == tuple(blocks)
         (figure,) = (block for block in blocks if isinstance(block, HandoutPicture))
         assert bool(figure.note) is elsewhere
+        told = {"".join(run.text for run in mark.label) for mark in figure.sheet.marks if isinstance(mark, Text)}
+        assert any(text.startswith("φ") and "=" in text for text in told) is not elsewhere
+        assert any(text.startswith("φ") for text in told)
         assert (figure.sheet.drivers != graphkin.Drawing.of(graphkin.load(name)).plot.facts.values) is elsewhere
         assert len(read(pdf(handout([graphkin.load(name)], "problem", "en")))) == 1
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import re
 from functools import cache
 from pathlib import Path
@@ -326,3 +327,18 @@ def test_a_name_joins_others_at_its_own_step() -> None:
 def test_the_point_of_a_tangent_stands_in_the_figure() -> None:
     for style in ("construction", "given"):
         assert ("T" in texts(sheet("ex3-1", style))) == (style == "construction")
+
+
+@pytest.mark.parametrize("name", ["ex3-1", "ex3-5", "p3-23b", "s2-2", "s3-four", "s4-ex3", "s4-ex5"])
+def test_both_arcs_of_a_link_bend_about_one_middle_or_the_same_way(name: str) -> None:
+    """So that heads which point alike mean one sense."""
+    marks, ways = sheet(name).marks, dict[str, list[tuple[complex, complex]]]()
+    for head in (mark for mark in marks if isinstance(mark, Stroke) and mark.shows and mark.shows.form in ("omega", "alpha")):
+        arcs = (mark for mark in marks if isinstance(mark, ArcMark))
+        tips = {arc: arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep) for arc in arcs}
+        arc = min(tips, key=lambda arc: min(abs(place - tips[arc]) for place in head.places))
+        ways.setdefault(head.shows.link, []).append((arc.centre, cmath.rect(1, arc.start + arc.sweep / 2)))
+    both = [own for own in ways.values() if len(own) == 2]
+    assert both
+    for (centre, way), (other, other_way) in both:
+        assert abs(centre - other) < 1e-6 or (way.conjugate() * other_way).real > 0.9
