@@ -74,6 +74,7 @@ ALL = [
 ]
 
 
+@pytest.mark.many
 @pytest.mark.parametrize(("case", "radius", "internal"), ALL)
 def test_any_two_profiles(case: str, radius: float, internal: bool) -> None:
     drawing = Drawing.of(loads(machine(case, radius, internal)))

@@ -109,6 +109,7 @@ def same_assembly(row, places):
     return lambda *where: sign(*where) == drawn
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("chunk", range(5))
 def test_four_bars(chunk):
     kinds = set()
