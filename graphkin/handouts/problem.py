@@ -178,6 +178,7 @@ class HandoutProblem:
             yield section, None
 
 
+@kept(4)
 def drawn_problem(mechanism: Mechanism, lang: Lang, whose: str = "") -> HandoutProblem:
     """A mechanism drawn and proved at the scales of its handout, which are those that its key is made for."""
     drawing = Drawing.of(mechanism)
@@ -268,7 +269,7 @@ COMMON = (
 
 def untold_answers(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     """A sentence a question that `problems` would not ask, at any position: a pencil does not tell its answer."""
-    problem = drawn_problem(mechanism, lang)
+    problem = drawn_problem(mechanism, lang, "")  # as its pages have it
     if (key := _key(problem)) is None:
         return
     method = problem.drawing.method

@@ -69,12 +69,16 @@ class CentreReader:
     def place(self, centre: str) -> str:
         if self.is_far(centre):
             return self.say("centres.infinite", angle=self.angle(centre))
+        return self.say("centres.mm", place=self.coordinates(centre))
+
+    def coordinates(self, centre: str) -> str:
+        """`(34.5, −20)`: the place of a centre that is not at infinity, in mm."""
         at, noise = complex(self.found.board.at(centre)), self.mechanism.usual.least("m")
         step = self.found.centring.construction.made_by.get(centre)
         owners = self.mechanism.owners.get(step.point, ()) if isinstance(step, Pricked) else ()
         read = float if FRAME in owners else self.read  # the problem gives the places of fixed points
         at = complex(read(at.real), read(at.imag))
-        return self.say("centres.mm", place=coordinates(1000 * at, self.lang, 1000 * noise))
+        return coordinates(1000 * at, self.lang, 1000 * noise)
 
     def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
         """The number of centres, those by definition, the others in order; `together`: pairs of links without one."""
@@ -162,6 +166,14 @@ class CentrePart:
         if found.together(*centre.links):
             return self.reader.say("centres.by together")
         return self.reader.place(found.name(*centre.links))
+
+    def figure(self, centre: Centre) -> tuple[str, str]:
+        """The same for a table, and its unit: coordinates, or the angle at infinity; no unit of links without a centre."""
+        reader, found = self.reader, self.reader.found
+        if found.together(*centre.links):
+            return self.place(centre), ""
+        name = found.name(*centre.links)
+        return (reader.angle(name).removesuffix("°"), "°") if reader.is_far(name) else (reader.coordinates(name), "mm")
 
     def entries(self, number: int) -> Iterator[Entry]:
         """The part of the solution with this number."""

@@ -233,7 +233,7 @@ def touched(reading: Reading, step: Touch) -> str:
     if contact.slide:
         return reading.say("contacts.touch line", first=second, second=first, **words)
     words |= {"first": first, "second": second, "line": names.pair(*contact.centres)}
-    away = {centre: abs(reading.at(centre) - reading.at(step.point)) for centre in contact.centres}
+    away = {centre: reading.distance(centre, step.point) for centre in contact.centres}
     if max(away.values()) < reading.distance(*contact.centres):
         return reading.say("contacts.touch wheels", **words)
     end = names.point(min(away, key=away.__getitem__))

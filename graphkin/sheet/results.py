@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from functools import cached_property
 from typing import assert_never
@@ -177,14 +176,16 @@ class _TablesInMaking:
         rows = list[tuple[Label, ...]]()
         for key, quantity in self.questions.items():
             if key not in self.shown:  # units stand with the names, as in the other tables
-                text, label = lines.result(quantity), label_of(quantity)
-                unit = EDGE[quantity.unit].sign
-                figure = text.removesuffix(unit).rstrip()
-                if isinstance(quantity, asked.Centre) and (direction := re.search(r"[\d.]+(?=°)", text)):  # at infinity
-                    figure, unit, label = direction[0], "°", (*label, Run(" → ∞ "))
-                elif isinstance(quantity, asked.Centre):
-                    figure = figure[max(0, figure.find("(")) :]
-                rows.append((bold(label if figure == text else _unit(label, unit)), bold(formula(figure))))
+                label = label_of(quantity)
+                if isinstance(quantity, asked.Centre):
+                    assert lines.goal.centred is not None, quantity
+                    figure, unit = lines.goal.centred.figure(quantity)
+                    label = (*label, Run(" → ∞ ")) if unit == "°" else label
+                else:
+                    text, unit = lines.result(quantity), EDGE[quantity.unit].sign
+                    figure = text.removesuffix(unit).rstrip()
+                    unit = "" if figure == text else unit
+                rows.append((bold(_unit(label, unit) if unit else label), bold(formula(figure))))
         return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 
 
