@@ -12,7 +12,8 @@ PART = 3  # of the cases of a test that is marked `many` one of so many runs
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """A law that is held against many mechanisms takes some of them; all with GRAPHKIN_RANDOM in the environment."""
+    """A law that is held against many mechanisms takes some of them; all with GRAPHKIN_RANDOM in the environment. One
+    whose cases take turns at something of their own is not to be marked: some turns would be nobody's."""
     if "GRAPHKIN_RANDOM" in os.environ:
         return
     seen, taken, left = Counter[str](), list[pytest.Item](), list[pytest.Item]()

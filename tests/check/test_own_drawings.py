@@ -54,7 +54,6 @@ def hold(folder: Path, text: str, mechanism: Mechanism | None = None) -> None:
     assert not wrong(measured(drawing, mechanism or mechanism_of(drawing), 0.01))
 
 
-@pytest.mark.many
 @pytest.mark.parametrize("number", range(len(FAMILIES)), ids=list(FAMILIES))
 def test_every_drawing_of_random_mechanisms(number: int, tmp_path: Path):
     family = list(FAMILIES)[number]
@@ -68,7 +67,6 @@ def test_every_drawing_of_random_mechanisms(number: int, tmp_path: Path):
                 hold(tmp_path, text, None if command.__name__ == "linkage" else mechanism)
 
 
-@pytest.mark.many
 @pytest.mark.parametrize("number", range(0, len(library.names()), APART), ids=lambda k: library.names()[k])
 def test_every_drawing_of_the_library(number: int, tmp_path: Path):
     name = library.names()[number]

@@ -526,7 +526,6 @@ EACH = max(1, EVERYTHING // 400)
 SHEETS = [*library.names()[::12], *((family, seed) for family in FAMILIES for seed in range(EACH))]
 
 
-@pytest.mark.many
 @pytest.mark.parametrize("of", SHEETS, ids=str)
 def test_what_misleads_is_seen_on_any_sheet(of: str | tuple[str, int], tmp_path: Path):
     mechanism = library.load(of) if isinstance(of, str) else make(*of)

@@ -111,7 +111,6 @@ def hold(machine: Mechanism, source: str, commands: tuple[str, ...], folder: Pat
         assert not noise(line, run(line + more, source, folder), machine.usual), line + more
 
 
-@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_library(name: str, tmp_path: Path) -> None:
     machine = library.load(name)
@@ -122,7 +121,6 @@ def test_library(name: str, tmp_path: Path) -> None:
             hold(machine, name, TURNED, tmp_path, f" --angle {angle}" * len(machine.drivers))
 
 
-@pytest.mark.many
 @pytest.mark.parametrize("family", FAMILIES)
 def test_random_mechanisms(family: str, tmp_path: Path) -> None:
     machine = FAMILIES[family](0)
