@@ -168,7 +168,7 @@ class CentrePart:
         return self.reader.place(found.name(*centre.links))
 
     def figure(self, centre: Centre) -> tuple[str, str]:
-        """The same for a table, and its unit: coordinates, or the angle at infinity; links without a centre have none."""
+        """The same for a table, and its unit: coordinates, or the angle at infinity; words where there is no centre."""
         reader, found = self.reader, self.reader.found
         if found.together(*centre.links):
             return self.place(centre), ""
