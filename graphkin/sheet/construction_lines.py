@@ -91,7 +91,7 @@ class PolygonConstruction:
         points = self.polygon.points
         for act in self.acts:
             step = act.done
-            if not isinstance(step, Meet) or step.point not in points:
+            if not isinstance(step, Meet) or not self._shown(step):
                 continue
             for ray in (step.first, step.second):
                 if isinstance(ray, Ray) and ray.through in points:
@@ -103,6 +103,14 @@ class PolygonConstruction:
                         foot, meeting = points[ray.through], points[step.point]
                         ahead = (along.conjugate() * (meeting - foot)).real > -_NOTHING
                         yield _DirectionLine(foot, meeting, along if ahead else -along, text, act.page)
+
+    def _shown(self, meet: Meet) -> bool:
+        """Whether there is anything to see: not where both lines meet in the point from which they start."""
+        points, lines = self.polygon.points, (meet.first, meet.second)
+        feet = [points.get(line.through) for line in lines if isinstance(line, Ray)]
+        return (at := points.get(meet.point)) is not None and (
+            len(feet) < 2 or any(foot is None or abs(foot - at) > _NOTHING for foot in feet)
+        )
 
     def _carried(self) -> Iterator[tuple[Place, Place, int]]:
         """The ends of arrows that were found elsewhere and are laid off once more, and the act in which they are."""
@@ -158,7 +166,9 @@ class PolygonConstruction:
                 if abs(end - start) > _NOTHING:
                     name = term.name(self.polygon.construction.plane)
                     yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page, of=name)
-                yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
+                    yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
+            case Meet(point=point) as meet if not self._shown(meet):
+                return
             case Meet(point=point) | Image(point=point) if point in points:
                 yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
                 for vector in self._arrows.get(act.page, ()):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import combinations, pairwise, product
 from typing import Any
 
 from graphkin.base.geometry import place
@@ -24,7 +24,7 @@ from graphkin.sheet.marks import BREAK, Disc, Mark, Place, PointMark, Shows, Str
 from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line, off_stretch
 from graphkin.sheet.window import Figure, Window
 
-_JOINED = 4.8  # lines that cross so near to a point are joined there: a break would leave a crumb [mm]
+_JOINED = 4.8  # lines that cross so near to a joint meet there: a break would leave a crumb [mm]
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 
@@ -69,10 +69,11 @@ def _bodies(skeleton: Skeleton) -> Figure:
         places, step = [skeleton.at(p) for p in names], skeleton.step(*names)
         for slide in skeleton.guides(link):
             figure.marks += _guide(skeleton, slide)
-        if centre := wheels.disc(skeleton, link):  # a thin radius to each further point of a wheel
+        if centre := wheels.disc(skeleton, link):  # from its centre a bar to each further joint, else a thin radius
             for ends in ((centre, name) for name in names if name != centre):
+                pen = "visible" if all(len(skeleton.mechanism.owners[point]) > 1 for point in ends) else "thin"
                 shows, radius = Shows(link, "bar", ends), (skeleton.at(ends[0]), skeleton.at(ends[1]))
-                figure.marks.append(Stroke(radius, "thin", shows=shows, step=step))
+                figure.marks.append(Stroke(radius, pen, shows=shows, step=step))
         elif len(names) > 1:
             figure.marks += _body(names, places, link, step)
         figure.wanted += _link_number(skeleton, link, places, step)
@@ -82,25 +83,46 @@ def _bodies(skeleton: Skeleton) -> Figure:
 def _broken(skeleton: Skeleton, marks: Sequence[Mark]) -> Iterator[Mark]:
     """Bars and guides, last ones first, broken where one goes over them that is of another link and no joint, and about
     hinges that are none of theirs."""
-    over = list[tuple[set[str], int | None, Place, Place]]()
-    rolls = skeleton.mechanism.of(RollingContact)
-    racks = [(roll.track, gap) for roll in rolls if (gap := wheels.toothed(skeleton, roll))]
+    racks = [(roll.track, gap) for roll in skeleton.mechanism.of(RollingContact)
+             if (gap := wheels.toothed(skeleton, roll))]  # fmt: skip
+    bars = {id(mark): mark for mark in reversed(marks) if isinstance(mark, Stroke) and mark.shows is not None
+            and mark.shows.form in ("bar", "guide")}  # fmt: skip
+    gaps = _gaps(skeleton, [*bars.values()])
     for mark in reversed(marks):
-        if isinstance(mark, Stroke) and mark.shows is not None and mark.shows.form in ("bar", "guide"):
-            of, sides = {mark.shows.link, mark.shows.line} - {""}, [*pairwise(mark.outline)]
-            own = [(at, links) for at, _, links in skeleton.joints if links & of]
-            breaks = [(at, step, BREAK / 2) for side in sides for other, step, *ends in over
-                      if not other & of and (at := crossing(*side, *ends)) is not None
-                      and all(abs(at - joint) > _JOINED for joint, links in own if links & other)]  # fmt: skip
-            hinges = [joint for joint in skeleton.joints if len(joint[2]) > 1 and not joint[2] & of]
-            breaks += [(spot, step, half) for at, step, _ in hinges for side in sides
-                       for spot, half in _around(at, *side)]  # fmt: skip
-            over += [(of, mark.step, *side) for side in sides]
-            mark = replace(mark, breaks=tuple(breaks))
-            teeth = [gap for link, gap in racks if link in of and off_stretch(gap[0], *sides[0]) < 0.05]
-            yield from wheels.rack_line(mark, *teeth[0]) if teeth and len(mark.places) == 2 else (mark,)  # no outline
-        else:
+        if (bar := bars.get(id(mark))) is None:
             yield mark
+            continue
+        of, sides = _links(bar), [*pairwise(bar.outline)]
+        hinges = [joint for joint in skeleton.joints if len(joint[2]) > 1 and not joint[2] & of]
+        about = [(spot, step, half) for at, step, _ in hinges for side in sides for spot, half in _around(at, *side)]
+        broken = replace(bar, breaks=(*gaps[id(bar)], *about))
+        teeth = [gap for link, gap in racks if link in of and off_stretch(gap[0], *sides[0]) < 0.05]
+        yield from wheels.rack_line(broken, *teeth[0]) if teeth and len(bar.places) == 2 else (broken,)  # no outline
+
+
+def _gaps(skeleton: Skeleton, bars: Sequence[Stroke]) -> dict[int, list[tuple[Place, int | None, float]]]:
+    """The breaks of each bar (by identity) where another goes over it: the first of two over the other, but under it
+    where the other's gap would cut a crumb off its end."""
+    gaps = {id(bar): list[tuple[Place, int | None, float]]() for bar in bars}
+    for over, under in combinations(bars, 2):
+        one, other = _links(over), _links(under)
+        if one & other:
+            continue
+        joined = [at for at, _, links in skeleton.joints if links & one and links & other]
+        for sides in product(pairwise(over.outline), pairwise(under.outline)):
+            at = crossing(*sides[1], *sides[0])
+            if at is None or any(abs(at - joint) <= _JOINED for joint in joined):
+                continue
+            first, second = (min(abs(at - end) for end in side) < _JOINED for side in sides)
+            below, above = (over, under) if second and not first else (under, over)
+            gaps[id(below)].append((at, above.step, BREAK / 2))
+    return gaps
+
+
+def _links(bar: Stroke) -> set[str]:
+    """The links that a bar shows."""
+    assert bar.shows is not None
+    return {bar.shows.link, bar.shows.line} - {""}
 
 
 def _around(hinge: Place, start: Place, end: Place) -> list[tuple[Place, float]]:
