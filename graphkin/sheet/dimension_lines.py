@@ -221,11 +221,12 @@ def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke
 
 def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Figure:
     """Given angles as arcs between two arms with their values; arms that no link has are drawn, that along +x with its
-    letter; drawn: arcs that they keep off."""
+    letter; drawn: arcs that they keep off, and thin lines that are arms, too."""
     figure, others = Figure(), [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
+    lines = [(mark.places[0], mark.places[-1]) for mark in drawn if isinstance(mark, Stroke) and mark.pen == "thin"]
     for size in data:
         if isinstance(corner := size.shape, Corner):
-            arms = [*_arms(skeleton, corner)]
+            arms = [*_arms(skeleton, corner, lines)]
             tried = [(radius, _inner_arc(skeleton, corner, radius)) for radius in _RADII]
             rooms = [_room(skeleton, skeleton.window(corner.at), arms, radius, arc, others) for radius, arc in tried]
             radius, arc = tried[rooms.index(max(rooms))]
@@ -234,11 +235,13 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
     return figure
 
 
-def _arms(skeleton: Skeleton, corner: Corner) -> Iterator[tuple[complex, float]]:
-    """The directions of the two arms of an angle, and how far a bar goes on each; 0 where there is none [mm]."""
+def _arms(
+    skeleton: Skeleton, corner: Corner, lines: Sequence[tuple[Place, Place]]
+) -> Iterator[tuple[complex, float]]:
+    """The directions of the two arms of an angle, and how far a bar or a line goes on each; 0 where none does [mm]."""
     at, first = skeleton.window(corner.at), skeleton.window.turned(corner.start)
     for arm in (first, first * cmath.rect(1, -corner.turn)):
-        bars = [bar for bar in skeleton.segments if _lies_on(at, arm, bar)]
+        bars = [bar for bar in (*skeleton.segments, *lines) if _lies_on(at, arm, bar)]
         yield arm, max((abs(end - at) for bar in bars for end in bar), default=0.0)
 
 
