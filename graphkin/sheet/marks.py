@@ -81,14 +81,9 @@ class Stroke:
         dashes, drawn, least = list[float](), 0.0, BREAK / 2  # between two breaks as much line as gap
         for middle, half in sorted((line.project(Point(at.real, at.imag)), half) for at, _, half in self.breaks):
             low, high = middle - half, middle + half
-            if line.length - high < BREAK / 2:
-                break
-            if low - drawn >= least:
+            if low - drawn >= least and line.length - high >= BREAK / 2:
                 dashes += (low - drawn, high - low)
                 drawn, least = high, 2 * half
-            elif dashes and low < drawn:
-                dashes[-1] += high - drawn
-                drawn = high
         return (*dashes, line.length - drawn + 1.0, 1.0) if dashes else ()
 
 

@@ -101,21 +101,26 @@ def _broken(skeleton: Skeleton, marks: Sequence[Mark]) -> Iterator[Mark]:
 
 
 def _gaps(skeleton: Skeleton, bars: Sequence[Stroke]) -> dict[int, list[tuple[Place, int | None, float]]]:
-    """The breaks of each bar (by identity) where another goes over it: the first of two over the other, but under it
-    where the other's gap would cut a crumb off its end."""
+    """The breaks of each bar (by identity) where another goes over it: the first of two over the other. Where that gap
+    would cut a crumb off an end the other has it, if no further line crosses that so near."""
     gaps = {id(bar): list[tuple[Place, int | None, float]]() for bar in bars}
+    crossed = {id(bar): list[Place]() for bar in bars}
+    turned = list[tuple[Place, Stroke, Stroke]]()
     for over, under in combinations(bars, 2):
         one, other = _links(over), _links(under)
-        if one & other:
-            continue
         joined = [at for at, _, links in skeleton.joints if links & one and links & other]
-        for sides in product(pairwise(over.outline), pairwise(under.outline)):
-            at = crossing(*sides[1], *sides[0])
+        for side, end in product(pairwise(over.outline), pairwise(under.outline)) if not one & other else ():
+            at = crossing(*end, *side)
             if at is None or any(abs(at - joint) <= _JOINED for joint in joined):
                 continue
-            first, second = (min(abs(at - end) for end in side) < _JOINED for side in sides)
-            below, above = (over, under) if second and not first else (under, over)
-            gaps[id(below)].append((at, above.step, BREAK / 2))
+            crossed[id(over)].append(at)
+            if min(abs(at - place) for place in end) >= _JOINED:
+                gaps[id(under)].append((at, over.step, BREAK / 2))
+            elif min(abs(at - place) for place in side) >= _JOINED:
+                turned.append((at, over, under))
+    for at, bar, above in turned:
+        if sum(abs(at - other) < 2 * BREAK for other in crossed[id(bar)]) == 1:
+            gaps[id(bar)].append((at, above.step, BREAK / 2))
     return gaps
 
 
