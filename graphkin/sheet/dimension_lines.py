@@ -271,7 +271,8 @@ def _angle(
     (first, _), at, step = arms[0], skeleton.window(corner.at), skeleton.step(*corner.points)
     middle = first * cmath.rect(1, -corner.turn / 2)
     figure = Figure(angle_arc(at, radius, first, -corner.turn, step))
-    figure.wanted.append(LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1))
+    value = LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1)
+    figure.wanted.append(value)
     for arm in (arm for arm, reach in arms if not reach):
         end = at + arm * (radius + _BEYOND)
         figure.marks.append(Stroke((at + arm * 2 * HINGE, end), "thin", step=step))

@@ -97,7 +97,8 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 def scales_of(method: Method, plot: Plot, breaks: bool = True) -> Mapping[Plane, float]:
     """The scales of the sheet in every language, or of one on which no arrow is drawn broken."""
-    return cheapest(_whole(Planes(method, plot, PLANES, "construction", "en", breaks=breaks)), None).layout.scales
+    drawing = Planes(*shown(method, plot), PLANES, "construction", "en", breaks=breaks)
+    return cheapest(_whole(drawing), None).layout.scales
 
 
 @frozen

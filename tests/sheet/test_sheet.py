@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import re
 import time
+from collections.abc import Iterator
 from functools import cache
 from itertools import combinations
 
@@ -19,7 +20,7 @@ from graphkin.files import library, loads
 from graphkin.planning import Method, plan
 from graphkin.planning.needed import without_aids
 from graphkin.running import replay_all
-from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_sheets
+from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, scales_of, sheet, step_sheets
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.labels import settle
@@ -479,3 +480,26 @@ C = [80, 60]
     for head in heads:
         arc = min(arcs, key=lambda arc: abs(abs(head.places[0] - arc.centre) - arc.radius))
         assert (arc.sweep < 0) == (wanted[head.shows.form] > 0), head
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_a_solution_has_the_scales_of_its_sheet(name: str):
+    drawing = Drawing.of(library.load(name))
+    assert scales_of(drawing.method, drawing.plot) == drawing.sheet().scales
+
+
+def test_what_stands_still_is_neither_lettered_nor_numbered_at_the_pole():
+    """The slide of exercise 3-21 is at rest: of its steps only the points at the pole are left, and the ladder."""
+    drawing = Drawing.of(library.load("p3-21"))
+    sheet = drawing.sheet(only="acceleration")
+    written = {plain_text(mark.label) for mark in sheet.marks if isinstance(mark, Text)}
+    assert not {"⊥DG", "⊥DH", ", m6′", ", m8′", ", k′"} & written
+    rings = {number for text in written if re.fullmatch(r"[\d–, ]+", text) for number in _steps(text)}
+    assert rings >= {act.number for act in without_aids(drawing.method).acts if act.plane == "acceleration"}
+
+
+def _steps(text: str) -> Iterator[int]:
+    """`4, 6–8`, one by one."""
+    for part in text.split(", "):
+        first, _, last = part.partition("–")
+        yield from range(int(first), int(last or first) + 1)

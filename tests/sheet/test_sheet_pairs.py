@@ -232,3 +232,11 @@ def test_a_bar_gives_way_to_a_hinge_that_is_none_of_its() -> None:
     gaps = list(zip(ends[1::2], ends[2::2], strict=False))
     for beside in (off.real - half - 0.5, off.real + half + 0.5):
         assert any(low < beside < high for low, high in gaps)
+
+
+def test_no_gap_cuts_a_crumb_off_the_end_of_a_link() -> None:
+    """The bar DC goes over AB just before its end B: it makes way itself."""
+    method = plan(loads(CROSSED.replace("AB = 80", "AB = 45").replace("BC = 40", "BC = 37.35").replace("[10, 70]", "[4, 72]")))
+    marks = sheet(method, replay_all(method)).marks
+    bars = {m.shows.link: m for m in marks if isinstance(m, Stroke) and m.shows and m.shows.form == "bar"}
+    assert [link for link, mark in bars.items() if mark.dashes] == ["3"]
