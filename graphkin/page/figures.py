@@ -28,8 +28,6 @@ from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
 _ROOMS: Mapping[Plane, Room] = {
     "position": Room(0, 0, 125, 100), "velocity": Room(0, 0, 100, 90), "acceleration": Room(0, 0, 100, 90),
 }  # fmt: skip
-_TYPICAL = 1.6
-"""A page has room for polygons up to so many times the size of half of them; for larger ones it zooms out."""
 _LOOKED_AT = 150  # positions of a grid of several drivers, at which letters are tried
 _PENCIL = ("construction", "measured")
 
@@ -64,18 +62,12 @@ class PageFigures:
     def _cut(self) -> dict[Plane, tuple[Window, Room]]:
         cut: dict[Plane, tuple[Window, Room]] = {}
         for plane in PLANES:
-            extent: Extent = replace(self._typical(plane).extent(plane), blocks=())
+            usual = {k: times for k, times in self.motion.smaller[plane].items() if times == 1}
+            extent: Extent = replace(self.motion.extent(plane, usual), blocks=())
             scale = extent.scale(_ROOMS[plane])
             room = extent.cut_out(scale)
             cut[plane] = extent.window(room, scale), room
         return cut
-
-    def _typical(self, plane: Plane) -> MotionFigures:
-        """The positions at which a plane's figure is not much larger than at half of them."""
-        sizes = np.array([self.motion.reach(plane, plot) for plot in self.usual])
-        most = np.inf if plane == "position" else _TYPICAL * float(np.median(sizes[np.isfinite(sizes)]))
-        plots = [plot for plot, size in zip(self.usual, sizes, strict=True) if size <= most]
-        return replace(self.motion, plots=plots)
 
     def window(self, plane: Plane) -> Window:
         return self._cut[plane][0]

@@ -1,4 +1,6 @@
-"""A mechanism and its polygons through its whole motion: one sheet a position, all at the same scales.
+"""A mechanism and its polygons through its whole motion: one sheet a position, all at the scales of most of them.
+
+A polygon much larger than most is drawn a round number of times smaller, about the same pole, and says so.
 
 Where the first driver turns fully, once round; else as far as it gets to both sides, there and back. What would hop
 from side to side from one position to the next is drawn as it suits all of them: the ground. A letter goes about what
@@ -54,7 +56,10 @@ _ONE = 6  # points of a polygon are one that are always the same in so many deci
 _LARGE, _ENDLESS = 4.0, 12.0
 """A polygon so many times larger than half of them are is not drawn: near a dead point; where a turn has none, but a
 special point goes far off."""
-_WORTH = 2
+_USUAL, _SMALLER = 1.6, (1, 2, 5, 10)
+"""Polygons up to so many times as large as half of them, and the first, have one scale; larger ones are drawn so many
+times smaller."""
+_WORTH = 4
 """A polygon is drawn as large as if it had so many times its letters: most of the time it is smaller than its room."""
 
 
@@ -123,24 +128,24 @@ class MotionFigures:
 
     def sheets(self, paper: str | None) -> Iterator[Sheet]:
         papers = [one for one in papers_for(paper) if one.width > one.height or paper]  # as screens are
-        extents = {plane: self.extent(plane) for plane in self.planes}
+        extents = {plane: self.extent(plane, self.smaller[plane]) for plane in self.planes}
         layout = lay_out(extents, Strip().height, papers, freely=True)
         placed = {plane: layout.placed(plane, extent) for plane, extent in extents.items()}
-        windows = {plane: window for plane, (window, _) in placed.items()}
+        windows = {plane: [replace(window, scale=window.scale * self.smaller[plane].get(k, 1))
+                           for k in range(len(self.plots))] for plane, (window, _) in placed.items()}  # fmt: skip
         at = {plane: dict(corners).get(0, 0j) for plane, (_, corners) in placed.items()}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
-        heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].printed, layout.rooms[plane])
-                 for plane in self.planes}  # fmt: skip
+        words: dict[Plane, list[list[Text]]] = {}
         drawn: dict[Plane, list[list[Mark]]] = {}
-        for plane, shown in self._shown.items():
-            every = range(len(self.plots))
-            figures = [self.figure(plane, windows[plane], self.plots[k]) if k in shown else Figure() for k in every]
-            drawn[plane] = lettered(figures, rooms[plane], [*heads[plane], *self._texts(plane, 0, at[plane])])
+        for plane in self.planes:
+            words[plane] = [[*heading(HEADINGS[self.lang][plane], plane, window.printed, layout.rooms[plane]),
+                             *self._texts(plane, k, at[plane])] for k, window in enumerate(windows[plane])]  # fmt: skip
+            figures = [self.figure(plane, window, plot) if k in self.smaller[plane] else Figure()
+                       for k, (window, plot) in enumerate(zip(windows[plane], self.plots, strict=True))]  # fmt: skip
+            drawn[plane] = lettered(figures, rooms[plane], words[plane][0])
         for k, plot in enumerate(self.plots):
-            panels = []
-            for plane in self.planes:
-                before = *heads[plane], *self._texts(plane, k, at[plane])
-                panels.append(Panel(Figure(drawn[plane][k]), windows[plane], rooms[plane], before, plane))
+            panels = [Panel(Figure(drawn[plane][k]), windows[plane][k], rooms[plane], words[plane][k], plane)
+                      for plane in self.planes]  # fmt: skip
             machine, values = self.method.mechanism, plot.facts.values
             yield Page(layout.paper, panels, machine, values, self.lang, Strip()).sheet()
 
@@ -150,8 +155,10 @@ class MotionFigures:
             yield Text(label, corner + 1j * PITCH * (row + 0.75), LABEL)
 
     def _words(self, plane: Plane, k: int) -> Iterator[Label]:
-        if k not in self._shown[plane]:
+        if (times := self.smaller[plane].get(k)) is None:
             yield plain(say("sheet.too large", self.lang))
+        elif times > 1:
+            yield plain(say("sheet.smaller", self.lang, times=times))
         elif plane == "position" and self.back:
             yield plain(say("sheet.there and back", self.lang))
         yield from (row[k] for row in self.values.get(plane, ()))
@@ -180,9 +187,15 @@ class MotionFigures:
         return max(map(abs, self._places(plane, plot)), default=0.0)
 
     @cached_property
-    def _shown(self) -> dict[Plane, set[int]]:
-        """The positions at which a plane is drawn: the first, and all others but those at which it is endless."""
-        return {plane: {k for k, plot in enumerate(self.plots) if self.fits(plane, plot)} for plane in self.planes}
+    def smaller(self) -> dict[Plane, dict[int, int]]:
+        """How many times smaller than usual a plane is drawn at each position at which it is not endless."""
+        every: dict[Plane, dict[int, int]] = {}
+        for plane in self.planes:
+            sizes = {k: self.reach(plane, plot) for k, plot in enumerate(self.plots) if self.fits(plane, plot)}
+            usual = np.inf if plane == "position" else max(_USUAL * float(np.median([*sizes.values()])), sizes[0])
+            every[plane] = {k: next((times for times in _SMALLER if size <= times * usual), _SMALLER[-1])
+                            for k, size in sizes.items()}  # fmt: skip
+        return every
 
     @cached_property
     def _most(self) -> dict[Plane, float]:
@@ -195,14 +208,15 @@ class MotionFigures:
             most[plane] = max(large, float(sizes[0]))
         return most
 
-    def extent(self, plane: Plane) -> Extent:
-        """With the reach of the signs at each quarter of the way."""
-        shown = sorted(self._shown[plane])
-        places = [value for k in shown for value in self._places(plane, self.plots[k])]
+    def extent(self, plane: Plane, smaller: Mapping[int, int]) -> Extent:
+        """Of positions, each drawn so many times smaller; with the reach of the signs at each quarter of the way."""
+        shown = [*smaller]
+        places = [value / times for k, times in smaller.items() for value in self._places(plane, self.plots[k])]
         spread = shown[:: max(1, len(shown) // 8)]
 
         def drawn(window: Window) -> Figure:
-            figures = [self.figure(plane, window, self.plots[k]) for k in spread]
+            figures = [self.figure(plane, replace(window, scale=window.scale * smaller[k]), self.plots[k])
+                       for k in spread]  # fmt: skip
             return Figure([mark for figure in figures for mark in figure.marks], figures[0].wanted)
 
         words = [[*self._words(plane, k)] for k in range(len(self.plots))]

@@ -65,10 +65,13 @@ def test_plays_as_the_analysis_has_it(name: str):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_scales_stand_and_all_fits(name: str):
-    frames = _frames(name)
-    assert len({tuple(frame.scales.items()) for frame in frames}) == 1
+def test_scales_stand_but_of_large_polygons_which_say_so_and_all_fits(name: str):
+    frames, usual = _frames(name), _frames(name)[0].scales
     for frame in frames:
+        times = sorted(round(scale / usual[plane], 9) for plane, scale in frame.scales.items() if scale != usual[plane])
+        notes = [re.fullmatch(r"drawn(\d+)timessmallerhere", re.sub(r"\s", "", _said(mark)))
+                 for mark in frame.marks if isinstance(mark, Text)]  # fmt: skip
+        assert times == sorted(float(note[1]) for note in notes if note), frame.drivers
         left, top, right, bottom = bounds(frame.marks)
         assert min(left, top, frame.paper.width - right, frame.paper.height - bottom) > 0
 
@@ -87,6 +90,14 @@ def test_letters_do_not_hop(name: str):
 
 def _said(text: Text) -> str:
     return "".join(run.text for run in text.label)
+
+
+def test_most_polygons_are_as_large_as_one_can_read():
+    """The return of a shaper, thrice as large as its forward stroke, does not make that a speck."""
+    points = [[mark.at for mark in sheet.marks if isinstance(mark, PointMark) and mark.plane == "acceleration"]
+              for sheet in _frames("ex3-7")]  # fmt: skip
+    sizes = [max(abs(one - other) for one in each for other in each) for each in points]
+    assert sizes[0] > 20 < np.median(sizes)
 
 
 def test_drawn_position_has_all_its_polygons():

@@ -234,5 +234,6 @@ PHRASES: Phrases = {
                                    "构件 {first} 与 {second} 滚动关系的常数，由给定位置确定"),
     "equations.radius": ("radius {radius} mm of wheel {wheel}", "轮 {wheel} 的半径 {radius} mm"),
     "sheet.too large": ("too large to be drawn here", "此处图形过大，不画"),
+    "sheet.smaller": ("drawn {times} times smaller here", "此处缩小为 1/{times}"),
     "sheet.there and back": ("there and back; polygons: the way there", "往返运动；多边形按去程画"),
 }
