@@ -95,6 +95,8 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     for count, stage in enumerate(drawn.construction.stages, start=1):  # whose lines may be parallel
         far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
         where = " line" if stage.say == "Q" and not pivots else " far" if far else ""
+        if stage.say == "axis c" and drawn.point == second.point:
+            where = " same"
         stages.append(f"{circled(count)} {say(f'about.bobillier {stage.say}{where}', lang, **data)}")
     sources = []
     for entry in drawn.guides:

@@ -16,10 +16,10 @@ from graphkin.say.catalogue import say
 from graphkin.say.centre_about import bobillier_words, link_words
 from graphkin.sheet import symbols
 from graphkin.sheet.centre_figure import INFINITY, coordinates
-from graphkin.sheet.drafting_figure import DraftingFigure, named, spot
+from graphkin.sheet.drafting_figure import DraftingFigure, angle, named, spot
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label, quantity_label
-from graphkin.sheet.marks import ArcMark, Fill, Mark, Place, Stroke
+from graphkin.sheet.marks import Fill, Place
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName, finest
@@ -36,8 +36,9 @@ _LONGEST = 28.0  # the longest velocity arrow [mm]
 _AXIS = 38.0  # half of the pole tangent, and of the normal [mm]
 _TOWARDS = 30.0  # how far a ray goes to a pole that is not on the paper [mm]
 
-_CURVATURE, _ARC = 2.6, 12.0
-"""So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm]."""
+_CURVATURE, _ARC, _WITHIN = 2.6, 12.0, 0.8
+"""So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm], and how far out
+on the shortest of their lines they lie at most."""
 
 
 def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
@@ -204,8 +205,8 @@ class _BobillierDrawing:
         if isinstance(made, CarriedAngle):
             yield from self._equal_angles(made, stage)
 
-    def _equal_angles(self, carried: CarriedAngle, stage: int) -> Iterator[Mark]:
-        """The angle between two rays of the pole, and the same between the axes: arcs with a dash."""
+    def _equal_angles(self, carried: CarriedAngle, stage: int) -> Iterator[Entry]:
+        """The angle between two rays of the pole, and the same between the axes: arcs of one radius, with its letter."""
         lines, ends = self.solution.construction.made_by, dict[str, complex]()
         (pole,) = self.on.at(carried.at)
         for name in (carried.start, carried.end, carried.line, carried.name):
@@ -214,12 +215,9 @@ class _BobillierDrawing:
         if not all(ends.values()) or not self.on.room.holds(pole):
             return
         turn = cmath.phase((ends[carried.end] / ends[carried.start]) ** 2) / 2  # of lines: by less than a right angle
-        radius = min(_ARC / min(abs(turn) + 1e-9, 1.0), min(map(abs, ends.values())) - self.on.beyond)
+        radius = min(_ARC / min(abs(turn) + 1e-9, 1.0), _WITHIN * min(map(abs, ends.values())))
         for name in (carried.end, carried.name):
-            begin = cmath.phase(ends[name]) - turn
-            middle = cmath.rect(1, begin + turn / 2)
-            yield ArcMark(pole, radius, begin, turn, "construction", stage)
-            yield Stroke((pole + (radius - 1) * middle, pole + (radius + 1) * middle), "construction", step=stage)
+            yield from angle(pole, ends[name] * cmath.rect(1, -turn), turn, radius, plain("δ", italic=True), stage)
 
     def points(self, new: bool) -> Iterator[Entry]:
         """The points of the construction; new: and the point itself, where the mechanism does not show it."""

@@ -132,7 +132,7 @@ PHRASES: Phrases = {
                    "{name} 位于瞬心：v = 0，a = {a:read} m/s²；轨迹在此为尖点。"),
     "about.still": ("{name} stands still.", "{name} 静止不动。"),
     "about.bobillier pivoted": ("{point} moves about {centre}: {centre} is the centre of curvature of its path, and "
-                                "the ray {point}{centre} passes the pole.",
+                                "the ray {point}{centre} passes through the pole.",
                                 "点 {point} 绕 {centre} 运动：{centre} 为其轨迹的曲率中心，射线 {point}{centre} 过瞬心。"),
     "about.bobillier guided": ("{point} moves on a straight line: its centre of curvature {centre} lies at infinity, "
                                "and its ray is the perpendicular to the path in {point}.",
@@ -148,9 +148,11 @@ PHRASES: Phrases = {
                                "{a0}、{b0} 都在无穷远处，故 {q} 也在 {a}{b} 方向的无穷远处。"),
     "about.bobillier axis": ("{p}{q} is the collineation axis of {a} and {b}.", "{p}{q} 为点 {a}、{b} 的共线轴。"),
     "about.bobillier ray c": ("Draw the ray {p}{c}.", "作射线 {p}{c}。"),
-    "about.bobillier axis c": ("Carry the angle from the ray of {b} to {p}{c} over to {p}{q}, with its sense: this is "
-                               "the collineation axis of {a} and {c}.",
-                               "将 {b} 的射线到 {p}{c} 的转角（连同转向）移到 {p}{q} 上，得点 {a}、{c} 的共线轴。"),
+    "about.bobillier axis c": ("Carry the angle δ from the ray of {b} to {p}{c} over to {p}{q}, with its sense: this "
+                               "is the collineation axis of {a} and {c}.",
+                               "将 {b} 的射线到 {p}{c} 的转角 δ（连同转向）移到 {p}{q} 上，得点 {a}、{c} 的共线轴。"),
+    "about.bobillier axis c same": ("{p}{c} is the ray of {b} itself: {p}{q} is the collineation axis of {a} and {c}.",
+                                    "{p}{c} 即 {b} 的射线：{p}{q} 就是点 {a}、{c} 的共线轴。"),
     "about.bobillier Qc": ("It meets the line {a}{c} at {qc}.", "它与直线 {a}{c} 的交点为 {qc}。"),
     "about.bobillier K": ("The line {a0}–{qc} meets the ray {p}{c} at {k}, the centre of curvature of the path of {c}.",
                           "直线 {a0}–{qc} 与射线 {p}{c} 的交点 {k} 即为点 {c} 轨迹的曲率中心。"),
