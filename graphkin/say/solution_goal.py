@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import groupby
 from typing import TYPE_CHECKING, assert_never
@@ -97,14 +97,15 @@ class SolutionGoal:
         if not self.wanted:
             return
         yield Heading(say("solution.find"))
-        if self.chosen:
-            yield Sentence(say("solution.find these", wanted=self.reading.listed([*self._listed()])))
-        else:
+        asked = zip(self.wanted, self.texts, strict=True)  # a file that asks for no motion has its own questions first
+        own = [(one, text) for one, text in asked if self.chosen or one is not None and _placed(one)]
+        if own:
+            yield Sentence(say("solution.find these", wanted=self.reading.listed([*self._listed(own)])))
+        if not self.chosen:
             yield Sentence(say("solution.find all" if "acceleration" in self.parts else "solution.find velocities"))
 
-    def _listed(self) -> Iterator[str]:
+    def _listed(self, asked: Sequence[tuple[Quantity | None, str]]) -> Iterator[str]:
         """What is asked, symbol by symbol; of centres in a row the word once."""
-        asked = zip(self.wanted, self.texts, strict=True)
         for centres, some in groupby(asked, key=lambda each: isinstance(each[0], Centre)):
             if centres:
                 first, *others = (names.point(text) for _, text in some)
@@ -145,8 +146,7 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     answerable = [one for one in questions.values() if one is not None]
     shown = {} if everything else asked_parts(reading.method, answerable, reading.steady, planes)
     if not shown:
-        placed = (one for one in answerable if isinstance(one, Centre) or plane_of(one) == "position")
-        wanted = (*placed, *all_motions(mechanism, planes))
+        wanted = (*filter(_placed, answerable), *all_motions(mechanism, planes))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
         if reading.steady:
@@ -155,6 +155,11 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
             parts = {plane: led[plane] for plane in planes}
         return SolutionGoal(reading, wanted, tuple(one.text for one in wanted), parts, False)
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
+
+
+def _placed(quantity: Quantity) -> bool:
+    """True for what a position says."""
+    return isinstance(quantity, Centre) or plane_of(quantity) == "position"
 
 
 def _moved(speed: Quantity, mechanism: Mechanism) -> tuple[str, ...]:
