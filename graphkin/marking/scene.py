@@ -18,7 +18,7 @@ from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
-from graphkin.model.naming import Seen, spelled
+from graphkin.model.naming import Seen, in_order, spelled
 from graphkin.model.quantities import Moving, Quantity
 from graphkin.planning import Method
 from graphkin.planning.equivalent import Contact
@@ -209,7 +209,7 @@ class Scene:
         return lengths
 
     def length_name(self, first: str, second: str) -> str:
-        return "l_" + "".join(sorted((first, second)))
+        return "l_" + "".join(in_order(first, second))
 
     def velocity_name(self, node: str) -> str:
         """v_B2 of b2."""
@@ -224,8 +224,9 @@ class Scene:
         return f"ω{name}" if name[0].isdigit() else f"ω_{name}"
 
     def image_name(self, images: list[kinds.Image]) -> str:
-        """△BCE: the corners of a link's image."""
-        return "△" + "".join(dict.fromkeys("".join(point for step in images for point in step.corners)))
+        """△BCE: the corners of a link's image; `B, C, E, F` where they are no three single letters."""
+        corners = [*dict.fromkeys(point for step in images for point in step.corners)]
+        return "△" + "".join(corners) if [*map(len, corners)] == [1, 1, 1] else ", ".join(corners)
 
 
 def _staying(start: str) -> Change:

@@ -143,7 +143,8 @@ def verdict(one: Judged, lang: Lang) -> str:
 
 def mistake(name: Name, lang: Lang) -> str:
     """A mistake as it was made, a noun phrase; one that is not known here by its id."""
-    id, way, of, form = name
+    id, way, listed, form = name
+    of = say("common.list", lang).join(listed.split(", "))
     if is_phrase(own := f"mistakes.made {id} {way}".rstrip()):
         return say(own, lang, of=of, form=form)
     made = f"mistakes.made {_LIKE.get(id, id)}"

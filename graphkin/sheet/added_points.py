@@ -20,7 +20,7 @@ from graphkin.sheet.lettering import plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.symbols import HINGE, THIN_HEAD, arrow_head
+from graphkin.sheet.symbols import HINGE, THIN_HEAD, arrow_head, right_angle
 from graphkin.sheet.window import Figure, corners
 
 _BEYOND = 6.0  # how far a leg's line goes on past the special point [mm]
@@ -147,7 +147,7 @@ def contacts(method: Method, skeleton: Skeleton) -> Figure:
 
 
 def touched(method: Method, plot: Plot, skeleton: Skeleton) -> Figure:
-    """Where guide lines touch the circles about their pivots, with radius and tangent."""
+    """Where guide lines touch the circles about their pivots, with radius and tangent at a right angle."""
     figure, page, letters = Figure(), pages(method), feet(Reading(method, plot, {}, "en"))
     for step in method.position.steps:
         if isinstance(step, Swing) and step.slide in letters:
@@ -156,6 +156,7 @@ def touched(method: Method, plot: Plot, skeleton: Skeleton) -> Figure:
             foot = through - (along.conjugate() * (through - pivot)).real * along
             if min(abs(foot - pivot), abs(foot - through)) >= 0.5:
                 figure.marks.append(Stroke((pivot, foot, through), "construction", step=number))
+                figure.marks += right_angle(foot, pivot - foot, through - foot, step=number)
                 figure.marks.append(Disc(foot, 0.6, "thin", "ink", step=number))
                 label = point_label(letters[step.slide].replace("′", "'"))
                 figure.wanted.append(LabelRequest(label, foot, gap=0.8, away=foot - pivot, step=number))
