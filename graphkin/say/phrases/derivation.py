@@ -195,9 +195,9 @@ PHRASES: Phrases = {
     "derivation.grows": ("So {stretch} [increases|decreases] at {size} m/s.",
                          "即 {stretch} 以 {size} m/s 的速率[增大|减小]。"),
     "derivation.driven wheel": ("wheel {link} turns", "轮 {link} 转动"),
-    "derivation.driven roll": ("the rolling contact {slide} is at {place}", "滚动副 {slide} 的位移 {place}"),
+    "derivation.driven roll": ("the rolling contact is at {place}", "滚动副的位移 {place}"),
     "derivation.driven slide free": ("slide {slide} is driven", "移动副 {slide} 为主动"),
-    "derivation.driven roll free": ("the rolling contact {slide} is driven", "滚动副 {slide} 为主动"),
+    "derivation.driven roll free": ("the rolling contact is driven", "滚动副为主动"),
     "derivation.driven line free": ("link {link} ({line}) is driven", "构件 {link}（{line}）"),
     "derivation.posed": ("The drawn position: {poses}.", "给定位置：{poses}。"),
     "derivation.idle": ("Idle freedom: turning moves nothing but the roller itself, so these are drawn without "
