@@ -109,7 +109,7 @@ def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
 
 
 def heading(angle: str, lang: Lang) -> str:
-    """`at 153.4° to +x`, `along −x`: a direction with its angle from +x in words."""
+    """`at 153.4° to +x`, `vertically downwards`: a direction with its angle from +x in words."""
     key = f"derivation.at direction {angle}"
     return say_close(key if is_phrase(key) else "derivation.at direction", lang, angle=angle)
 

@@ -224,7 +224,7 @@ def _track(reading: Reading, line: Line) -> str:
 
 
 def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
-    """`along DE`, `through C that makes γ = 100° with D→C (..)`, `through (0, 10) along +x`."""
+    """`along DE`, `through C that makes γ = 100° with D→C (..)`, `through (0, 10), vertically upwards`."""
     angle = guide_angle(reading, slide) if slide is not None else None
     either = slide is not None and not slide.named and not _axis(reading, slide)
     place = reading.mechanism.links[line.link].points.get(line.origin)

@@ -155,7 +155,7 @@ def test_solve_has_the_signs_of_tables() -> None:
     assert asked["value"] == pytest.approx(swept)
     assert asked["value"] == -asked["size"] < 0
     printed = run("solve", "fig3-1").stdout
-    assert len(re.findall(r"(?m)^a_C +0\.863225 ", printed)) == printed.count("a_C = 0.863225 m/s² (along −x)") == 1
+    assert len(re.findall(r"(?m)^a_C +0\.863225 ", printed)) == printed.count("a_C = 0.863225 m/s² (horizontally to the left)") == 1
 
 
 def swept_rows(name: str, of: str) -> list[list[float]]:

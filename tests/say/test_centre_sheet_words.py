@@ -134,8 +134,8 @@ def test_every_velocity_asked_for_is_answered(name: str):
             assert entry.value == pytest.approx(float(right.value), rel=1e-9, abs=1e-9)
             if entry.value and "from both velocities" not in entry.note:  # a difference is told by its size alone
                 angle = np.degrees(np.angle(complex(right.vector)))
-                said = re.search(r"(?:at ([\d.]+)° to|along) ([+−])x$", entry.note)
-                off = (float(said[1] or (0 if said[2] == "+" else 180)) - angle) % 360
+                said = re.search(r"at ([\d.]+)° to \+x$|(right|upwards|left|downwards)$", entry.note)
+                off = (float(said[1] or 90 * ("right", "upwards", "left", "downwards").index(said[2])) - angle) % 360
                 assert min(off, 360 - off) < 0.3
         elif quantity == "omega":
             rate = names.of_link("ω", mechanism(name).called(of))

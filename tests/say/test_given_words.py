@@ -171,6 +171,8 @@ def test_every_figure_of_the_file_is_given(name: str) -> None:
     document = tomllib.loads(mechanism.text)
     text = said(Reading(method, replay_all(method), {}, "en"), mechanism).replace("−", "-")
     printed = [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text)]
+    axes = ("horizontally to the right", "vertically upwards", "horizontally to the left", "vertically downwards")
+    printed += [90.0 * quarter for quarter, said_so in enumerate(axes) if said_so in text]
     for table in ("frame", "links", "slide", "gear", "roll", "cam", "driver", "pose"):
         for key, value in figures(document.get(table, {})):
             if len(key) != 3 and key not in ("also",):
