@@ -272,14 +272,6 @@ def test_zeros_of_both_axes_are_level():
     assert heights[0] == pytest.approx(heights[1])
 
 
-def test_accelerations_in_g():
-    scales = [child for axes in drawn("p3-20").axes for child in axes.child_axes]
-    assert len(scales) == 1
-    (side,) = [axes for axes in drawn("p3-20").axes if axes.child_axes]
-    drawn("p3-20").draw_without_rendering()
-    assert np.multiply(scales[0].get_ylim(), 9.80665) == pytest.approx(side.get_ylim())
-
-
 # --- texts ------------------------------------------------------------------------------------
 
 CROWDED = (

@@ -10,7 +10,7 @@ import numpy as np
 
 from graphkin.base.geometry import number
 from graphkin.errors import Lang
-from graphkin.model.quantities import EDGE, IN_GRAVITY
+from graphkin.model.quantities import EDGE
 from graphkin.outputs.diagram import panels
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
@@ -102,7 +102,6 @@ def _panel(
     for side, axis, ends in zip(sides, panel.axes, panels.limits(curves, panel), strict=True):
         side.set_ylim(*ends)
         _divide(side, side, axis.unit, ends, max(map(abs, ends)), lang)
-    _acceleration_in_g(sides, panel, lang)
     _across(first, curves, lang, last)
     lines: dict[int, tuple[Axes, Line2D]] = {}
     across = curves.course.value(curves.t) * EDGE[curves.course.unit].factor
@@ -147,18 +146,6 @@ def _tick(value: float, ticks: Sequence[float], power: int) -> str:
     step = abs(ticks[1] - ticks[0]) / 10**power if len(ticks) > 1 else 1.0
     digits = max(0, -math.floor(math.log10(step) + 1e-9))
     return f"{value:.{digits}f}".replace("-", "−") if abs(value) > 1e-9 * step else "0"
-
-
-def _acceleration_in_g(sides: Sequence[Axes], panel: panels.CurvePanel, lang: Lang) -> None:
-    """A second scale for accelerations of points, in multiples of the standard gravity."""
-    if panel.axes[-1].unit != "m/s^2":
-        return
-    side = sides[-1]
-    away = 1.0 if len(sides) == 1 else 1.0 + SIDE / (WIDTH - LEFT - PLAIN_RIGHT - 2 * SIDE)
-    factor = IN_GRAVITY.factor
-    scale = side.secondary_yaxis(away, functions=(lambda a: np.multiply(a, factor), lambda g: np.divide(g, factor)))
-    low, high = (end * factor for end in side.get_ylim())
-    _divide(scale, side, "g", (low, high), max(-low, high), lang)
 
 
 def _across(first: Axes, curves: Curves, lang: Lang, last: bool) -> None:

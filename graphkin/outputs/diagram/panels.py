@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from graphkin.base.geometry import number
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.model.quantities import EDGE, IN_GRAVITY, driven
+from graphkin.model.quantities import EDGE, driven
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import typeset, writable
 from graphkin.running.path import Event
@@ -20,7 +20,7 @@ from graphkin.studies.sweeps import Course
 
 MOST = 6  # more curves than these do not stand together
 KINDS = ("position", "velocity", "acceleration", "ratio")
-LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "g": "a", "1": ""}
+LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "1": ""}
 HEADROOM = 0.16  # room above and below the curves for what is written at them, as a part of their height
 
 _PLACE = {"rad": (0, 0), "m": (0, 1), "rad/s": (1, 0), "m/s": (1, 1), "rad/s^2": (2, 0), "m/s^2": (2, 1), "1": (3, 0)}
@@ -125,8 +125,7 @@ def across(course: Course, lang: Lang) -> str:
 
 def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
     """The name of a y axis: `ω [rad/s]`, in Chinese as the standard has it `ω /(rad/s)`."""
-    name, letter = (IN_GRAVITY if unit == "g" else EDGE[unit]).sign, LETTERS.get(unit, "")
-    name = r"\mathit{g}" if name == "g" else name
+    name, letter = EDGE[unit].sign, LETTERS.get(unit, "")
     if power:
         name = f"10^{{{power}}}" + (f"\\ {name}" if name else "")
     name = "$\\mathrm{" + name.replace("²", "^2") + "}$" if "²" in name or "\\" in name or power else name
