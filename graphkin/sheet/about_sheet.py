@@ -62,7 +62,8 @@ def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> 
 def _point_tables(link: About, lang: Lang) -> list[Table]:
     """Speed, acceleration and curvature of its points; empty for a link without named points."""
     heads = [(Run(letter, True), Run(f" [{unit}]")) for letter, unit in (("v", "m/s"), ("a", "m/s²"), ("ρ", "mm"))]
-    head = (plain(say("about.sheet point", lang)), *heads, plain(say("about.sheet centre", lang)))
+    centre = tuple(Run(letter, letter in "Kxy") for letter in say("about.sheet centre", lang))
+    head = (plain(say("about.sheet point", lang)), *heads, centre)
     rows = []
     for name, carried in link.points.items():
         sizes = [number(abs(value)) for value in (carried.velocity, carried.acceleration)]

@@ -142,7 +142,8 @@ class DesignFigure:
         yield from angle(at, 1 + 0j, -value, radius, label, stage)
 
     def _locus(self, stage: int) -> Iterator[Entry]:
-        """The circle of crank centres: full where A may lie, dashed elsewhere; F and G end the arc between them."""
+        """The circle of crank centres: full where A may lie, dashed elsewhere; F and G, on C1D and C2D
+        or under C1 and C2, end the arc between them."""
         centre, radius = self._circle("locus")
         family = min(self.families, key=lambda one: abs(one.centre - centre))
         for arc in family.arcs:
@@ -154,6 +155,8 @@ class DesignFigure:
             off = (along.conjugate() * (at - first)).imag / abs(along)
             if self.on.room.holds(place):
                 letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"  # F on the line C1D, or under C1
+                (start,) = self.on.at("D" if "D" in self.places else f"C{'FG'.index(letter) + 1}")
+                yield Stroke((start, place), "construction", step=stage)
                 yield from spot(place, point_label(letter), _DOT, step=stage)
 
     def _spanned(self, step: CircleThrough, stage: int) -> Iterator[Entry]:
