@@ -23,8 +23,8 @@ if TYPE_CHECKING:
               help=".pdf, .html, or a folder: a file for each mechanism.")
 @click.option("--stage", type=click.Choice(["problem", "blank", "half", "solution"]), default="solution",
               show_default=True, help="The problem; with room to draw; begun; solved.")
-@click.option("--upto", type=click.IntRange(0), default=1, show_default=True,
-              help="Of --stage half: so many vector equations are done.")
+@click.option("--upto", type=click.IntRange(0),
+              help="Of --stage half: so many vector equations are done.  [default: 1]")
 @click.option("--answers", is_flag=True, help="The answers of all at the end.")
 @click.option("--both", is_flag=True, help="In both languages, one after the other.")
 @click.option("--paper", type=click.Choice(shared.PAPERS), default="A4", show_default=True, help="Paper.")
@@ -38,9 +38,9 @@ if TYPE_CHECKING:
 @shared.driver_options
 @shared.speaking
 def handout(
-    mechanisms: tuple[str, ...], output: Path | None, stage: Stage, upto: int, answers: bool, both: bool, paper: str,
-    duplex: bool, font: Path | None, scan: int | None, number: int | None, seed: str, force: bool, at: DriverOptions,
-    lang: Lang,
+    mechanisms: tuple[str, ...], output: Path | None, stage: Stage, upto: int | None, answers: bool, both: bool,
+    paper: str, duplex: bool, font: Path | None, scan: int | None, number: int | None, seed: str, force: bool,
+    at: DriverOptions, lang: Lang,
 ) -> None:  # fmt: skip
     """Make handouts: a problem, a worksheet at true scale, a half-worked or a whole solution; several make a book.
 

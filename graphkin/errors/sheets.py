@@ -7,7 +7,7 @@ from typing import ClassVar
 from graphkin.errors.base import GraphkinError, Lang, LocatedError, WordTable, listed
 from graphkin.errors.homework import PLANES
 
-__all__ = ["NoSheetList", "NoSheetsKnown", "NothingToScan", "SheetTwice", "UnknownSheet", "UnsureDrawing"]
+__all__ = ["NoSheetList", "NoSheetsKnown", "NothingToGoOn", "NothingToScan", "SheetTwice", "UnknownSheet", "UnsureDrawing"]
 
 
 class NoSheetList(LocatedError):
@@ -25,6 +25,11 @@ class NoSheetsKnown(LocatedError):
 class NothingToScan(GraphkinError):
     en = "--scan is for paper that is drawn on: a solution leaves nothing to measure. Take --stage blank, or leave --scan out."
     zh = "--scan 用于供学生作图的纸，solution 阶段没有可量取的内容。请用 --stage blank，或去掉 --scan。"
+
+
+class NothingToGoOn(GraphkinError):
+    en = "--upto says how far a half-worked solution goes. Take --stage half, or leave --upto out."
+    zh = "--upto 规定半成解答做到哪一步。请用 --stage half，或去掉 --upto。"
 
 
 class UnknownSheet(LocatedError):

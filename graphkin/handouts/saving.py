@@ -49,7 +49,7 @@ class SavedHandout(Handout):
 
 
 def handout(
-    *mechanisms: Source, stage: Stage = "solution", lang: Lang = "en", both: bool = False, upto: int = 1,
+    *mechanisms: Source, stage: Stage = "solution", lang: Lang = "en", both: bool = False, upto: int | None = None,
     answers: bool = False, seed: str = "", duplex: bool = False, number: int | None = None,
 ) -> SavedHandout:  # fmt: skip
     """Problems on paper: stage "problem", "blank" (with room to draw), "half" (solved as far as `upto` equations), or

@@ -11,7 +11,7 @@ from typing import assert_never
 
 import graphkin
 from graphkin.construction import Plane
-from graphkin.errors import Lang, NotBetween, Where
+from graphkin.errors import Lang, NotBetween, NothingToGoOn, Where
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
@@ -37,20 +37,24 @@ MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; o
 
 
 def handout(
-    mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int = 1, answers: bool = False, seed: str = "",
-    whose: Sequence[Student | None] = (), duplex: bool = False, number: int | None = None,
+    mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, *, upto: int | None = None, answers: bool = False,
+    seed: str = "", whose: Sequence[Student | None] = (), duplex: bool = False, number: int | None = None,
 ) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
-    upto     of a half-worked solution: so many whole equations are done; of a book's problems the longest has them
+    upto     of a half-worked solution: so many whole equations are done, else one; of a book's problems the longest
+             has them
     answers  the answers of all at the end
     seed     of the set the problems belong to, as every page says it
     whose    the student each problem is for, if any: it stands after the title
     duplex   printed on both sides: each problem begins on the front of a sheet
     number   of the first problem; of several the first is 1 if left out. Students' own problems are one by number
 
-    Raises NotBetween, and what loading, planning and proving raise.
+    Raises NotBetween, NothingToGoOn of another stage, and what loading, planning and proving raise.
     """
+    if upto is not None and stage != "half":
+        raise NothingToGoOn()
+    upto = 1 if upto is None else upto
     owners = whose or [None] * len(mechanisms)
     called = ["" if who is None else who.called for who in owners]
     problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, called, strict=True)]
@@ -86,8 +90,9 @@ def handout(
 
 
 def in_languages(
-    mechanisms: Sequence[Mechanism], stage: Stage, langs: Sequence[Lang], *, upto: int = 1, answers: bool = False,
-    seed: str = "", whose: Sequence[Student | None] = (), duplex: bool = False, number: int | None = None,
+    mechanisms: Sequence[Mechanism], stage: Stage, langs: Sequence[Lang], *, upto: int | None = None,
+    answers: bool = False, seed: str = "", whose: Sequence[Student | None] = (), duplex: bool = False,
+    number: int | None = None,
 ) -> Handout:  # fmt: skip
     """The handout in each of the languages, one after the other, each with its own feet."""
     made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex,

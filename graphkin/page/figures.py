@@ -9,8 +9,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
-import numpy as np
-
 from graphkin.base.value import bulky
 from graphkin.construction import Plane, Plot
 from graphkin.planning import Method

@@ -98,7 +98,7 @@ class SolutionGoal:
             return
         yield Heading(say("solution.find"))
         asked = zip(self.wanted, self.texts, strict=True)  # a file that asks for no motion has its own questions first
-        own = [(one, text) for one, text in asked if self.chosen or one is not None and _placed(one)]
+        own = [(one, text) for one, text in asked if self.chosen or (one is not None and _placed(one))]
         if own:
             yield Sentence(say("solution.find these", wanted=self.reading.listed([*self._listed(own)])))
         if not self.chosen:

@@ -207,7 +207,7 @@ class _BobillierDrawing:
             yield from self._equal_angles(made, stage)
 
     def _equal_angles(self, carried: CarriedAngle, stage: int) -> Iterator[Entry]:
-        """The angle between two rays of the pole, and the same between the axes: arcs of one radius, with its letter."""
+        """The angle between two rays of the pole, and the same between the axes: lettered arcs of one radius."""
         lines, ends = self.solution.construction.made_by, dict[str, complex]()
         (pole,) = self.on.at(carried.at)
         for name in (carried.start, carried.end, carried.line, carried.name):

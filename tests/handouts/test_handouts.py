@@ -164,6 +164,9 @@ def test_more_equations_than_there_are_and_scans_of_solutions_are_refused(tmp_pa
     scan = CliRunner().invoke(main, ["handout", "ex3-5", "--scan", "1", *output])
     assert scan.exit_code == 3
     assert "a solution leaves nothing to measure" in scan.stderr
+    for stage in ("problem", "blank", "solution"):
+        whole = CliRunner().invoke(main, ["handout", "ex3-5", "--stage", stage, "--upto", "1", *output])
+        assert (whole.exit_code, "Take --stage half" in whole.stderr) == (3, True)
     assert not [*tmp_path.iterdir()]
 
 

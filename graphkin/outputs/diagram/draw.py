@@ -6,8 +6,6 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from graphkin.base.geometry import number
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE
