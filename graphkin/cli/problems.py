@@ -76,7 +76,7 @@ def problems(
     alike = [variant.student.id for variant in variants if variant.shared]
     carried = [variant.student.id for variant in variants
                if sets.sketched_anew(order.template, variant.numbers, variant.mechanism)]  # fmt: skip
-    for note in remarks(alike, carried, lang):
+    for note in remarks(alike, carried, len(variants), lang):
         click.echo(note, err=True)
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, assert_never
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
+from graphkin.files.values import DIMENSIONS
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
@@ -28,6 +29,7 @@ from graphkin.say.polygons import polygon_entries
 from graphkin.say.position import PositionReader
 from graphkin.say.problem_data import problem_data, solution_head
 from graphkin.say.reading import Reading
+from graphkin.say.sizes import in_unit, length_unit
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
 
 if TYPE_CHECKING:
@@ -62,7 +64,23 @@ class AnswerLines:
         yield from map(self.entry, self.answerable)
 
     def entry(self, quantity: Quantity) -> Sentence | Calculation:
-        """The answer to one question, with the figures it is worked out from where that is one step more."""
+        """The answer to one question; of a file in inches in inches, too."""
+        entry = self._answer(quantity)
+        if isinstance(entry, Calculation) and entry.value and (other := self._in_files_unit(quantity, entry.value)):
+            return replace(entry, note=self.reading.say("common.and").join(filter(None, (other, entry.note))))
+        return entry
+
+    def _in_files_unit(self, quantity: Quantity, value: float) -> str:
+        """`48.58 in/s` of a value in the unit of the solution; nothing where the file has mm or m, or no length is in
+        it."""
+        unit, dimension, length = EDGE[quantity.unit], DIMENSIONS.get(quantity.unit, "angle"), length_unit(self.reading)
+        if length in ("mm", "m") or dimension not in ("length", "velocity", "acceleration"):
+            return ""
+        own = length + unit.sign.lstrip("m")
+        return f"{number(in_unit(value / unit.factor, own, dimension))} {own}"
+
+    def _answer(self, quantity: Quantity) -> Sentence | Calculation:
+        """In the unit of the solution, with the figures it is worked out from where that is one step more."""
         name, say, unit = self.goal.symbol(quantity), self.reading.say, EDGE[quantity.unit]
         match quantity:
             case Centre():

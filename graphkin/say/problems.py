@@ -54,12 +54,14 @@ def positions(mechanism: Mechanism) -> int:
     return max((len(driver.also) for driver in mechanism.drivers), default=0)
 
 
-def remarks(shared: Sequence[str], carried: Sequence[str], lang: Lang) -> Iterator[str]:
-    """That students have problems much alike, or in another assembly than the sketch means at their numbers."""
+def remarks(shared: Sequence[str], carried: Sequence[str], every: int, lang: Lang) -> Iterator[str]:
+    """That of `every` student some have problems much alike, or in another assembly than the sketch means at their
+    numbers."""
     for phrase, students in (("problems.shared", shared), ("problems.carried", carried)):
         if students:
             few = say("common.and", lang).join(students[:10]) + (" .." if len(students) > 10 else "")
-            yield say(phrase, lang, count=len(students), students=few)
+            different = every - len(shared)
+            yield say(phrase, lang, count=len(students), students=few, every=every, different=different)
 
 
 def removed(files: Sequence[str], lang: Lang) -> str:

@@ -135,11 +135,11 @@ class MotionFigures:
                            for k in range(len(self.plots))] for plane, (window, _) in placed.items()}  # fmt: skip
         at = {plane: dict(corners).get(0, 0j) for plane, (_, corners) in placed.items()}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
-        words: dict[Plane, list[list[Text]]] = {}
+        words: dict[Plane, list[tuple[Mark, ...]]] = {}
         drawn: dict[Plane, list[list[Mark]]] = {}
         for plane in self.planes:
-            words[plane] = [[*heading(HEADINGS[self.lang][plane], plane, window.printed, layout.rooms[plane]),
-                             *self._texts(plane, k, at[plane])] for k, window in enumerate(windows[plane])]  # fmt: skip
+            words[plane] = [(*heading(HEADINGS[self.lang][plane], plane, window.printed, layout.rooms[plane]),
+                             *self._texts(plane, k, at[plane])) for k, window in enumerate(windows[plane])]  # fmt: skip
             figures = [self.figure(plane, window, plot) if k in self.smaller[plane] else Figure()
                        for k, (window, plot) in enumerate(zip(windows[plane], self.plots, strict=True))]  # fmt: skip
             drawn[plane] = lettered(figures, rooms[plane], words[plane][0])

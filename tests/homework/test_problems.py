@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -279,6 +280,17 @@ def test_few_variants_are_shared_and_said(template: Path, tmp_path: Path):
     assert sum(variant.shared for variant in found) >= 1
     result = CliRunner().invoke(main, ["problems", str(template), "--students", "5", "-o", str(tmp_path / "set"), "--lang", "en"])
     assert "note: " in result.stderr
+
+
+def test_a_class_larger_than_its_ranges_has_each_problem_about_as_often(template: Path):
+    """Only the crank's angle varies: as many as are different come first, then those that the fewest have."""
+    text = library.text("ex3-1")
+    assert text.count("angle = 60\n") == 1
+    template.write_text(text.replace("angle = 60\n", "angle = { from = 20, to = 110, step = 10 }\n"), encoding="utf-8")
+    found = variants(read_template(template), roster("14"), "1")
+    often = Counter(variant.numbers for variant in found)
+    assert 1 < len(often) == sum(not variant.shared for variant in found)
+    assert max(often.values()) - min(often.values()) <= 1
 
 
 def test_numbers_that_are_refused_are_solved_once(template: Path, monkeypatch: pytest.MonkeyPatch):

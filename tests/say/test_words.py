@@ -499,3 +499,13 @@ def test_rounding_noise_is_nothing() -> None:
 )
 def test_degrees(vector: complex, text: str) -> None:
     assert degrees(vector) == text
+
+
+def test_answers_of_a_file_in_inches_are_in_inches_too() -> None:
+    """Behind the unit of the solution; rotations have none of their own, and most lengths of a file tell its unit."""
+    inches = AS_SET.replace("BC = 60", 'BC = "2.4 in"').replace("DC = 40", 'DC = "1.6 in"')
+    text = "\n".join(whole(*drawn(inches), "en"))
+    in_metres, in_inches = map(float, re.findall(r"(?m)^ +v_C = ([\d.]+) m/s \(([\d.]+) in/s, ", text)[0])
+    assert in_inches == pytest.approx(in_metres / 0.0254, rel=1e-3)
+    assert re.search(r"(?m)^ +ω3 = [\d.]+ rad/s \((counter-)?clockwise\)$", text)
+    assert "in/s" not in "\n".join(whole(*drawn(AS_SET.replace('"1 in"', "25.4")), "en"))

@@ -96,6 +96,7 @@ def drawn_variants(
                 one = None
         one = one or _drawn_for(template, student, seed, others, goal)
         others.numbers.add(one.best.numbers)
+        others.often[one.best.numbers] += 1
         others.answers.append(one.own)
         yield one.best
 
@@ -124,8 +125,10 @@ def _drawn_for(template: Template, student: Student, seed: str, others: _GivenOu
     good: list[tuple[Variant, _ProblemAnswers]] = []
     tried: list[tuple[tuple[int, ...], _ProblemAnswers | None]] = []
     tries = goal.likely_first([template.numbers(student.id, seed, attempt) for attempt in range(_TRIES)])
-    for attempt, numbers in enumerate([*tries, *tries[:_APART]]):  # at last those that others have, too
-        apart = attempt < _APART and others.taken <= _APART + _CROWDED * len(others.answers)
+    first = tries[:_APART] if others.taken <= _APART + _CROWDED * len(others.answers) else []
+    rest = sorted(tries[len(first) :] + first, key=others.often.__getitem__)  # what the fewest have comes first
+    for attempt, numbers in enumerate([*first, *rest]):
+        apart = attempt < len(first)
         draw = _posed(template, student, numbers, others, goal, apart)
         others.taken += draw == "taken"
         tried.append((numbers, None if isinstance(draw, str) else draw[1]))
@@ -310,14 +313,16 @@ class _ProblemAnswers:
 
 
 class _GivenOut:
-    """Numbers and answers that other students have, or nearly; numbers that are no good problem, each with why; and the
-    least part of each answer that may be off in any problem; and how many draws others had already."""
+    """Numbers and answers that other students have, or nearly, and how often numbers are given out; those that are no
+    good problem, each with why; the least part of each answer that may be off in any problem; and how many draws others
+    had already."""
 
     def __init__(self) -> None:
         self.refused: dict[tuple[int, ...], Refused] = {}
         self.least: dict[str, float] = {}
         self.taken = 0
         self.numbers: set[tuple[int, ...]] = set()
+        self.often: Counter[tuple[int, ...]] = Counter()
         self.answers: list[_ProblemAnswers] = []
 
     def have(self, numbers: tuple[int, ...], own: _ProblemAnswers) -> bool:

@@ -14,9 +14,10 @@ PHRASES: Phrases = {
     "problems.positions": ("Positions, each to be solved; #2 behind a quantity means: at the second of them:",
                            "下列各位置均须求解；量后的 #2 表示所在位置（第一个位置不必注明）："),
     "problems.as given": ("as given", "所给位置"),
-    "problems.shared": ("note: {count} students have a problem whose answers are another's, within 2 %: {students}. "
-                        "Widen the ranges.",
-                        "提示：{count} 名学生的题目与他人答案相同（相差 2% 以内）：{students}。请放宽范围。"),
+    "problems.shared": ("note: the ranges gave {different} different problems for {every} students. {count} have one "
+                        "whose answers are another's, within 2 %: {students}. Widen the ranges.",
+                        "提示：按所给范围，{every} 名学生只得 {different} 道不同的题目；{count} 名学生的题目与他人答案相同（相差 2% "
+                        "以内）：{students}。请放宽范围。"),
     "problems.carried": ("note: at the numbers of {count} students the sketch is nearer to another assembly, or between "
                          "two: {students}. "
                          "They have that of all others, which the sketch means in the middle of the ranges.",
