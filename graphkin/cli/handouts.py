@@ -23,8 +23,8 @@ if TYPE_CHECKING:
               help=".pdf, .html, or a folder: a file for each mechanism.")
 @click.option("--stage", type=click.Choice(["problem", "blank", "half", "solution"]), default="solution",
               show_default=True, help="The problem; with room to draw; begun; solved.")
-@click.option("--upto", type=click.IntRange(0),
-              help="Of --stage half: so many vector equations are done.  [default: 1]")
+@click.option("--upto", type=click.IntRange(0), show_default="1",
+              help="Of --stage half: so many vector equations are done.")
 @click.option("--answers", is_flag=True, help="The answers of all at the end.")
 @click.option("--both", is_flag=True, help="In both languages, one after the other.")
 @click.option("--paper", type=click.Choice(shared.PAPERS), default="A4", show_default=True, help="Paper.")
