@@ -63,7 +63,7 @@ def side_by_side(figure: Figure) -> Figure:
     for mark in figure.marks:
         if isinstance(mark, VectorMark) and (new := moved.get((mark.name, mark.start))) is not None:
             ends = (mark.start, new.start), (mark.end, new.end)
-            marks += [*(Stroke(tie, "construction", step=mark.step) for tie in ends), new]
+            marks += [*(Stroke(tie, new.pen, step=mark.step) for tie in ends), new]
         else:
             marks.append(mark)
     return Figure(marks, [_named(want, moved, free) for want in figure.wanted])
