@@ -21,6 +21,7 @@ from graphkin.sheet.fixed_link import drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import BREAK, Disc, Mark, Place, PointMark, Shows, Stroke
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line, off_stretch
 from graphkin.sheet.window import Figure, Window
 
@@ -71,7 +72,7 @@ def _bodies(skeleton: Skeleton) -> Figure:
             figure.marks += _guide(skeleton, slide)
         if centre := wheels.disc(skeleton, link):  # from its centre a bar to each further joint, else a thin radius
             for ends in ((centre, name) for name in names if name != centre):
-                pen = "visible" if all(len(skeleton.mechanism.owners[point]) > 1 for point in ends) else "thin"
+                pen: PenName = "visible" if all(len(skeleton.mechanism.owners[point]) > 1 for point in ends) else "thin"
                 shows, radius = Shows(link, "bar", ends), (skeleton.at(ends[0]), skeleton.at(ends[1]))
                 figure.marks.append(Stroke(radius, pen, shows=shows, step=step))
         elif len(names) > 1:
