@@ -13,8 +13,8 @@ import numpy as np
 
 from graphkin.base.geometry import unit
 from graphkin.base.value import frozen
-from graphkin.photo.ink import Ink
-from graphkin.photo.lines import Line, free_end, line_near
+from graphkin.photo.ink import STEP, Ink
+from graphkin.photo.lines import WIDER, Line, free_end, line_near
 from graphkin.photo.predicted import Corner, Stroke
 from graphkin.photo.searching import Candidate, drawn_strokes
 
@@ -25,6 +25,8 @@ _BESIDE = 0.9  # strokes that are no farther from each other are seen as one [mm
 _ASTRAY = 0.1  # a line that need not be drawn is another one so much farther off than half of where it is sought [mm]
 _ASIDE, _SHORT = 0.35, 4.0  # a line that is not short passes no farther beside its corners [mm]
 _DISTRUST = 3.0  # so many times less than it lays corners the hand counts where it is told how well they are known
+_AROUND = 0.4  # a line has no ink farther from its edges, all in all, beside the hand's wobble [mm]
+_LEFT, _CLOSE = 5.0, 1.2  # longer ink, and no farther off, may be a line [mm]
 _DRAWN = 0.5  # a line has ink over so much of its length
 _THROUGH = 0.03  # a line goes so near by the corners at its ends, beside the hand's wobble [mm]
 _END = 0.15, 0.4  # where a line ends is known so well; the same where others do, too [mm]
@@ -81,7 +83,24 @@ class Fit:
         long = [line.scatter for line in self.lines.values() if line.length > _TELLS]
         wobble = float(np.median(long)) if long else 0.0
         self.lines = {stroke: line.drawn_by(wobble, self._beside_others(stroke)) for stroke, line in self.lines.items()}
+        if reach == _REACHES[-1]:
+            self._doubt(spread, wobble)
         return wobble
+
+    def drawn(self, spread: float = np.inf) -> list[tuple[complex, complex]]:
+        """Two places on each line that is seen, and is no wider than this is [mm]."""
+        lines = [line for line in self.lines.values() if line.covered > _DRAWN and line.spread <= WIDER * spread]
+        return [(line.middle, line.middle + line.along) for line in lines]
+
+    def _doubt(self, spread: float, wobble: float) -> None:
+        """Ink beside a line that no line explains, but some one among several, may be this line."""
+        sizes, places = self.ink.left(self.drawn(spread), self.ink.pencil + _AROUND + 4 * wobble)
+        places = places[sizes > _LEFT]
+        for stroke, line in self.lines.items():
+            own = (places - line.middle) * np.conj(line.along)
+            aside = np.abs(own.imag[(np.abs(own.real) < line.length / 2) & (np.abs(own.imag) < _CLOSE)])
+            if aside.size * STEP**2 / self.ink.pencil > _LEFT / 2:
+                self.lines[stroke] = line.off_by(float(np.median(aside)))
 
     def _beside_others(self, stroke: Stroke) -> float:
         """The part of a stroke along which another one runs, so that the ink of both is one."""

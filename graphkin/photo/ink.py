@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 import numpy as np
 
+from graphkin.base.geometry import unit
 from graphkin.photo.sheets import SheetRoom
 
 STEP = 0.1  # of the raster [mm]
@@ -18,6 +19,7 @@ _LINE = 0.6  # half of the widest that a printed line is seen [mm]
 _DARKER = 3.0  # the line through the pole is at most so many times as dark as a bold one of the grid
 _BELOW = 0.3  # of the pixels of a printed line so many at least have no pencil on them
 NEAR = 0.9  # a stroke that is no farther off is one that was predicted [mm]
+_BROAD, _BEYOND = 1.6, 400.0  # a line may have ink so wide, and so far beyond its ends [mm]
 STRANGE = 9.0  # a line that is longer is no letter [mm]
 _EACH = 0.7  # places are taken so far apart [mm]
 _SHRINK = 3  # of the coarser raster on which ink is counted
@@ -100,17 +102,24 @@ class Ink:
             cv2.line(drawn, one, other, (1.0,), max(1, round(2 * reach / STEP / _SHRINK)), shift=4)
         return float(np.vdot(drawn, self.coarse)) / self.wide
 
-    def strange(self, lines: Sequence[tuple[complex, complex]]) -> float:
-        """The longest extent of what does not lie along some lines [mm]."""
+    def strange(self, lines: Iterable[Sequence[complex]]) -> float:
+        """The longest extent of what does not lie along some lines, that go on beyond both places of each [mm]."""
+        return float(self.left(lines, _BROAD)[0].max(initial=0.0))
+
+    def left(self, lines: Iterable[Sequence[complex]], wide: float) -> tuple[np.ndarray, np.ndarray]:
+        """Places with ink off such lines, which are so wide; before them the extent of the ink that each is of [mm]."""
         import cv2
 
         left = self.mask.astype(np.uint8)
-        for ends in self.pixels(np.array(lines, dtype=complex).reshape(-1, 2)):
-            one, other = ((round(at.real), round(at.imag)) for at in ends)
-            cv2.line(left, one, other, (0,), round(1.6 / STEP))
-        _, _, stats, _ = cv2.connectedComponentsWithStats(left)
-        sizes = stats[1:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]]
-        return float(np.hypot(*sizes.T).max(initial=0.0)) * STEP
+        for one, other in lines:
+            beyond = _BEYOND * unit(other - one)
+            ends = self.pixels(np.array([one - beyond, other + beyond])) * 16
+            tail, head = ((round(at.real), round(at.imag)) for at in ends)
+            cv2.line(left, tail, head, (0,), round(wide / STEP), shift=4)
+        _, labels, stats, _ = cv2.connectedComponentsWithStats(left)
+        y, x = np.nonzero(left)
+        sizes = np.hypot(*stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].T)[labels[y, x]] * STEP
+        return sizes, np.conj((x + 1j * y + 0.5 * (1 + 1j)) * STEP + self.low - self.pole)
 
     def places(self) -> np.ndarray:
         """Places with strokes, at every so many mm."""

@@ -14,7 +14,8 @@ _TRIM = 1.0  # at the ends of a line, where others begin [mm]
 _LONG = 15.0  # shorter lines are followed on beyond their ends [mm]
 _ON, _NEAR, _GAP = 8.0, 6.0, 9
 """By so much each time; an end is sought so far [mm]; ink ends where so many profiles, 0.1 mm apart, have none."""
-_WIDER = 1.12  # so many times as wide as usual strokes is more than one
+_RIM = 1.5  # so near the rim of a room a line may go on [mm]
+WIDER = 1.12  # so many times as wide as usual strokes is more than one
 _SPOILT = 6.0  # a line with another beside it all along is known so many times worse
 _FULL = 0.5  # half the width of a profile about its middle: a stroke and its blur, in widths of strokes
 _INDEPENDENT = 6.0  # profiles of a hand's line that are so far apart do not wobble together [mm]
@@ -57,6 +58,11 @@ class Line:
         """As it is known when the hand wobbles by so much [mm], which tilts a short line unseen, and when another one
         runs beside this part of it."""
         off = max(self.off, wobble / np.sqrt(max(1.0, self.length / _WOBBLES)), _LEAST * (1 + _SPOILT * beside))
+        return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
+
+    def off_by(self, more: float) -> Line:
+        """As it is known when it may be so much farther off [mm]."""
+        off = float(np.hypot(self.off, more))
         return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
 
     def beyond(self, place: complex) -> float:
@@ -109,7 +115,7 @@ def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float,
     """A line by the middles of its profiles, those of other lines left out."""
     half = max(0.4, _FULL * ink.pencil + 0.3)
     across = np.arange(-round(half / 0.05), round(half / 0.05) + 1) * 0.05
-    covered, scatter, count, beside, usual_wide = 0.0, 0.3, 1.0, 1.0, 0.0
+    covered, scatter, count, usual_wide = 0.0, 0.3, 1.0, 0.0
     length = abs(end - start)
     for again in range(3):
         if goes_on and again and abs(end - start) < _LONG:
@@ -126,8 +132,7 @@ def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float,
         with np.errstate(invalid="ignore", divide="ignore"):
             middles = (strip * across).sum(axis=1) / mass
             wide = np.sqrt((strip * across**2).sum(axis=1) / mass - middles**2)
-        alone = good & (wide < _WIDER * spread)
-        beside = 1 + _SPOILT * (1 - alone.sum() / max(1, good.sum())) ** 2
+        alone = good & (wide < WIDER * spread)
         good = alone if alone.sum() > 3 else good
         if good.sum() < 3:
             return Line((start + end) / 2, along, length, 1.0, 1.0, 0.0, 1.0, covered)
@@ -136,10 +141,11 @@ def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float,
         count = max(2.0, kept * _EVERY / _INDEPENDENT)
         rise = slope * length / 2
         start, end = start + 1j * along * (there - rise), end + 1j * along * (there + rise)
-    off = beside * max(_LEAST, scatter / np.sqrt(count), _TINY / length)
-    along = (end - start) / abs(end - start)
-    return Line((start + end) / 2, along, length, float(off), float(off * np.sqrt(12) / max(length, 1.0)), scatter,
-                usual_wide, covered)  # fmt: skip
+    off = max(_LEAST, scatter / np.sqrt(count), _TINY / length)
+    if usual_wide > WIDER * spread:  # it is one of several, somewhere among them
+        off = np.sqrt(off**2 + usual_wide**2 - (WIDER * spread) ** 2)
+    along, turned = (end - start) / abs(end - start), off * np.sqrt(12) / max(length, 1.0)
+    return Line((start + end) / 2, along, length, float(off), float(turned), scatter, usual_wide, covered)
 
 
 def _goes_on(ink: Ink, end: complex, start: complex) -> complex:
@@ -183,4 +189,6 @@ def free_end(ink: Ink, line: Line, near: complex, inwards: complex) -> complex |
     along = line.along if ((at - inwards) * line.along.conjugate()).real > 0 else -line.along
     first = -min(_NEAR, abs(at - inwards) / 2)
     last = _last_ink(ink, at, along, first, _NEAR)
-    return None if last is None or last <= first else complex(at + along * (last - ink.pencil / 2))
+    if last is None or last <= first or not ink.inside(np.array(at + along * (last + _RIM))):
+        return None
+    return complex(at + along * (last - ink.pencil / 2))

@@ -12,7 +12,6 @@ from itertools import compress
 
 import numpy as np
 
-from graphkin.base.geometry import unit
 from graphkin.base.value import bulky
 from graphkin.marking.rewrite import Spot
 from graphkin.photo.ink import NEAR, STRANGE, Ink
@@ -79,8 +78,7 @@ def _is_complete(ink: Ink, one: Candidate) -> bool:
     """True where all needed strokes have ink, and no long ink is left."""
     ends = {s: (one.corners[s.tail], one.corners[s.head]) for s in one.strokes}
     needed = sum(abs(head - tail) for stroke, (tail, head) in ends.items() if stroke.needed)
-    longer = [(tail - 400 * unit(head - tail), head + 400 * unit(head - tail)) for tail, head in ends.values()]
-    return one.missing <= _COMPLETE * needed and ink.strange(longer) < STRANGE
+    return one.missing <= _COMPLETE * needed and ink.strange(ends.values()) < STRANGE
 
 
 def _best(ink: Ink, some: Sequence[Candidate]) -> list[Candidate]:
