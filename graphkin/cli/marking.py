@@ -73,8 +73,9 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
     several problems of a student.
 
     Photographs and scans of sheets that `handout --stage blank --scan` printed are measured (graphkin[photo]): JPEG,
-    PNG, PDF of any number of pages, in any order. The number on a sheet says whose it is. What is unsure is not
-    counted, and is first on the page of --confirm, which saves a file that is marked again in place of the pictures.
+    PNG, PDF of any number of pages, in any order. The number on a sheet says whose it is. What is unsure counts
+    where it is exact enough, and is first on the page of --confirm; the file that this saves is marked again in place
+    of the pictures.
 
     Whose work it is says the folder of a platform, then the file's name, then a line in it; where these contradict each
     other, or the class list, nobody is marked. With --roster names count as well as ids.

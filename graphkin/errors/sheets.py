@@ -60,16 +60,24 @@ _REASONS: WordTable = {
 }
 
 
+_NOT_COUNTED = "It is not counted", "暂不计入"
+_AS_KNOWN = "It is known to {off} mm, and is counted where that is exact enough", "误差约 {off} mm，精度足够时才计入"
+
+
 class UnsureDrawing(LocatedError, plane=PLANES, reason=_REASONS):
-    """What a photograph does not surely show: points of a polygon, or all of it."""
+    """What a photograph does not surely show: points of a polygon, or all of it; off: their standard deviation [mm], 0
+    where none is known."""
 
     plane: str
     reason: str
     letters: tuple[str, ...] = ()
+    off: float = 0.0
     id: ClassVar[str] = "unsure"
-    en = "{where}: look at the {plane} polygon{points}: {reason}. It is not counted."
-    zh = "{where}：请核对{plane}多边形{points}：{reason}，暂不计入。"
+    en = "{where}: look at the {plane} polygon{points}: {reason}. {counted}."
+    zh = "{where}：请核对{plane}多边形{points}：{reason}，{counted}。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         points = f"{'：' if lang == 'zh' else ', '}{listed(self.letters, lang)}" if self.letters else ""
-        return {**super()._words(lang), "points": points}
+        en, zh = _AS_KNOWN if self.off else _NOT_COUNTED
+        counted = (zh if lang == "zh" else en).format(off=f"{self.off:.1f}")
+        return {**super()._words(lang), "points": points, "counted": counted}

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import field, fields
+from dataclasses import field, fields, replace
 from functools import cached_property
 from typing import Literal
 
@@ -96,12 +96,25 @@ class Hypotheses:
     scatters: np.ndarray
     together: np.ndarray | None = None
 
+    def wider(self, more: np.ndarray) -> Hypotheses:
+        """With further errors of the quantities (n,), each its own."""
+        scatters = np.hypot(self.scatters, more)
+        part = self.scatters / scatters
+        together = None if self.together is None else less_together(self.together, part)
+        return replace(self, scatters=scatters, together=together)
+
     @cached_property
     def kinds(self) -> np.ndarray:
         """The same number for rows whose mistakes have the same ids (m,)."""
         numbers: dict[tuple[str, ...], int] = {}
         ids = (tuple(name[0] for name in row) for row in self.names)
         return np.array([numbers.setdefault(each, len(numbers)) for each in ids], dtype=int)
+
+
+def less_together(together: np.ndarray, part: np.ndarray) -> np.ndarray:
+    """Correlations (.., n, n) where but a part (.., n) of each scatter is what it was."""
+    own = np.eye(part.shape[-1], dtype=bool)
+    return np.where(own, together, together * part[..., :, None] * part[..., None, :])
 
 
 @frozen

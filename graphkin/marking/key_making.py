@@ -12,7 +12,7 @@ import numpy as np
 from graphkin.construction import Measure, Plot
 from graphkin.marking.answers import asked_of, on_the_way, sort_of
 from graphkin.marking.consequences import combined, rewrites
-from graphkin.marking.key import MOST, Hypotheses, Key, KeyEntry, KeyStep, Marking, Name, part_off
+from graphkin.marking.key import MOST, Hypotheses, Key, KeyEntry, KeyStep, Marking, Name, less_together, part_off
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import other_methods
 from graphkin.marking.tolerances import DRAWINGS, drawings_of, spread
@@ -164,6 +164,16 @@ def allowed_anew(entries: Sequence[KeyEntry], marking: Marking, usual: Usual) ->
         small = told != "dead point" and part_off(one, usual.size(entry.unit)) > MOST
         anew.append(replace(one, doubt="too small" if small else told))
     return tuple(anew)
+
+
+def wider(key: Key, more: np.ndarray, usual: Usual) -> Key:
+    """A key for values that scatter by so much more (n,), each by itself."""
+    scatters = np.array([entry.scatter for entry in key.entries])
+    whole = np.hypot(scatters, more)
+    entries = [replace(entry, scatter=float(one)) for entry, one in zip(key.entries, whole, strict=True)]
+    part = np.divide(scatters, whole, out=np.ones_like(whole), where=whole > 0)
+    return replace(key, entries=allowed_anew(entries, key.marking, usual), singles=key.singles.wider(more),
+                   together=less_together(key.together, part))  # fmt: skip
 
 
 def _doubted(entry: KeyEntry, usual: float, deviation: float, proportional: float, failed: float) -> KeyEntry:

@@ -24,7 +24,7 @@ from graphkin.marking.diagnosis import SLIP, Diagnosis, Diagnostician
 from graphkin.marking.directions import WrittenDirections
 from graphkin.marking.drawing_order import DrawnAt, drawing_order
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
-from graphkin.marking.key_making import allowed_anew, by_other_methods, make_key, pairs_of
+from graphkin.marking.key_making import by_other_methods, make_key, pairs_of, wider
 from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
 from graphkin.marking.records import Departure, Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
@@ -51,7 +51,7 @@ class Marker:
         self._further: dict[str, Quantity | None] = {}
         self._wider: Marker | None = None
         self._pairs: dict[Name | None, Hypotheses] = {}
-        self._blurred: dict[tuple[int, frozenset[str]], Marker] = {}
+        self._blurred: dict[tuple[int, frozenset[tuple[str, float]]], Marker] = {}
         self._lock = Lock()
 
     @cached_property
@@ -148,17 +148,16 @@ class Marker:
 
     def _of_photograph(self, work: StudentWork) -> Marker:
         """A marker that allows for the error of what was measured on a photograph, too: it adds to the pencil's."""
-        steps, texts = math.ceil(work.error / _STEP), {text for text, one in work.numbers.items() if one.measured}
-        if (steps, frozenset(texts)) not in self._blurred:
+        steps = math.ceil(work.error / _STEP)
+        blur = frozenset((text, one.off) for text, one in work.numbers.items() if one.measured)
+        if (steps, blur) not in self._blurred:
             if len(self._blurred) > _FIRSTS:
                 self._blurred.clear()
-            more = math.hypot(1, steps * _STEP / (self.key.marking.on_paper[0] or _STEP))
-            entries = [replace(entry, scatter=entry.scatter * more) if entry.text in texts else entry
-                       for entry in self.key.entries]  # fmt: skip
-            allowed = allowed_anew(entries, self.key.marking, self.method.mechanism.usual)
-            marker = Marker(replace(self.key, entries=allowed), self.method)
-            self._blurred[steps, frozenset(texts)] = marker
-        return self._blurred[steps, frozenset(texts)]
+            key, part, off = self.key, steps * _STEP / (self.key.marking.on_paper[0] or _STEP), dict(blur)
+            more = [math.hypot(entry.scatter * part, off[entry.text]) if entry.text in off else 0.0
+                    for entry in key.entries]  # fmt: skip
+            self._blurred[steps, blur] = Marker(wider(key, np.array(more), self.method.mechanism.usual), self.method)
+        return self._blurred[steps, blur]
 
     @cached_property
     def _asked(self) -> tuple[KeyEntry, ...]:
@@ -191,17 +190,20 @@ class Marker:
         # a number with a unit of another kind is judged by itself, and nothing is made of it
         strange = np.array([one is not None and not one.unit_right for one in numbers], dtype=bool).reshape(shape)
         right, wrong = self.judged(given)
-        untold = np.isfinite(given) & ~right & ~wrong & ~strange
-        carried = self.problem.carried(given, wrong & ~strange, wrong)
+        off = np.array([0.0 if one is None else one.off for one in numbers]).reshape(shape)
+        doubtful = off > self.table.scatter / np.sqrt(2)  # less exact than what a pencil draws
+        untold = np.isfinite(given) & ~right & ~wrong & ~strange & ~doubtful
+        own = wrong & ~strange & ~doubtful
+        carried = self.problem.carried(given, own, wrong)
         measured = np.array([one is not None and one.measured for one in numbers], dtype=bool).reshape(shape)
         if measured.any():
             # what is measured on a drawing follows from all that was drawn before it: only own values that are asked
             # for, and so have cost something, are carried on to it
             asked = np.array([entry.points > 0 for entry in self.key.entries])
-            of_asked = self.problem.carried(given, wrong & ~strange & (asked | ~measured), wrong)
+            of_asked = self.problem.carried(given, own & (asked | ~measured), wrong)
             carried = carried.instead(of_asked, measured)
         if any(one is not None and one.vector is not None for one in numbers):
-            used = wrong & ~strange & ~carried.unused
+            used = own & ~carried.unused
             works = [self.directions.judged(work, given[k], used[k]) for k, work in enumerate(works)]
             numbers = [work.numbers.get(entry.text) for work in works for entry in self.key.entries]
         diagnosed = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
@@ -210,6 +212,7 @@ class Marker:
         costs = self._costs(diagnosed)
         carried = carried.rooted(wrong, costs)
         after = self._after(given, wrong & ~strange, carried, astray, diagnosed, costs)
+        given = np.where(doubtful & ~wrong, np.nan, given)
         return [
             self._marked(work, k, given[k], right[k], untold[k], carried, after, diagnosed[k])
             for k, work in enumerate(works)
@@ -342,10 +345,9 @@ class Marker:
         after: AfterMistake, k: int,
     ) -> Judged:  # fmt: skip
         """One quantity; the better of all verdicts counts."""
-        if not np.isfinite(given) and entry.text in work.unread:
-            written = work.unread[entry.text]
-            return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "not read",
-                          points=entry.points, written=written)  # fmt: skip
+        if not np.isfinite(given) and (entry.text in work.unread or entry.text in work.numbers):
+            return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "not read", points=entry.points,
+                          written=work.unread.get(entry.text, "?"))  # fmt: skip
         if not np.isfinite(given):
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
         number, explained, follows = work.numbers[entry.text], bool(after.explains[k, n]), bool(after.follows[k, n])

@@ -28,6 +28,8 @@ class HandedNumber:
     measured     on a drawing, or read off it, by us
     vector       with the direction that was written beside its size, in the mechanism's axes
     within       the angle within which that holds where it is in words; 0 where it is in numbers [rad]
+    off          its standard deviation, where what it was measured on is not sure: unless that is small it takes part
+                 in what is found out of mistakes alone
     """
 
     value: float
@@ -36,6 +38,7 @@ class HandedNumber:
     measured: bool = False
     vector: complex | None = None
     within: float = 0.0
+    off: float = 0.0
 
 
 @frozen

@@ -29,7 +29,7 @@ END = "]}"
 Json = dict[str, Plain]
 Record = Mapping[str, Any]  # a record as it is read
 _LINE = ("format", "student", "file", "status", "reason", "score", "departure", "equations", "step", "remarks",
-         "measured", "error", "unsure")  # fmt: skip
+         "measured", "measured at", "error", "unsure")  # fmt: skip
 _QUANTITY = ("given", "right", "carried", "tolerance", "verdict", "sense")
 _MISTAKE = ("ids", "probability", "margin", "explains")
 
@@ -86,13 +86,16 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
 
 
 def measured_data(measured: MeasuredDrawing) -> Json:
-    """What was measured on photographs [mm from the pole, y up], by how much it is off, and what of it is unsure."""
+    """What was measured on photographs [mm from the pole, y up], at which scales, by how much it is off, and what of it
+    is unsure."""
     planes: dict[str, dict[str, Plain]] = {}
     for (plane, letter), place in measured.points.items():
         planes.setdefault(plane, {})[letter] = plain(place)
-    unsure: list[Plain] = [{"plane": each.plane, "reason": each.reason, "letters": list(each.letters)}
+    unsure: list[Plain] = [{"plane": each.plane, "reason": each.reason, "letters": list(each.letters),
+                            "off": _rounded(each.off)}
                            for each in measured.unsure]  # fmt: skip
-    return {"measured": planes, "error": _rounded(measured.error), "unsure": unsure}
+    scales: Json = dict(measured.scales.items())
+    return {"measured": planes, "measured at": scales, "error": _rounded(measured.error), "unsure": unsure}
 
 
 def measured_of(record: Record) -> MeasuredDrawing | None:
@@ -102,8 +105,9 @@ def measured_of(record: Record) -> MeasuredDrawing | None:
     planes = built(Mapping[Plane, Mapping[str, complex]], record["measured"])
     points = {(plane, letter): place for plane, own in planes.items() for letter, place in own.items()}
     unsure = ((built(Plane, each["plane"]), built(Unsure, each)) for each in record["unsure"])
-    doubts = tuple(UnsureDrawing(NOWHERE, plane, each.reason, each.letters) for plane, each in unsure)
-    return MeasuredDrawing(points, {}, error=built(float, record["error"]), unsure=doubts)
+    doubts = tuple(UnsureDrawing(NOWHERE, plane, each.reason, each.letters, each.off) for plane, each in unsure)
+    scales = built(Mapping[Plane, float], record.get("measured at", {}))
+    return MeasuredDrawing(points, scales, error=built(float, record["error"]), unsure=doubts)
 
 
 def _of_board(graded: Graded, marked: Marked) -> Json:

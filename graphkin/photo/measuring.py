@@ -15,7 +15,8 @@ from graphkin.photo.sheets import SheetRoom, Unsure
 
 _SHORT = 4.0  # shorter lines may have less ink [mm]
 _COVERED = 0.75  # a stroke has ink over so much of its length
-_OFF = 0.26  # corners with a larger standard deviation are not sure [mm]
+_NOWHERE = 5.0  # where the standard deviation is larger nothing is known [mm]
+_OFF = 0.2  # corners with a larger standard deviation are not sure [mm]
 _ALIKE, _APART = 6.0, 0.4  # constructions that score so alike and lie so far apart are not told apart [mm]
 _CLOSE = 0.6  # ink belongs to a refined line when it is no farther off [mm]
 _ONE = 0.15  # corners so near each other are one [mm]
@@ -67,14 +68,11 @@ def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
 
 def _alike(fits: Sequence[_Fit], key: Way) -> Iterator[Unsure]:
     """Letters that another construction, which fits as well, has elsewhere."""
-    best, letters = fits[0].named(key), dict[str, None]()
-    for other in fits[1:]:
-        if other.score >= fits[0].score - _ALIKE:
-            there = other.named(key)
-            both = [name for name in best if name in there]
-            letters.update(dict.fromkeys(name for name in both if abs(there[name].at - best[name].at) > _APART))
-    if letters:
-        yield Unsure("alike", tuple(letters))
+    best, alike = fits[0].named(key), [fit.named(key) for fit in fits[1:] if fit.score >= fits[0].score - _ALIKE]
+    for name, corner in best.items():
+        apart = max((abs(there[name].at - corner.at) for there in alike if name in there), default=0.0)
+        if apart > _APART:
+            yield Unsure("alike", (name,), _known(float(np.hypot(corner.off, apart))))
 
 
 class _Fit(Fit):
@@ -112,7 +110,8 @@ class _Fit(Fit):
             alone = np.abs(np.delete(self.at, k) - self.at[k]).min(initial=np.inf) > _ONE
             if self.corners[letter].off > _OFF or (k != self.pole and not drawn and alone) or k in self.odd:
                 short = any(line.length < _SHORT for line in drawn)
-                yield Unsure("short" if short else "flat" if drawn else "no ink", (letter,))
+                off = 0.0 if k in self.odd or not drawn else _known(self.corners[letter].off)
+                yield Unsure("short" if short else "flat" if drawn else "no ink", (letter,), off)
         for k in self.ends:  # also at the rim, where a line may go on
             around = self.at[k] + _FAR * np.exp(0.5j * np.pi * np.arange(4))
             is_far = np.nanmin(np.abs(self.way.corners[:, k] - self.at[k])) > _FAR
@@ -123,5 +122,10 @@ class _Fit(Fit):
 
     def _strange(self) -> float:
         """The longest extent of ink that no line explains, on construction lines beyond the arrows neither [mm]."""
-        lines = [line for line in self.lines.values() if line.covered > 0.5]
-        return self.ink.strange([(line.middle - 400 * line.along, line.middle + 400 * line.along) for line in lines])
+        ends = [(self.at[s.tail], self.at[s.head]) for s, line in self.lines.items() if line.covered > 0.5]
+        return self.ink.strange([*self.drawn(), *ends])
+
+
+def _known(off: float) -> float:
+    """A standard deviation, 0 where it says nothing."""
+    return off if off < _NOWHERE else 0.0

@@ -58,7 +58,8 @@ class RoomReading:
         """What was drawn; more: reasons why all of it is unsure."""
         plane, unsure = self.room.plane, (*self.unsure, *map(Unsure, more))
         points = {(plane, letter): place for letter, place in self.points.items()}
-        doubts = tuple(UnsureDrawing(where, plane, one.reason, one.letters) for one in unsure if not self.confirmed)
+        told = () if self.confirmed else unsure
+        doubts = tuple(UnsureDrawing(where, plane, one.reason, one.letters, one.off) for one in told)
         return MeasuredDrawing(points, {plane: self.room.scale}, {}, where, tuple(remarks), self.error, doubts)
 
 

@@ -54,7 +54,9 @@ class Unsure:
             is not there; "short": a line too short to tell its direction; "flat": lines that cross too flatly, or one
             that ends nowhere; "alike": two constructions fit; "unexplained": long lines of no construction; "far":
             where no construction has it; "twice": another picture shows it otherwise; "lost": no picture shows it
+    off     their standard deviation [mm]; 0 where it is not known
     """
 
     reason: Reason
     letters: tuple[str, ...] = ()
+    off: float = 0.0

@@ -238,8 +238,7 @@ def pictures_of(files: Set[str], limits: Limits = USUAL) -> dict[str, office.See
 
 
 def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:
-    from graphkin.submissions.drawings import drawn_values, lettered_vectors, measured
-    from graphkin.submissions.letters import polygons
+    from graphkin.submissions.drawings import drawn_values, measured
 
     entries = (entry for document in contents.documents for entry in document.entries)
     written = answers_at(entries, key, _questions, limits)
@@ -262,14 +261,21 @@ def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Content
             notes.append(problem)
     if handed.drawing is not None and 1 not in drawn:
         drawn[1] = replace(handed.drawing, points=handed.drawing.sure)
-        shapes = polygons(key.mechanism, _questions(key))
-        values = {**drawn_values(lettered_vectors(drawn[1], shapes)), **values}
+        values = {**drawn_values(paper_vectors(drawn[1], key)), **values}
     if not values and work is None and not any(one.unsure for one in drawn.values()):
         if len(notes) == 1 and not isinstance(notes[0], errors.BrokenSubmission):
             raise notes[0]
         whole = (note for note in notes if not isinstance(note, errors.NotAQuestion))  # what stopped a file as a whole
         raise next(whole, errors.NoAnswers(Where(handed.file)))
     return Submission(student, handed.file, values, None, tuple(notes), handed.place, drawn, work)
+
+
+def paper_vectors(drawing: MeasuredDrawing, key: ReadableProblem) -> dict[str, complex]:
+    """Vectors between the letters of a drawing on paper, by question."""
+    from graphkin.submissions.drawings import lettered_vectors
+    from graphkin.submissions.letters import polygons
+
+    return lettered_vectors(drawing, polygons(key.mechanism, _questions(key)))
 
 
 _REMEMBERED: list[tuple[ReadableProblem, Questions]] = []

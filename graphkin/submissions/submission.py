@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import hashlib
+import math
 from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
@@ -83,11 +84,18 @@ class MeasuredDrawing:
     @property
     def sure(self) -> dict[tuple[Plane, str], complex]:
         """The points of which nothing is unsure; a plane's first is its pole, which is printed."""
-        poles = dict(reversed([*self.points]))
-        doubtful = {(one.plane, letter) for one in self.unsure for letter in one.letters}
-        planes = {one.plane for one in self.unsure if not one.letters}
-        return {(plane, letter): place for (plane, letter), place in self.points.items()
-                if poles[plane] == letter or not (plane in planes or (plane, letter) in doubtful)}  # fmt: skip
+        return {at: place for at, place in self.points.items() if at not in self.off}
+
+    @property
+    def off(self) -> dict[tuple[Plane, str], float]:
+        """The standard deviations of the points of which something is unsure [mm]; infinite where none is known."""
+        poles, off = dict(reversed([*self.points])), dict[tuple[Plane, str], float]()
+        for plane, letter in self.points:
+            doubts = [one.off or math.inf for one in self.unsure
+                      if one.plane == plane and (not one.letters or letter in one.letters)]  # fmt: skip
+            if doubts and letter != poles[plane]:
+                off[plane, letter] = max(doubts)
+        return off
 
     def vector(self, drawn: complex, plane: Plane) -> complex:
         """A vector that is drawn, SI, turned back."""

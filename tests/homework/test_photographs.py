@@ -92,8 +92,8 @@ def test_the_record_says_what_was_measured(records, folder: Path):
 def test_what_was_measured_is_in_the_terminal_s_json(records, folder: Path):
     told = ran("grade", folder / "hw", folder / "marks.json", "--json")
     for line in map(json.loads, told.splitlines()):
-        assert {key: line[key] for key in ("measured", "error", "unsure")} == {
-            key: records[line["student"]][key] for key in ("measured", "error", "unsure")
+        assert {key: line[key] for key in ("measured", "measured at", "error", "unsure")} == {
+            key: records[line["student"]][key] for key in ("measured", "measured at", "error", "unsure")
         }
 
 

@@ -207,6 +207,33 @@ def test_sense_and_unit_by_themselves():
     assert (found["omega 2"].verdict, found["omega 2"].unit_right, found["omega 2"].credit) == ("wrong", False, 0.5)
 
 
+def read(off: float, alpha: float = 12.46) -> Marked:
+    """Coriolis left out; alpha 3 read off a photograph, of which so much is not sure."""
+    doubtful = HandedNumber(alpha, measured=True, off=off)
+    work = StudentWork("s", {"omega 3": HandedNumber(-3.92), "alpha 3": doubtful, "a_k B3B2": HandedNumber(0.0)}, error=0.1)
+    return marker().mark([work])[0]
+
+
+def verdict_of(found: Marked, text: str) -> str:
+    return next(one.verdict for one in found.judged if one.text == text)
+
+
+def test_what_is_not_sure_counts_where_it_tells():
+    """A value that is surely wrong is, one that may be is not read; none is carried on to others."""
+    scatter = next(entry.scatter for entry in marker().key.entries if entry.text == "alpha 3")
+    assert verdict_of(read(0.5 * scatter, 62.2), "alpha 3") == "right"
+    assert verdict_of(read(2.0 * scatter, 62.2), "alpha 3") == "not read"
+    assert verdict_of(read(2.0 * scatter, 62.2 + 6 * scatter), "alpha 3") == "not read"
+    assert verdict_of(read(2.0 * scatter, 62.2 + 60 * scatter), "alpha 3") in ("wrong", "carried")
+
+
+def test_what_is_not_sure_takes_part_in_the_diagnosis():
+    """Beside a value that fits no mistake but by what is not sure of it."""
+    scatter = next(entry.scatter for entry in marker().key.entries if entry.text == "alpha 3")
+    assert "coriolis-omitted" not in {id for one in read(0.0, 12.46 + 8 * scatter).diagnosis.explanations for id in one.ids}
+    assert "coriolis-omitted" in {id for one in read(3 * scatter, 12.46 + 8 * scatter).diagnosis.explanations for id in one.ids}
+
+
 def test_angles_count_modulo_a_turn():
     found = judged({"theta 2": math.radians(28.97 + 360), "theta 3": math.radians(93.59 - 360)}, "ex3-5")
     assert [found[text].verdict for text in ("theta 2", "theta 3")] == ["right", "right"]

@@ -179,18 +179,18 @@ def verdicts(work: Work, points: Mapping[Plane, Mapping[str, complex]], unsure: 
 
 def said(work: Work, readings: Mapping[Plane, PageReading]) -> tuple[bool, set[str]]:
     """What it says of what was measured."""
-    unsure = [UnsureDrawing(NOWHERE, plane, one.reason, one.letters) for plane, reading in readings.items() for one in reading.unsure]
+    unsure = [UnsureDrawing(NOWHERE, plane, one.reason, one.letters, one.off) for plane, reading in readings.items() for one in reading.unsure]
     points = {plane: one.vertices for plane, one in readings.items()}
     return verdicts(work, points, unsure, max(one.error for one in readings.values()))
 
 
 def _is_named(work: Work, readings: Mapping[Plane, PageReading]) -> bool | None:
     """The judge finds nothing wrong in right work, and something in a slip; it names a mistake. None where it would not by the true corners."""
-    wrong, names = said(work, readings)
+    (wrong, names), (there, named) = said(work, readings), verdicts(work, work.corners)
     if not work.mistakes:
-        return wrong == bool(work.slips)
+        return (wrong if there else None) if work.slips else not wrong
     id = work.mistakes[0].name[0]
-    return id in names if id in verdicts(work, work.corners)[1] else None
+    return id in names if id in named else None
 
 
 def cases(mechanisms: Sequence[str], cameras: Sequence[str], count: int) -> Iterator[Case]:

@@ -55,8 +55,15 @@ def test_an_arrow_along_the_printed_line_is_drawn():
     """The line through the pole hides it."""
     work = work_of("s4-ex2", "mistake", Case("s4-ex2", "mistake", 1015, False).seed, wobble=False)
     found = readings_of(work)
-    assert not found["velocity"].unsure
+    assert all(0 < one.off < 0.25 for one in found["velocity"].unsure)
     assert worst(work, found) < 0.35
+
+
+@pytest.mark.parametrize(("name", "kind", "seed", "wobble"), [("ex3-5", "right", 1205, True), ("p3-15", "mistake", 1220, False)])
+def test_what_is_misread_is_said(name, kind, seed, wobble):
+    """Strokes that run side by side, of which one has no line of its own; an arrow cut off by the rim of its room."""
+    work = work_of(name, kind, seed, wobble=wobble)
+    assert worst(work, readings_of(work)) < 0.5
 
 
 def test_paper_without_a_drawing_is_blank():

@@ -7,13 +7,14 @@ tolerance, and the submissions themselves are not needed any more.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
 
 from graphkin import errors
 from graphkin.base.value import frozen
+from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, NoMarks, OwnFault, SaidBefore, Where
 from graphkin.homework import opening
 from graphkin.homework.grading.sets import SetMarker
@@ -24,7 +25,8 @@ from graphkin.model.quantities import at_position, position_of
 from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, measured_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 from graphkin.submissions.board import work_of
-from graphkin.submissions.submission import fingerprint, tidy_id
+from graphkin.submissions.reading import paper_vectors
+from graphkin.submissions.submission import MeasuredDrawing, fingerprint, tidy_id
 
 _EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each further one [s]
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
@@ -173,7 +175,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
                 for at in one.drawings:
                     fuller, new = _with_drawing(fuller, one, at, marker)
                     said += new
-                work, more = _not_read(fuller, one, marker), said
+                work, more = _not_read(_doubtful(fuller, item.drawing, judge), one, marker), said
     except GraphkinError as problem:
         reason = problem
     except Exception as problem:
@@ -187,6 +189,30 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     board, measured = one.board, item.drawing
     record = Graded(one.student, one.file, one.place, None, reason, every, drawn, kept, (*remarks,), board, measured)
     return Read(work, record)
+
+
+def _doubtful(work: StudentWork, drawing: MeasuredDrawing | None, judge: SetMarker) -> StudentWork:
+    """With what hangs on points of a photograph that are not sure, each with its own standard deviation."""
+    readable, marker = judge(work.student), _marker(judge, work)
+    if drawing is None or readable is None or marker is None:
+        return work
+    off, points = drawing.off, drawing.points
+    known = {at: place for at, place in points.items() if math.isfinite(off.get(at, 0.0))}
+
+    def read(moved: Mapping[tuple[Plane, str], complex]) -> dict[str, float]:
+        there = replace(drawing, points={**known, **moved})
+        sizes = {text: abs(vector) for text, vector in paper_vectors(there, readable).items()}
+        return sizes | dict(marker.off_drawing(there.in_si(), {}, {})[0].values)
+
+    values, squares = read({}), dict[str, float]()
+    moved = [(at, known[at] + off[at] * aside) for at in off if at in known for aside in (1, 1j)]
+    for at, place in moved:
+        there = read({at: place})
+        for text, value in values.items():
+            squares[text] = squares.get(text, 0.0) + (there.get(text, math.inf) - value) ** 2
+    new = {text: HandedNumber(values[text], measured=True, off=math.sqrt(square)) for text, square in squares.items()
+           if 0 < square < math.inf and (text not in work.numbers or work.numbers[text].measured)}  # fmt: skip
+    return replace(work, numbers={**work.numbers, **new})
 
 
 def _not_read(work: StudentWork, one: Submission, marker: Marker) -> StudentWork:
@@ -207,7 +233,8 @@ def _read_before(item: Read, judge: SetMarker) -> Read:
     except GraphkinError as problem:
         reason = problem
     prints = (*record.prints[:2], asked_print(judge, student), judge.key_print(student)) if record.prints else ()
-    return Read(item.work, replace(record, reason=reason, prints=prints))
+    work = item.work if reason is not None else _doubtful(item.work, record.measured, judge)
+    return Read(work, replace(record, reason=reason, prints=prints))
 
 
 def asked_print(judge: SetMarker, student: str) -> str:
