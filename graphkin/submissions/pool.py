@@ -20,7 +20,7 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
 from multiprocessing.process import BaseProcess
-from typing import ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 from graphkin.errors import TookTooLong, Where
 
@@ -32,6 +32,7 @@ _LATER = 2.0  # so long after the alarm the watchdog ends the process [s]
 _ENDED = 1  # the exit status of a process that its watchdog has ended
 _AHEAD = 3
 _NOWHERE: list[int] = []  # the file into which the watchdog writes; none where this process may not be ended
+_WORK: list[Callable[[list[Any]], list[Any]]] = []  # what this process does with every batch
 _THREADS = "/proc/self/task"
 _GRACE = 5.0  # beyond its limits a batch is waited for so long [s]
 
@@ -77,11 +78,11 @@ def guarded(
     work     a function that processes can import; it keeps to `seconds` an item by itself
     failed   what stands for an item whose process hung ("hung") or ended ("died")
     """
-    pool, waiting = worker_pool(workers), iter(batches)
+    pool, waiting = worker_pool(workers, work), iter(batches)
     out: deque[tuple[list[_Item], Future[list[_Result]]]] = deque()
     try:
         while True:
-            out.extend((some, _sent(pool, work, some)) for some in islice(waiting, _AHEAD * workers - len(out)))
+            out.extend((some, _sent(pool, some)) for some in islice(waiting, _AHEAD * workers - len(out)))
             if not out:
                 return
             some, future = out.popleft()
@@ -91,22 +92,20 @@ def guarded(
                 _end(pool)
                 for item in some:
                     yield _alone(work, item, seconds, failed)
-                pool = worker_pool(workers)
-                out = deque((other, _sent(pool, work, other)) for other, _ in out)
+                pool = worker_pool(workers, work)
+                out = deque((other, _sent(pool, other)) for other, _ in out)
             else:
                 yield from results
     finally:
         _end(pool)
 
 
-def _sent(
-    pool: ProcessPoolExecutor, work: Callable[[list[_Item]], list[_Result]], some: list[_Item]
-) -> Future[list[_Result]]:
+def _sent(pool: ProcessPoolExecutor, some: list[_Item]) -> Future[list[Any]]:
     """A batch on its way; that the pool is broken is said when it is this batch's turn."""
     try:
-        return pool.submit(work, some)
+        return pool.submit(_worked, some)
     except BrokenProcessPool as problem:
-        future: Future[list[_Result]] = Future()
+        future: Future[list[Any]] = Future()
         future.set_exception(problem)
         return future
 
@@ -115,8 +114,8 @@ def _alone(
     work: Callable[[list[_Item]], list[_Result]], item: _Item, seconds: float, failed: Callable[[_Item, str], _Result]
 ) -> _Result:
     """One item in a process of its own, so that it is clear which of a batch it was."""
-    pool = worker_pool(1)
-    future = pool.submit(work, [item])
+    pool = worker_pool(1, work)
+    future: Future[list[_Result]] = pool.submit(_worked, [item])
     processes = _processes(pool)
     try:
         return future.result(timeout=seconds + _GRACE)[0]
@@ -130,11 +129,12 @@ def _alone(
         _end(pool)
 
 
-def worker_pool(workers: int) -> ProcessPoolExecutor:
+def worker_pool(workers: int, *work: Callable[[list[Any]], list[Any]]) -> ProcessPoolExecutor:
     """Of processes that leave an interruption to the one that has sent them the work. They are copies of this one, in
-    which all is loaded, where it has no other thread that could hold a lock meanwhile."""
+    which all is loaded, where it has no other thread that could hold a lock meanwhile; work: what they get once."""
     alone = os.path.isdir(_THREADS) and len(os.listdir(_THREADS)) == 1
-    return _Pool(workers, mp_context=multiprocessing.get_context("fork" if alone else "spawn"), initializer=_begin)
+    context = multiprocessing.get_context("fork" if alone else "spawn")
+    return _Pool(workers, mp_context=context, initializer=_begin, initargs=work)
 
 
 class _Pool(ProcessPoolExecutor):
@@ -163,8 +163,14 @@ def _deaf() -> Iterator[None]:
         signal.raise_signal(signal.SIGINT)
 
 
-def _begin() -> None:
+def _worked(some: list[Any]) -> list[Any]:
+    """What this process has to do with a batch."""
+    return _WORK[0](some)
+
+
+def _begin(*work: Callable[[list[Any]], list[Any]]) -> None:
     """From now on this process is ended where an alarm is not heard."""
+    _WORK.extend(work)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     gc.freeze()  # what a copy has from the beginning stays shared
     if not _NOWHERE:
