@@ -210,7 +210,7 @@ def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
         if entry is not None and entry.doubt in ("dead point", "too small"):
             off = say(f"handouts.allowed {entry.doubt}", problem.lang)
         elif entry is not None:
-            off = f"± {entry.tolerance * unit.factor:.2g}"
+            off = f"± {number(entry.tolerance * unit.factor, digits=2)}"
         shown = [plain(number(size * unit.factor)) for size in sizes]
         rows.append((formula(problem.goal.symbol(quantity)), *shown, plain(off), plain(unit.sign)))
     if rows:

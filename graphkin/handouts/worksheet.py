@@ -143,11 +143,16 @@ def answers_room(problem: HandoutProblem) -> HandoutTable:
     return HandoutTable(tuple(map(plain, heads)), tuple(rows))
 
 
+def direction_head(rows: Sequence[AnswerRow]) -> str:
+    """The head of the column beside the units."""
+    return "direction" if any(row.directed for row in rows) else "sense"
+
+
 def answer_boxes(problem: HandoutProblem) -> HandoutTable:
     """A box an answer, with its unit, and one for sense or direction where it has any; what it is worth, where that
     differs."""
     rows = answer_rows(problem)
-    columns = ["quantity", "answer", "unit", "direction" if any(row.directed for row in rows) else "sense", "points"]
+    columns = ["quantity", "answer", "unit", direction_head(rows), "points"]
     end = None if problem.whose or worth(problem) else -1
     labels = [(formula(row.symbol), plain("(\u2003\u2003\u2002, \u2003\u2003\u2002)" if row.is_place else ""),
                plain(row.unit), plain("" if row.turns else "\u2003\u2003\u2003°" if row.directed else "—"),

@@ -256,7 +256,7 @@ def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
 def _points_along(reading: Reading, line: Line) -> tuple[str, str] | None:
     """Two points on a line, in its direction: those from which the file measures it, else any of its moving link."""
     link = reading.mechanism.links[line.link]
-    if line.base is None or line.origin not in link.points:
+    if line.base is None or not {line.origin, *line.base} <= link.points.keys():
         return points_of(reading, line) if line.origin in link.points else None
     on_it = all(aside(line.direction, link.arm(line.origin, end)) <= reading.noise for end in line.base)
     return line.base if on_it and dot(line.direction, link.arm(*line.base)) > 0 else None

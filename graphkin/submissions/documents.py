@@ -32,7 +32,9 @@ _QUESTION = {
 }  # fmt: skip
 _VALUE = {"value", "answer", "result", "given", "数值", "值", "答案", "结果"}
 _DASHES = "-–—−/ "  # of a cell in which there is nothing to say
-_MORE = {"unit", "units", "单位", "sense", "direction", "转向", "方向"}
+_DIRECTION = {"sense", "direction", "sense, angle to +x", "转向", "方向", "转向或与 +x 夹角"}
+_MORE = {"unit", "units", "单位"} | _DIRECTION
+_BARE = re.compile(r"[+-]?[0-9]+(?:[.,][0-9]+)?")  # an angle without its unit
 _LONGEST_CELL = 1 << 16
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
 _KEY = re.compile(r"""\s*(?:["“”„]([^"“”„]*)["“”„]|'([^']*)'|([^=＝≈:：\s"'“”„][^=＝≈:：]*?))\s*[=＝≈:：]""")
@@ -145,7 +147,8 @@ def _value(row: Sequence[object], shown: Sequence[str], names: Sequence[str] | N
     if at >= len(row):
         return None
     filled = enumerate(zip(names, shown))
-    more = [text for k, (name, text) in filled if k != at and name in _MORE and text.strip(_DASHES)]
+    more = [f"∠ {text}°" if name in _DIRECTION and _BARE.fullmatch(plain(text)) else text
+            for k, (name, text) in filled if k != at and name in _MORE and text.strip(_DASHES)]  # fmt: skip
     return row[at] if not more or not shown[at] else " ".join([shown[at], *more])
 
 

@@ -20,6 +20,12 @@ from graphkin.model.quantities.reading import quietly
 from graphkin.submissions.numbers import plain, unaccented, unit_named
 
 LONGEST = 120  # no question is longer
+_KINDS = {
+    "angular velocity": "omega", "角速度": "omega", "angular acceleration": "alpha", "角加速度": "alpha",
+    "velocity": "v", "速度": "v", "acceleration": "a", "加速度": "a",
+}  # fmt: skip
+_IN_WORDS = re.compile(rf"(.*?)({'|'.join(_KINDS)})(.*)", re.I)
+_OF = re.compile(r"\b(?:of|the|link|point|speed)\b|构件|连杆|滑块|曲柄|[导摇]?杆件?|[点的]|大小", re.I)
 _HEADS = (
     (r"omega|w|角速度", "omega"), (r"alpha|epsilon|角加速度", "alpha"), (r"theta|phi|转角", "theta"),
     (r"velocity of|velocity|速度|v", "v"), (r"acceleration of|acceleration|加速度|a", "a"),
@@ -104,7 +110,23 @@ def spelled(text: str) -> Iterator[str]:
     if slash:
         yield from (f"{one} / {other}" for one in _one(top.strip()) for other in _one(bottom.strip()))
         bare = f"{top.rstrip()}{bottom.lstrip()}"
+    yield from _in_words(bare)
     yield from _one(bare)
+
+
+def _in_words(text: str) -> Iterator[str]:
+    """`D点的速度`, `angular velocity of link 2`, `连杆的角速度 ω2`: a kind in words and what it is of, or a symbol that
+    says the same."""
+    if (match := _IN_WORDS.fullmatch(text)) is None:
+        return
+    word = _KINDS[match[2].lower()]
+    before, after = (_OF.sub(" ", part).strip(" _:=") for part in match.group(1, 3))
+    for candidate in _one(after):
+        head, _, of = candidate.partition(" ")
+        if head.partition("_")[0] == word and before in ("", of):
+            yield candidate
+    if not before or not after:
+        yield from _one(f"{word} {before or after}")
 
 
 def _one(text: str) -> Iterator[str]:

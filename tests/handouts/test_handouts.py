@@ -395,3 +395,11 @@ def test_common_mistakes_list_only_what_they_move():
     names = ((("coriolis-omitted", "", "", ""),), (("coriolis-reversed", "", "", ""),))
     moved = problem._moved(SimpleNamespace(entries=entries, singles=Hypotheses(names, values, values)))
     assert moved.tolist() == [[False, False], [True, True]]
+
+
+def test_what_a_pencil_allows_is_in_plain_figures():
+    fast = graphkin.load("fig3-1").with_({"driver.0.omega": "2000 rpm"})
+    text = html(handout([fast], "solution", "en"))
+    allowed = re.findall(r"± ?([^<]*)", text)
+    assert max(float(one) for one in allowed) >= 100
+    assert not any("e" in one for one in allowed)

@@ -113,6 +113,21 @@ def test_the_answer_table_of_a_handout_retyped():
     }  # fmt: skip
 
 
+@pytest.mark.parametrize("head", ["sense, angle to +x", "方向", "转向或与 +x 夹角"])
+def test_a_bare_number_in_the_column_of_directions_is_degrees(head: str):
+    size, angle = answer("v E").split(" ∠ ")
+    for turn, verdict in ((0, "right"), (90, "wrong")):
+        row = f"v_E,{size},m/s,{float(angle.rstrip('°')) + turn:g}"
+        Path("s1.csv").write_text(f'quantity,answer,unit,"{head}"\n{row}\n', encoding="utf-8")
+        assert json.loads(run("grade", "key.json", "s1.csv", "--json"))["quantities"]["v E"]["verdict"] == verdict
+
+
+def test_a_name_that_means_nothing_is_looked_at_where_an_answer_is_missing():
+    Path("class.csv").write_text("student,omega 2,E 的快慢\na,-2.62,0.1943\n", encoding="utf-8")
+    run("grade", "key.json", "class.csv", "-o", "out", "--format", "csv")
+    assert "'E 的快慢' names no quantity" in Path("out/class.csv").read_text("utf-8-sig").splitlines()[1]
+
+
 # --- directions --------------------------------------------------------------------------------
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import json
 import math
 import re
@@ -261,12 +262,13 @@ def test_the_workbook_reads_back_as_it_is_filled_in(lang: Lang, template: Path, 
     rows = {row[0].value: row for row in book.active.iter_rows()}
     rows[{"en": "student number", "zh": "学号"}[lang]][1].value = "s1"
     rows["ω3"][1].value, rows["ω3"][3].value = 3.9, "顺时针"
-    rows["aᵏ_B3B2"][1].value = 2.5
+    rows["aᵏ_B3B2"][1].value, rows["aᵏ_B3B2"][3].value = 2.5, 30  # degrees, as the page's table has them
     book.save(tmp_path / "handed-in.xlsx")
     mechanism = loading.load(tmp_path / "set" / "teacher" / "s1.toml")
     (found,) = read([tmp_path / "handed-in.xlsx"], ReadableProblem(mechanism, mechanism.ask))
     assert (found.student, found.reason) == ("s1", None)
-    assert {q: v.value for q, v in found.values.items()} == {"omega 3": -3.9, "a_k B3B2": 2.5}
+    assert {q: v.value for q, v in found.values.items()} == pytest.approx({"omega 3": -3.9, "a_k B3B2": 2.5})
+    assert found.values["a_k B3B2"].vector == pytest.approx(cmath.rect(2.5, math.radians(30)))
     page = (tmp_path / "set" / "students" / "_hand-in.html").read_text("utf-8")
     for text in ("What to hand in", "提交要求", "_answers.xlsx", "20270001.svg", "<mi>n</mi><mn>3</mn>"[:9]):
         assert text in page

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from graphkin import loads
+from graphkin import Drawing, loads
 from graphkin.files import library
 from graphkin.planning import plan
 from graphkin.running import replay_all
@@ -122,6 +122,22 @@ def test_a_guide_beside_a_track_has_its_height_and_a_tip_its_tangential_accelera
     assert {"e_B = 0.5 ft", "also φ_W/° = 120, 150", "v_A = 3 m/s", "aᵗ_A = 2 m/s²"} <= set(texts)
     through = WHEEL.replace("[frame]", '[frame]\nD = [0, 0]').replace('[0, "0.5 ft"]', '"D"')
     assert not any(text.startswith("e_") for text in said(loads(through)))
+
+
+FLAT = """
+frame = { O = [0, 0], X = [40, 0] }
+links = { 1.OC = 20, 2.points = ["F"] }
+slide = [{ name = "lift", block = "2", point = "F", guide = "frame", through = "O", angle = 90 }]
+cam = [{ links = ["1", "2"], profiles = [{ centre = "C", radius = 50 }, { through = "F", from = "OX", angle = 0 }] }]
+driver = [{ vector = "OC", angle = 30, omega = 5 }]
+sketch = { F = [0, 60] }
+"""
+
+
+@pytest.mark.parametrize(("turned", "said"), [("angle = 0", "parallel to O→X"), ("angle = 10", "makes 10° with O→X")])
+def test_a_face_of_one_point_is_said_by_the_points_that_it_is_measured_from(turned: str, said: str) -> None:
+    told = "\n".join(Drawing.of(loads(FLAT.replace("angle = 0", turned))).explain())
+    assert said in told
 
 
 def test_a_changed_size_is_not_said_to_be_as_stated() -> None:

@@ -148,7 +148,10 @@ def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> 
             # of all quantities the names of centres alone have no space
             centres = [text for text in (*one.work.numbers, *one.work.unread) if " " not in text and text not in lines]
             notes = [errors.CentresNotMarked(Where(record.file), tuple(centres))] if centres else []
-            remarks = (*record.remarks, *judge.remarks(outcome))
+            missing = any(line.points and line.verdict == "missing" for line in outcome.judged)
+            # it may be what was passed over under a name that means nothing here
+            passed = [note for note in record.notes if missing and isinstance(note, errors.NotAQuestion)]
+            remarks = (*record.remarks, *passed, *judge.remarks(outcome))
             records.append(replace(record, marked=outcome, remarks=remarks, notes=(*record.notes, *notes)))
     return records
 
