@@ -8,7 +8,7 @@ import graphkin
 from graphkin.construction import Construction
 from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutPart, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem
-from graphkin.handouts.worksheet import answer_boxes, answer_rows, direction_head
+from graphkin.handouts.worksheet import answer_boxes, answer_heads, answer_rows
 from graphkin.homework.platforms.tables import Cell
 from graphkin.model.mechanism import FRAME
 from graphkin.say.catalogue import say
@@ -67,7 +67,7 @@ def workbook_rows(problem: HandoutProblem) -> Iterator[Sequence[Cell]]:
     """The rows of the workbook: under the heads of the answers whose they are, then each with nothing in it."""
     lang = problem.lang
     rows = answer_rows(problem)
-    yield [say(f"handouts.{head}", lang) for head in ("quantity", "answer", "unit", direction_head(rows))]
+    yield answer_heads(rows, lang)
     yield from ([say(f"handouts.{head}", lang), ""] for head in ("name", "student number"))
     for row in rows:
         yield [row.symbol, "", row.unit, "" if row.turns or row.directed else "—"]

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import LayOff, Plane
+from graphkin.errors import Lang
 from graphkin.handouts.document import GridRoom, HandoutTable, TermRows
 from graphkin.handouts.problem import ROOM, HandoutProblem
 from graphkin.marking.answers import asked_of
@@ -143,19 +144,19 @@ def answers_room(problem: HandoutProblem) -> HandoutTable:
     return HandoutTable(tuple(map(plain, heads)), tuple(rows))
 
 
-def direction_head(rows: Sequence[AnswerRow]) -> str:
-    """The head of the column beside the units."""
-    return "direction" if any(row.directed for row in rows) else "sense"
+def answer_heads(rows: Sequence[AnswerRow], lang: Lang) -> list[str]:
+    """The heads of a table of answers, without that of the points."""
+    columns = ["quantity", "answer", "unit", "direction" if any(row.directed for row in rows) else "sense"]
+    return [say(f"handouts.{key}", lang) for key in columns]
 
 
 def answer_boxes(problem: HandoutProblem) -> HandoutTable:
     """A box an answer, with its unit, and one for sense or direction where it has any; what it is worth, where that
     differs."""
     rows = answer_rows(problem)
-    columns = ["quantity", "answer", "unit", direction_head(rows), "points"]
     end = None if problem.whose or worth(problem) else -1
     labels = [(formula(row.symbol), plain("(\u2003\u2003\u2002, \u2003\u2003\u2002)" if row.is_place else ""),
                plain(row.unit), plain("" if row.turns else "\u2003\u2003\u2003°" if row.directed else "—"),
                plain(row.points)) for row in rows]  # fmt: skip
-    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
+    heads = tuple(map(plain, (*answer_heads(rows, problem.lang), say("handouts.points", problem.lang))))
     return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
