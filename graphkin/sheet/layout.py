@@ -52,6 +52,11 @@ class Layout:
         stands, free = standing(under, own), Room(*map(float, under[:, 0]))
         return stands.window(own, free, self.paper.times), stands.corners(free)
 
+    def holds(self, extents: Mapping[Plane, Extent], strip: float) -> bool:
+        """Whether figures stand in its rooms at its scales, over a strip of that height [mm]."""
+        every = ((_under_heading(_one(self.rooms[plane])), self.as_drawn(plane, each)) for plane, each in extents.items())
+        return strip <= self.strip.size.imag and all(np.isfinite(standing(*each).scales[0]) for each in every)
+
     def as_drawn(self, plane: Plane, extent: Extent) -> Extent:
         """At the scale at which it is drawn."""
         return replace(extent.reduced(self.paper.times), given=self.scales[plane])

@@ -178,12 +178,15 @@ class Arrangement:
 
 
 def _arranged(drawing: Planes, contents: Callable[[Planes], SheetContents], paper: str | None) -> Arrangement:
-    """The cheapest arrangement of the English sheet; of another language with its scales, on its paper."""
+    """The cheapest arrangement of the English sheet; of another language in its rooms or, where its words are too wide
+    for these, with its scales and on its paper."""
     best = cheapest(contents(replace(drawing, lang="en")), paper)
     if drawing.lang == "en":
         return best
-    own, english = contents(drawing), best.contents
-    kept = replace(own, low=english.low, without=english.without, detailed=english.detailed, scales=best.layout.scales)
+    own, english, layout = contents(drawing), best.contents, best.layout
+    kept = replace(own, low=english.low, without=english.without, detailed=english.detailed, scales=layout.scales)
+    if layout.holds(kept.extents, kept.height(layout.paper)):
+        return Arrangement(kept, layout)
     larger = (other for other in papers_for(paper) if other.area > best.sold.area)
     with suppress(TooLargeForPaper):
         alike = Arrangement.on(kept, [best.sold, *larger])
