@@ -158,16 +158,18 @@ class PolygonConstruction:
             yield from self.rings(sorted(lost))
 
     def _beside(self, act: Act) -> Iterator[LabelRequest]:
-        """Requests for its number: at what it finds first, then at each arrow that comes with it."""
+        """Requests for its number: at what it finds first, then at each arrow that comes with it; at what has no length
+        only where no equation has it."""
         points, label = self.polygon.points, plain(str(act.number))
         match act.done:
             case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
                 start, end = points[term.tail], points[term.head]
-                if abs(end - start) > _NOTHING:
+                if there := abs(end - start) > _NOTHING:
                     name = term.name(self.polygon.construction.plane)
                     yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page, of=name)
+                if there or self.rings is None:
                     yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
-            case Meet(point=point) as meet if not self._shown(meet):
+            case Meet() as meet if self.rings is not None and not self._shown(meet):
                 return
             case Meet(point=point) | Image(point=point) if point in points:
                 yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)

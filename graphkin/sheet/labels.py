@@ -226,11 +226,16 @@ def settle(scene: LabelScene, near: Settled | None = None) -> Settled:
         places.look_farther(FAR)
     clashing, unclear = places.clashing(), places.unclear()
     for most in (1, 2) * _ROUNDS if near else ():
-        if out := _left_out(scene.wanted, places.stands, clashing, unclear if most == 1 else (), most):
+        bad = unclear if most == 1 else {*unclear} & {*_led(places)}  # on what is no leader it is near at least
+        if out := _left_out(scene.wanted, places.stands, clashing, bad, most):
             places.leave_out(out)
             clashing, unclear = places.clashing(), places.unclear()
-    led = np.flatnonzero(places.stands)[places.standing().led].tolist()
-    return Settled([*_lettered(scene.wanted, places)], clashing, led, unclear, places)
+    return Settled([*_lettered(scene.wanted, places)], clashing, _led(places), unclear, places)
+
+
+def _led(places: LabelPlacing) -> list[int]:
+    """The labels on leaders."""
+    return [int(label) for label in np.flatnonzero(places.stands)[places.standing().led]]
 
 
 def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[Mark]:
@@ -247,7 +252,7 @@ def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[
 
 
 def _left_out(
-    wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int], unclear: Sequence[int], most: int
+    wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int], unclear: Collection[int], most: int
 ) -> list[int]:
     """The spare ones, so far at most, of labels without a place or without a clear one, else those next to the former;
     not two that are close together, of which one may find a place without the other, unless very many have none."""

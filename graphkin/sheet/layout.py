@@ -54,8 +54,9 @@ class Layout:
 
     def holds(self, extents: Mapping[Plane, Extent], strip: float) -> bool:
         """Whether figures stand in its rooms at its scales, over a strip of that height [mm]."""
-        every = ((_under_heading(_one(self.rooms[plane])), self.as_drawn(plane, each)) for plane, each in extents.items())
-        return strip <= self.strip.size.imag and all(np.isfinite(standing(*each).scales[0]) for each in every)
+        rooms = {plane: _under_heading(_one(self.rooms[plane])) for plane in extents}
+        stand = (standing(rooms[plane], self.as_drawn(plane, extent)) for plane, extent in extents.items())
+        return strip <= self.strip.size.imag and all(np.isfinite(each.scales[0]) for each in stand)
 
     def as_drawn(self, plane: Plane, extent: Extent) -> Extent:
         """At the scale at which it is drawn."""

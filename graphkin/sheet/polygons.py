@@ -308,7 +308,7 @@ def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[Lab
             continue
         absolute = vector.tail == polygon.construction.pole and vector.head in polygon.named
         spare = absolute and vector.name == f"{letter}_{polygon.of(vector.head)}"  # the letter at its head says as much
-        rank = (2 if vector.name in terms or vector.pen == "asked" else 1) if spare and not vector.broken else 0
+        rank = 1 + (vector.name in terms) if spare and not vector.broken and vector.pen != "asked" else 0
         own, away = polygon.names(vector), (vector.start + vector.end) / 2 - middle
         label, parts = tuple(chain.from_iterable(name for name, _ in own)), tuple(own) if own[1:] else ()
         requests.append(LabelRequest(label, vector.start, vector.end, away=away, step=vector.step, spare=rank,
