@@ -18,6 +18,7 @@ from graphkin.model.mechanism import Mechanism
 
 _NUDGES = 6
 _NUDGE = 0.05  # the mechanism is moved so far to see its general rank [rad, size]
+_FAR = 1.0  # so far where it may be in a position of another kind, folded for instance
 
 
 @frozen
@@ -60,7 +61,10 @@ def mobility(mechanism: Mechanism) -> Mobility:
     quiet = idle(mechanism, loops)
     if pairs.q is None:
         return Mobility(None, len(drivers), 0, (), (), 0, quiet, (), pairs.gap * 1e3)
-    ranks = _Ranks.at(loops, loops.weights(drivers), _nearby(loops, pairs.q))
+    positions = _nearby(loops, pairs.q)
+    if whole.q is None:  # put together anyhow, perhaps folded so that a driven link is at rest
+        positions += _nearby(loops, pairs.q, _FAR)
+    ranks = _Ranks.at(loops, loops.weights(drivers), positions)
     independent, redundant = ranks.drivers()
     constraints = ranks.constraints()
     still = loops.weights(held(loops, loops.relations))
@@ -133,14 +137,15 @@ def _scale(rows: Reals) -> Reals:
     return np.where(most > 0, most, 1.0)
 
 
-def _nearby(loops: Loops, q: Reals) -> list[Reals]:
-    """The position, and some next to it along its freedoms, put together again."""
+def _nearby(loops: Loops, q: Reals, nudge: float = _NUDGE) -> list[Reals]:
+    """The position, and some about it, along its freedoms where that is near, put together again."""
     closure = EquationSystem.of(loops, (*loops.relations, *held(loops, loops.relations)))
     rng = np.random.default_rng(2)
-    directions = null_space(closure.matrix(q))
+    slopes = closure.matrix(q)
+    directions = null_space(slopes if nudge == _NUDGE else slopes[:0])
     moves = rng.normal(0, 1, (_NUDGES, len(directions))) @ directions
     length = np.max(np.abs(moves), axis=1, initial=0.0, keepdims=True)
-    shifted = closure.move(q, _NUDGE * moves / np.where(length > 0, length, 1.0))
+    shifted = closure.move(q, nudge * moves / np.where(length > 0, length, 1.0))
     closed = close(closure, shifted, closure.weights @ q, steps=30)
     return [q, *(each for each, gap in zip(closed.q, closed.gap, strict=True) if gap < RANK)]
 

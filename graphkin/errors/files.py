@@ -51,11 +51,12 @@ class NotUtf8(LocatedError):
 
     encoding: str
     en = "{where}: this is not UTF-8 text but {encoding}. Save the file with the encoding UTF-8."
-    zh = "{where}：此处不是 UTF-8 文本，而是 {encoding}，请将文件另存为 UTF-8 编码。"
+    zh = "{where}：此处不是 UTF-8 文本，而是{encoding}，请将文件另存为 UTF-8 编码。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         unknown = "另一种编码（也许是 GBK）" if lang == "zh" else "in another encoding, perhaps GBK"
-        return {**super()._words(lang), "encoding": self.encoding or unknown}
+        known = f" {self.encoding}" if lang == "zh" and self.encoding else self.encoding
+        return {**super()._words(lang), "encoding": known or unknown}
 
 
 class ControlCharacter(LocatedError):

@@ -67,11 +67,11 @@ def mechanism_name(path: Path) -> str:
 def decoded_text(content: bytes, file: str) -> str:
     """The text of a file's bytes; a byte order mark is not part of it."""
     _check_size(len(content), file)
+    if content.startswith(_WIDE_MARKS) or b"\0" in content[:2]:  # without a mark
+        raise errors.NotUtf8(Where(file), "UTF-16")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
-        if content.startswith(_WIDE_MARKS):
-            raise errors.NotUtf8(Where(file), "UTF-16") from None
         line = content.count(b"\n", 0, problem.start) + 1
         raise errors.NotUtf8(Where(file, line), "") from None
 

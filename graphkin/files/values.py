@@ -139,7 +139,7 @@ def read_quantity(written: float | str, dimension: Dimension) -> float:
 
 def above_zero(value: float) -> float:
     """A length that is no rounding noise [m]."""
-    if value < SMALLEST_LENGTH:
+    if value < SMALLEST_LENGTH * (1 - 1e-9):  # 0.000001 mm itself rounds in metres
         raise errors.TooSmall(NOWHERE, f"{value * 1e3:.6g} mm", "0.000001 mm")
     return value
 

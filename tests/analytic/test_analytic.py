@@ -403,6 +403,14 @@ def test_lengths_that_do_not_close() -> None:
     assert apart.gap_mm == pytest.approx(25, rel=1e-3)
 
 
+def test_a_kite_that_does_not_close_is_not_judged_folded() -> None:
+    """With C in A crank and coupler turn while the rocker rests, which no other position does."""
+    links = {FRAME: {"A": 0, "D": 80}, "1": {"A": 0, "B": 30}, "2": {"B": 0, "C": 30}, "3": {"D": 0, "C": 80}}
+    counted = mobility(build(links, {"B": -30 + 1j}, crank("3", "DC", 30)))
+    assert (counted.freedoms, counted.redundant, counted.independent) == (1, (), 1)
+    assert counted.gap_mm == pytest.approx(abs(80 + 80 * cmath.exp(1j * pi / 6)) - 60, rel=1e-3)
+
+
 def third_crank() -> Mechanism:
     """A parallelogram with a third crank that repeats what the two ask."""
     cranks = {"1": {"A": 0, "B": 30}, "3": {"D": 0, "C": 30}, "4": {"F": 0, "E": 30}}

@@ -707,6 +707,19 @@ def test_a_folder(tmp_path: Path) -> None:
         load(tmp_path)
 
 
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_a_file_in_wide_letters(encoding: str, tmp_path: Path) -> None:
+    (tmp_path / "wide.toml").write_bytes(FOURBAR.encode(encoding))
+    with pytest.raises(errors.NotUtf8) as caught:
+        load(tmp_path / "wide.toml")
+    assert "UTF-16" in caught.value.message("en")
+    assert "而是 UTF-16" in caught.value.message("zh")
+
+
+def test_the_smallest_length_is_one() -> None:
+    assert loads(edit(FOURBAR, "AB = 30", "AB = 0.000001")).links["1"].points["B"] == pytest.approx(1e-9)
+
+
 def test_a_file_that_is_not_utf8(tmp_path: Path) -> None:
     path = tmp_path / "gbk.toml"
     path.write_bytes(b'source = "x"\n' + 'title = "刨床"\n'.encode("gbk"))
