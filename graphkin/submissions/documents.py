@@ -28,7 +28,8 @@ Cells = Iterator[tuple[int, Sequence[object]]]  # rows as they stand, with the n
 
 PLAIN_TABLES, SHEETS = (".csv", ".tsv"), (".xlsx", ".xlsm")
 _QUESTION = {
-    "question", "quantity", "name", "item", "vector", "问题", "题目", "量", "物理量", "项目", "矢量", "符号", "名称",
+    "question", "quantity", "name", "item", "vector",
+    "问题", "题目", "量", "所求量", "物理量", "项目", "矢量", "符号", "名称",
 }  # fmt: skip
 _VALUE = {"value", "answer", "result", "given", "数值", "值", "答案", "结果"}
 _DASHES = "-–—−/ "  # of a cell in which there is nothing to say

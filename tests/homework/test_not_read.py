@@ -122,6 +122,11 @@ def test_a_bare_number_in_the_column_of_directions_is_degrees(head: str):
         assert json.loads(run("grade", "key.json", "s1.csv", "--json"))["quantities"]["v E"]["verdict"] == verdict
 
 
+def test_a_table_under_the_heads_of_our_own_files():
+    Path("s1.csv").write_text("学号,s1\n所求量,结果,单位\nω2,-2.62,rad/s\n", encoding="utf-8")
+    assert json.loads(run("grade", "key.json", "s1.csv", "--json"))["quantities"]["omega 2"]["verdict"] == "right"
+
+
 def test_a_name_that_means_nothing_is_looked_at_where_an_answer_is_missing():
     Path("class.csv").write_text("student,omega 2,E 的快慢\na,-2.62,0.1943\n", encoding="utf-8")
     run("grade", "key.json", "class.csv", "-o", "out", "--format", "csv")
