@@ -25,7 +25,7 @@ from graphkin.sheet.lettering import LEAST, formula, plain
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, VectorMark
 from graphkin.sheet.polygons import PolygonFigure, arrows
 from graphkin.sheet.symbols import right_angle
-from graphkin.sheet.text_blocks import RING, ringed
+from graphkin.sheet.text_blocks import RING, ring_width, ringed
 from graphkin.sheet.window import Window
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
@@ -140,36 +140,42 @@ class PolygonConstruction:
         at a name, and what has none at all stands with the equations. Images come first, as their numbers do not."""
         images, lost = [act for act in self.acts if isinstance(act.done, Image)], set[int]()
         for acts in (images, [act for act in self.acts if act not in images]):
-            waiting = [(act.number, requests) for act in acts if (requests := [*self._beside(act)])]
-            lost.update({act.number for act in acts} - dict(waiting).keys())
+            waiting = list[tuple[list[int], list[LabelRequest]]]()
+            for act in acts:
+                if requests := [*self._beside(act)]:
+                    waiting.append(([act.number], requests))
+                elif self.rings is None and waiting:  # what has no length, with the point at which it stands
+                    waiting[-1][0].append(act.number)
+                else:
+                    lost.add(act.number)
             while waiting:
-                middles = free.places([first for _, (first, *_) in waiting], [complex(RING, RING)] * len(waiting))
+                halves = [complex(ring_width(numbers) / 2, RING) for numbers, _ in waiting]
+                middles = free.places([first for _, (first, *_) in waiting], halves)
                 tried, waiting = waiting, []
-                for (number, requests), middle in zip(tried, middles, strict=True):
+                for (numbers, requests), half, middle in zip(tried, halves, middles, strict=True):
                     if middle is None and requests[1:]:
-                        waiting.append((number, requests[1:]))
-                    elif middle or (middle := free.beside(requests[0].step, complex(RING, RING))):
-                        marks = [*ringed([number], middle, requests[0].step)]
+                        waiting.append((numbers, requests[1:]))
+                    elif middle or (middle := free.beside(requests[0].step, half)):
+                        marks = [*ringed(numbers, middle, requests[0].step)]
                         free.add(marks)
                         yield from marks
                     else:
-                        lost.add(number)
+                        lost.update(numbers)
         if self.rings is not None:
             yield from self.rings(sorted(lost))
 
     def _beside(self, act: Act) -> Iterator[LabelRequest]:
-        """Requests for its number: at what it finds first, then at each arrow that comes with it; at what has no length
-        only where no equation has it."""
+        """Requests for its number: at what it finds first, then at each arrow that comes with it; none for what has no
+        length."""
         points, label = self.polygon.points, plain(str(act.number))
         match act.done:
             case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
                 start, end = points[term.tail], points[term.head]
-                if there := abs(end - start) > _NOTHING:
+                if abs(end - start) > _NOTHING:
                     name = term.name(self.polygon.construction.plane)
                     yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page, of=name)
-                if there or self.rings is None:
                     yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
-            case Meet() as meet if self.rings is not None and not self._shown(meet):
+            case Meet() as meet if not self._shown(meet):
                 return
             case Meet(point=point) | Image(point=point) if point in points:
                 yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
