@@ -147,8 +147,8 @@ class WantedRange(GraphkinError):
     given: str
     low: str
     high: str
-    en = "{name} = {given} cannot be: it must lie between {low} and {high}. Give a value within."
-    zh = "{name} = {given} 不可能：必须在 {low} 与 {high} 之间。请改用其中的值。"
+    en = "{name} = {given} cannot be: it must be above {low} and below {high}. Give a value within."
+    zh = "{name} = {given} 不可能：必须大于 {low}、小于 {high}。请改用其中的值。"
 
 
 class OneCondition(GraphkinError):

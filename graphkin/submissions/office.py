@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import io
+import logging
 import re
 from collections.abc import Callable, Sequence
 from functools import partial
 from html import unescape
 from itertools import islice
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from graphkin.errors import NoNumbers, Where
 from graphkin.submissions.answers import Entry
@@ -19,6 +20,9 @@ from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.students import FIELDS
 from graphkin.submissions.submission import Limits
+
+if TYPE_CHECKING:
+    from pypdf import PdfReader
 
 _PAGES = 40  # of a PDF that are looked at
 _NUMBER = re.compile(r"[-+−–±]?\s*[0-9]")
@@ -58,10 +62,16 @@ def _of_word(content: bytes, where: Where, limits: Limits) -> Parts:
     return tables, [_text(each) for each in body.iter(f"{_W}p") if next(each.iterancestors(f"{_W}tc"), None) is None]
 
 
-def _of_pdf(content: bytes, where: Where, limits: Limits) -> Parts:
+def _pdf(content: bytes) -> PdfReader:
+    """A PDF's reader, whose own remarks on a broken one stand nowhere: what is wrong with it is said in words."""
     from pypdf import PdfReader
 
-    pages = islice(PdfReader(io.BytesIO(content)).pages, _PAGES)
+    logging.getLogger("pypdf").addHandler(logging.NullHandler())
+    return PdfReader(io.BytesIO(content))
+
+
+def _of_pdf(content: bytes, where: Where, limits: Limits) -> Parts:
+    pages = islice(_pdf(content).pages, _PAGES)
     lines = [line for page in pages for line in page.extract_text().splitlines()]
     return [[cells for line in lines if (cells := _cells(line))]], lines
 
@@ -108,9 +118,7 @@ def picture_in(content: bytes, where: Where, limits: Limits) -> Seen | None:
                 with opened(content, where) as archive:
                     found = [archive.read(info) for info in archive.infolist() if "/media/" in info.filename]
             elif content.startswith(b"%PDF"):
-                from pypdf import PdfReader
-
-                found = [image.data for image in PdfReader(io.BytesIO(content)).pages[0].images]
+                found = [image.data for image in _pdf(content).pages[0].images]
             else:
                 found = [content]
     except Exception:  # whatever a file that is none raises: there is nothing to be seen

@@ -290,6 +290,17 @@ def test_guide_bars():
     assert guide_bar(718.0, frame=0.1).best.k == pytest.approx(718.0)
 
 
+def test_a_crank_leaves_no_choice_of_the_rocker_s_direction():
+    pairs = [(rad(phi), rad(psi)) for phi, psi in ((40, 70), (70, 85), (110, 110))]
+    with pytest.raises(OneCondition, match="Given: crank, psi0"):
+        angle_pairs(pairs, 0.1, crank=0.04, psi0=0.2)
+
+
+def test_the_ends_of_a_range_are_outside_it():
+    with pytest.raises(WantedRange, match="above 1 and below 3"):
+        rocker(0.08, rad(40), 1.0)
+
+
 # --- positions of the coupler ---------------------------------------------------------------------------
 
 

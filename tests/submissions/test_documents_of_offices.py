@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import subprocess
 import sys
 import zipfile
 from pathlib import Path
@@ -79,6 +80,13 @@ def test_the_answer_table_as_a_pdf(tmp_path: Path):
 def test_what_cannot_be_read_is_a_row(name: str, content: bytes):
     record = graded(name, content)
     assert (record["status"], name in record["reason"]) == ("not marked", True)
+
+
+def test_a_package_s_own_remarks_on_a_broken_file_stand_nowhere():
+    Path("a.pdf").write_bytes(b"%PDF-1.4\nbroken")
+    done = subprocess.run([sys.executable, "-m", "graphkin", "grade", "ex3-1", "a.pdf"], capture_output=True, text=True, check=False)
+    assert done.returncode == 3
+    assert "EOF marker" not in done.stdout + done.stderr
 
 
 def test_a_file_beside_answers_that_is_not_read_is_the_teacher_s_to_look_at():

@@ -13,7 +13,6 @@ Source: 孙桓《机械原理》连杆机构设计; Freudenstein 1955.
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Sequence
 from itertools import combinations
 
@@ -24,8 +23,8 @@ from graphkin.base.geometry import Array, cross, dot, number, unit
 from graphkin.base.tolerances import ROUNDED
 from graphkin.construction.drafting import Bisector, Board, ChosenPoint, CircleThrough, Drafting, DraftLayOff, replay
 from graphkin.construction.drafting.steps import DraftMeasure, DraftMeet, DraftTurn, MeasureAngle, Reckon, Stage, Step
-from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WantedRange, WrongNumber
-from graphkin.studies.design.model import Design, Reason, Solution, gamma_four, passing, positive, shown
+from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WrongNumber
+from graphkin.studies.design.model import Design, Reason, Solution, gamma_four, one_of, passing, positive, shown
 
 Hinges = Sequence[tuple[complex, complex]]  # B and C [m], position by position
 
@@ -156,8 +155,9 @@ def angle_pairs(
     frame   AD [m]
     crank   AB [m]: then only the differences of psi count, and psi0 follows (inversion). Else psi0 is 0 if left out.
 
-    Raises WrongNumber, SameWanted, WantedRange.
+    Raises WrongNumber, SameWanted, WantedRange, OneCondition.
 
+    >>> import math
     >>> pairs = [(math.radians(phi), math.radians(psi)) for phi, psi in ((40, 60), (70, 75), (110, 100))]
     >>> one = angle_pairs(pairs, 0.1).solutions[0]
     >>> round(one.a * 1e3, 3), round(one.b * 1e3, 3), round(one.c * 1e3, 3)
@@ -166,8 +166,7 @@ def angle_pairs(
     if len(pairs) != 3:
         raise WrongNumber(len(pairs), "3 (phi, psi)")
     positive(frame=frame, crank=crank)
-    if crank is not None and psi0 is not None:
-        raise WantedRange("psi0", f"{math.degrees(psi0):g}°", "-", "- (crank)")
+    one_of({"crank": crank, "psi0": psi0})
     for i, k in combinations(range(3), 2):
         if abs(cmath.rect(1, pairs[i][0]) - cmath.rect(1, pairs[k][0])) < 1e-9:
             raise SameWanted(f"phi{i + 1}", f"phi{k + 1}")
