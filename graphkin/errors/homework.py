@@ -372,8 +372,14 @@ class NotATemplate(LocatedError):
 
 
 class NoRange(LocatedError):
-    en = "{where}: this is no range. Write {{ from = 20, to = 30, step = 1 }}: finite, from below to, step above 0, at most 100000 values."
-    zh = "{where}：这不是有效的范围。请写成 {{ from = 20, to = 30, step = 1 }}：有限数，from 小于 to，step 大于 0，最多 100000 个值。"
+    en = (
+        '{where}: this is no range. Write {{ from = 20, to = 30, step = 1 }}, or with units {{ from = "2 in", to = "3 in", '
+        'step = "0.1 in" }}: finite, from below to, step above 0, at most 100000 values.'
+    )
+    zh = (
+        '{where}：这不是有效的范围。请写成 {{ from = 20, to = 30, step = 1 }}，带单位时写成 {{ from = "2 in", to = "3 in", '
+        'step = "0.1 in" }}：有限数，from 小于 to，step 大于 0，最多 100000 个值。'
+    )
 
 
 class NoVariant(LocatedError):

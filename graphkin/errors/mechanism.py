@@ -218,7 +218,7 @@ class JoinedToNothing(TooFewDrivers):
         "(its degrees of freedom) is {freedoms}, and drivers take {drivers} of it; still free: links {links}. "
         "A letter that two links share is a hinge: let them share one, or add a [[driver]]."
     )
-    zh = "{where}：{points} 各只属于一个构件，未与其他构件相连；机构因此有 {freedoms} 个自由度，却只有 {drivers} 个原动件，构件 {links} 仍可自由运动。两构件共有的字母即为转动副：请用同一字母，或增加 [[driver]]。"
+    zh = "{where}：{points} 只在一个构件上，未与其他构件相连；机构因此有 {freedoms} 个自由度，却只有 {drivers} 个原动件，构件 {links} 仍可自由运动。两构件共有的字母即为转动副：请用同一字母，或增加 [[driver]]。"
 
 
 class TooManyDrivers(LocatedError):
