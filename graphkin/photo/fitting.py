@@ -162,10 +162,10 @@ class Fit:
             yield _Row({k: across * w for k, w in zip(numbers, whiten, strict=True)}, float(whiten.sum() * value), 1.0)
 
     def _ending(self) -> Iterator[_Row]:
-        """Where arrows end beyond which no other stroke goes on."""
+        """Where arrows end beyond which no other stroke goes on, one that lies on another neither."""
         self.ends = set()
         away: dict[int, list[complex]] = {}  # by corner, the directions of strokes that leave its place
-        for stroke in self.lines:
+        for stroke in (s for s in drawn_strokes(self.way, self.at) if s.needed or s in self.lines):
             along = complex(unit(self.at[stroke.head] - self.at[stroke.tail]))
             for there, way in ((stroke.tail, along), (stroke.head, -along)):
                 for k in map(int, np.flatnonzero(np.abs(self.at - self.at[there]) < _ONE)):

@@ -53,7 +53,7 @@ def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
             fits.append(_Fit(ink, one))
     if not fits:
         return PageReading({}, page.rms, (Unsure("unexplained"),))
-    fits.sort(key=lambda fit: -fit.score)
+    fits.sort(key=lambda fit: fit.score - _ALIKE * (not fit.is_likely), reverse=True)
     best, key = fits[0], ways[0]
     vertices = {letter: corner.at for letter, corner in best.named(key).items()}
     unsure = [*best.unsure()]
@@ -68,7 +68,8 @@ def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
 
 def _alike(fits: Sequence[_Fit], key: Way) -> Iterator[Unsure]:
     """Letters that another construction, which fits as well, has elsewhere."""
-    best, alike = fits[0].named(key), [fit.named(key) for fit in fits[1:] if fit.score >= fits[0].score - _ALIKE]
+    others = (fit for fit in fits[1:] if fit.is_likely and fit.score >= fits[0].score - _ALIKE)
+    best, alike = fits[0].named(key), [fit.named(key) for fit in others]
     for name, corner in best.items():
         apart = max((abs(there[name].at - corner.at) for there in alike if name in there), default=0.0)
         if apart > _APART:
@@ -89,6 +90,11 @@ class _Fit(Fit):
         lines = [(self.at[s.tail], self.at[s.head]) for s in self.lines]
         against = MISSING * float(missing) + SLIP * len(self.candidate.factors) + _STRAIN * self.strain
         return self.ink.along(lines, _CLOSE) - against
+
+    @property
+    def is_likely(self) -> bool:
+        """A hand may have drawn it."""
+        return self.strain <= _TORN and self.departs <= _LIKELY
 
     def named(self, key: Way) -> dict[str, Corner]:
         """Corners by the letters of the key's method."""
@@ -117,7 +123,8 @@ class _Fit(Fit):
             is_far = np.nanmin(np.abs(self.way.corners[:, k] - self.at[k])) > _FAR
             if is_far or not self.ink.inside(around).all():
                 yield Unsure("far", (key[k],))
-        if self._strange() > STRANGE or self.strain > _TORN or self.departs > _LIKELY:
+        free = self.way.is_loose and self.candidate.factors  # own velocities would have drawn something else
+        if free or self._strange() > STRANGE or not self.is_likely:
             yield Unsure("unexplained")
 
     def _strange(self) -> float:

@@ -13,12 +13,14 @@ import numpy as np
 
 from graphkin.base.geometry import Value, place
 from graphkin.base.value import bulky, frozen
-from graphkin.construction import SCALES, Construction, Given, Image, LayOff, Meet, Plane, Plot, Ray
+from graphkin.construction import SCALES, Construction, Given, Image, LayOff, Measure, Meet, Plane, Plot, Ray
+from graphkin.errors import NOWHERE
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.hand import Redrawing, redraw
-from graphkin.marking.pencil import Pencil, PencilHand, Slips, drawn_positions
+from graphkin.marking.pencil import Mark, Pencil, PencilHand, Slips, drawn_positions
 from graphkin.marking.rewrite import Mistaken, Rewrite, Spot
 from graphkin.marking.synonyms import other_methods
+from graphkin.photo.readings import RoomReading
 from graphkin.photo.sheets import SheetRoom
 from graphkin.planning import Method
 
@@ -29,12 +31,13 @@ _LENGTH, _ANGLE, _PART = 0.3, np.radians(0.4), 0.003
 _HANDS = 200  # that draw the same
 _ASTRAY = 5.0  # corners are known so well where most hands get nowhere [mm]
 _POINT = 0.04  # a point has no place that is known better [mm]
-
+_TOLD = 0.6  # own corners that are known worse do not tell what follows from them [mm]
 
 
 @frozen
 class Corner:
-    """A place [mm from the pole, y up]; off: its standard deviation, in the direction in which it is known worst."""
+    """A place [mm from the pole, y up]; off: its standard deviation, in the direction in which it is known worst. SI
+    where it is a student's own."""
 
     at: complex
     off: float
@@ -74,16 +77,23 @@ class Way:
     letters: tuple[str, ...]
     strokes: tuple[Stroke, ...]
     columns: tuple[tuple[Rewrite, ...], ...]
-    own: Mapping[str, complex]
+    own: Mapping[str, Corner]
 
     @cached_property
     def corners(self) -> np.ndarray:
         """Of each column (columns, letters) [mm from the pole, y up]."""
-        return self._on_paper(_OwnHand(self.columns, {}, {"velocity": self.own}).drawn(self.method, self.plot))
+        return self._on_paper(_OwnHand(self.columns, {}, self.own).drawn(self.method, self.plot))
 
     @property
     def pole(self) -> int:
         return self.letters.index(self.construction.pole)
+
+    @property
+    def is_loose(self) -> bool:
+        """True if velocities that it follows from are not known, so that right ones stand for them."""
+        read = (step for step in self.method.velocity.steps if isinstance(step, Measure))
+        needed = {letter for step in read for letter in (step.tail, step.head)}
+        return self.construction.plane == "acceleration" and not needed <= self.own.keys()
 
     @property
     def places(self) -> frozenset[complex]:
@@ -111,7 +121,7 @@ class Way:
     def altered(self, column: int, factors: Factors) -> np.ndarray:
         """Corners (n, letters) of a column with arrows, directions and figures that are otherwise, by arrays (n,)."""
         count = max(len(each) for each in factors.values())
-        hand = _OwnHand([self.columns[column]] * count, factors, {"velocity": self.own})
+        hand = _OwnHand([self.columns[column]] * count, factors, self.own)
         return self._on_paper(hand.drawn(self.method, self.plot))
 
     def hands(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
@@ -123,7 +133,7 @@ class Way:
         pencil = Pencil(lengths | {plane: _LENGTH * self.scale}, _ANGLE)
         slips = Slips(1, _HANDS)
         hand = _OwnPencil(pencil, slips, self.method.facts(), [self.columns[column]])
-        hand.factors, hand.own = factors, {"velocity": self.own}
+        hand.factors, hand.own = factors, self.own
         points = hand.drawn(self.method, drawn_positions(self.method, pencil, slips)).points(plane)
         every = [np.broadcast_to(np.asarray(points[name], dtype=complex), hand.shape)[0] for name in self.letters]
         drawn = np.stack(every, axis=1) / self.scale
@@ -144,12 +154,12 @@ class Way:
 
 
 def predicted(
-    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, complex] | None = None
+    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, Corner] | None = None
 ) -> tuple[Way, ...]:  # fmt: skip
     """All that may have been drawn in a room: the method of the key first, then other right ones.
 
     plot      the right one, at the room's position
-    velocity  corners of the student's own velocity polygon by letter, SI, as far as they are measured
+    velocity  corners of the student's own velocity polygon by letter, SI, as far as they are known
     """
     ways = [_way(method, plot, room, velocity or {}, rewrites(method, plot))]
     for other in other_methods(method):
@@ -159,8 +169,17 @@ def predicted(
     return tuple(ways)
 
 
+def own_velocities(room: RoomReading) -> dict[str, Corner]:
+    """The corners of a velocity polygon that are known well enough to tell what follows from them, SI; those that are
+    sure are better known than a hand reads them."""
+    drawing, scale = room.drawing(NOWHERE), room.room.scale
+    every = dict.fromkeys(drawing.points, 0.0) | drawing.off
+    return {letter: Corner(drawing.points[plane, letter] * scale, off * scale)
+            for (plane, letter), off in every.items() if off < _TOLD}  # fmt: skip
+
+
 def _way(
-    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, complex], mistakes: Iterable[Rewrite]
+    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, Corner], mistakes: Iterable[Rewrite]
 ) -> Way:  # fmt: skip
     construction = method.velocity if room.plane == "velocity" else method.acceleration
     resting = {name for step in construction.steps if isinstance(step, Given) for name in step.also}
@@ -172,16 +191,18 @@ def _way(
     return Way(method, plot, construction, room.scale, letters, strokes, columns, own)
 
 
-def _own(construction: Construction, velocity: Mapping[str, complex]) -> dict[str, complex]:
+def _own(construction: Construction, velocity: Mapping[str, Corner]) -> dict[str, Corner]:
     """Own corners as far as a construction has them, from where it begins: not at the pole where that is found last."""
     found = {step.point for step in construction.steps if isinstance(step, Meet)}
     begins = (step.point for step in construction.steps if isinstance(step, Given) and step.point not in found)
     start = next(begins, construction.pole)
-    known = {construction.pole: 0j, **velocity}
+    known = {**velocity, construction.pole: Corner(0j, 0.0)}  # it is printed
     if start not in known:
         return {}
     of_it = {*construction.nodes, construction.pole}
-    return {name: at - known[start] for name, at in known.items() if name in of_it}
+    first = known[start]
+    return {name: Corner(one.at - first.at, float(np.hypot(one.off, first.off)))
+            for name, one in known.items() if name in of_it}  # fmt: skip
 
 
 def _strokes(construction: Construction, letters: Sequence[str], resting: set[str]) -> Iterator[Stroke]:
@@ -207,19 +228,23 @@ def _strokes(construction: Construction, letters: Sequence[str], resting: set[st
 class _Own(Mistaken):
     """With factors at some places; corners that are measured lie where they do.
 
-    own  by plane and letter, SI
+    own  of the velocity plane by letter, SI
     """
 
     factors: Mapping[Spot, np.ndarray | complex] = {}
-    own: Mapping[str, Mapping[str, complex]] = {}
+    own: Mapping[str, Corner] = {}
 
     def drawn(self, method: Method, plot: Plot) -> Redrawing:
         with np.errstate(invalid="ignore", divide="ignore"):
             return redraw(method, self.placed(method, plot), self, self.shape)
 
     def _there(self, plane: Plane, name: str, right: Value) -> Value:
-        at = self.own.get(plane, {}).get(name)
-        return right if at is None else np.full(self.shape, at)
+        own = self.own.get(name) if plane == "velocity" else None
+        return right if own is None else own.at + own.off * self._error(name)
+
+    def _error(self, name: str) -> np.ndarray:
+        """By how much an own corner is misread, in standard deviations."""
+        return np.zeros(self.shape, dtype=complex)
 
     def _from(self, spot: Spot, start: Value, right: Value) -> Value:
         factor = self.factors.get(spot)
@@ -244,12 +269,14 @@ class _Own(Mistaken):
 class _OwnHand(_Own):
     """Draws columns of mistakes exactly."""
 
-    def __init__(
-        self, columns: Sequence[Sequence[Rewrite]], factors: Factors, own: Mapping[str, Mapping[str, complex]]
-    ) -> None:
+    def __init__(self, columns: Sequence[Sequence[Rewrite]], factors: Factors, own: Mapping[str, Corner]) -> None:
         super().__init__(columns)
         self.columns, self.factors, self.own = columns, factors, own
 
 
 class _OwnPencil(_Own, PencilHand):
     """Draws one of them with a pencil that errs, many times."""
+
+    def _error(self, name: str) -> np.ndarray:
+        mark = Mark("velocity", "point", (name,))
+        return np.broadcast_to(self.slips.of(mark) + 1j * self.slips.of(mark, 1), self.shape)

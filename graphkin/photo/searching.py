@@ -58,7 +58,10 @@ def drawn_strokes(way: Way, corners: np.ndarray) -> list[Stroke]:
 def candidates(ink: Ink, ways: Sequence[Way]) -> list[Candidate]:
     """The likeliest constructions, the best first."""
     found = [one for way in ways for one in _scored(ink, way, way.corners)]
-    for one in _best(ink, found)[:_TRIED]:
+    tried, right = _best(ink, found)[:_TRIED], _scored(ink, ways[0], ways[0].corners[:1])
+    if all(one.column or one.way is not ways[0] for one in tried):
+        tried += right  # what fits worse as it stands may be nearer
+    for one in tried:
         if not _is_complete(ink, one):  # some hand may have drawn what another one did not
             hands = _scored(ink, one.way, one.way.hands(one.column, {}))
             own = max(hands, key=lambda each: each.score, default=one)

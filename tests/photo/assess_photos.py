@@ -36,7 +36,8 @@ from graphkin.marking.records import Graded
 from graphkin.marking.rewrite import Rewrite
 from graphkin.photo.measuring import PageReading, measured
 from graphkin.photo.pictures import pictures_in
-from graphkin.photo.predicted import predicted
+from graphkin.photo.predicted import own_velocities, predicted
+from graphkin.photo.readings import RoomReading
 from graphkin.photo.registering import RegisteredPage, registered
 from graphkin.submissions import Handed, Limits, MeasuredDrawing
 from graphkin.submissions.students import Owner
@@ -127,7 +128,7 @@ def assessed(case: Case) -> Outcome:
     for plane, room in work.paper.rooms.items():
         reading = readings[plane] = measured(page, room, predicted(drawing.method, drawing.plot, room, velocity))
         left = {letter for one in reading.unsure for letter in one.letters or reading.vertices}
-        velocity = {letter: at * room.scale for letter, at in reading.vertices.items() if letter not in left}
+        velocity = own_velocities(RoomReading(room, reading.vertices, error=reading.error, unsure=reading.unsure))
         outcome.reasons += [f"{plane[0]}:{one.reason}{','.join(one.letters)}" for one in reading.unsure]
         for letter, at in reading.vertices.items():
             off = abs(at - work.corners[plane][letter])

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from graphkin.base.value import bulky
 from graphkin.base.worklist import batched
-from graphkin.errors import NOWHERE, GraphkinError, NoNumbers, OwnFault, UnknownSheet, UnknownStudent, Where
+from graphkin.errors import GraphkinError, NoNumbers, OwnFault, UnknownSheet, UnknownStudent, Where
 from graphkin.homework import opening
 from graphkin.homework.grading.sets import SetMarker
 from graphkin.outputs import sheets_json
@@ -31,13 +31,14 @@ from graphkin.submissions.students import Owner
 
 if TYPE_CHECKING:
     from graphkin.photo.pictures import Picture
+    from graphkin.photo.predicted import Corner
     from graphkin.photo.registering import RegisteredPage
 
 _SECONDS = 60.0  # for a picture
 _AT_ONCE, _HELD = 8, 16  # pictures that are looked at; pages that wait for the velocities of their student
 _CROP, _QUALITY = 6.0, 60  # of what a teacher looks at: pixels a mm, quality of the JPEG
 _Item = TypeVar("_Item", "tuple[Handed, Picture]", "_HeldPage")
-Velocities = Mapping[str, complex]  # of a student's polygon by letter [m/s]
+Velocities = Mapping[str, "Corner"]  # of a student's polygon by letter, SI
 
 
 @bulky
@@ -119,10 +120,12 @@ class Photographs:
         return handed
 
     def velocities(self, student: str) -> Velocities | None:
-        """As far as they are sure; None where none are measured yet."""
+        """As far as they are known; None where none are measured yet."""
+        from graphkin.photo.predicted import own_velocities
+
         rooms = (room for reading in self.readings if reading.student == student for room in reading.rooms)
         drawn = [room for room in rooms if room.room.plane == "velocity"]
-        return _sure(min(drawn, key=lambda room: room.rank)) if drawn else None
+        return own_velocities(min(drawn, key=lambda room: room.rank)) if drawn else None
 
 
 def photographs(paths: Iterable[str | Path], job: PhotoJob) -> Photographs:
@@ -215,6 +218,7 @@ def _refused(handed: Handed, where: Where, reason: GraphkinError) -> Handed:
 
 def _seen(job: PhotoJob, item: tuple[Handed, Picture]) -> list[_Done]:
     """The sheets on a picture."""
+    from graphkin.photo.predicted import own_velocities
     from graphkin.photo.registering import registered
 
     (handed, picture), done = item, list[_Done]()
@@ -229,7 +233,7 @@ def _seen(job: PhotoJob, item: tuple[Handed, Picture]) -> list[_Done]:
             if held.rooms and not rooms:
                 done.append(held)
             else:
-                done += _finished(job, replace(held, velocities=_sure(rooms[0]) if rooms else {}))
+                done += _finished(job, replace(held, velocities=own_velocities(rooms[0]) if rooms else {}))
         except GraphkinError as problem:
             done.append(_refused(handed, picture.where, problem))
     return done
@@ -278,11 +282,6 @@ def _crop(page: RegisteredPage, room: SheetRoom) -> str:
 
     _, content = cv2.imencode(".jpg", page.crop(room.low, room.high, _CROP), [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
     return f"data:image/jpeg;base64,{base64.b64encode(content.tobytes()).decode()}"
-
-
-def _sure(room: RoomReading) -> Velocities:
-    """The corners of which nothing is unsure, SI."""
-    return {letter: place * room.room.scale for (_, letter), place in room.drawing(NOWHERE).sure.items()}
 
 
 # --- the lists of printed sheets --------------------------------------------------------------------------------------
