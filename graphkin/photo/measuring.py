@@ -24,9 +24,9 @@ _FAR = 2.0  # where a single line ends no farther from where a construction has 
 _STRAIN = 2.0  # what contradicts counts so much [mm a standard deviation]
 _BLANK = 15.0  # less than so much ink is no drawing [mm]
 _HOPELESS = 20.0  # one that scores so much less before its lines are refined is not looked at [mm]
-_LIKELY, _TORN = 5.0, 5.0
-"""A construction was drawn if it departs from what is seen by so many standard deviations more than usual at most; none
-was where lines contradict each other by so many, all in all."""
+_LIKELY, _ODDER, _TORN = 5.0, 3.0, 5.0
+"""A construction was drawn if it departs from what is seen by so many standard deviations more than usual at most, and
+by no more than the second beyond the best; none was where lines contradict each other by so many, all in all."""
 
 
 @frozen
@@ -68,7 +68,8 @@ def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
 
 def _alike(fits: Sequence[_Fit], key: Way) -> Iterator[Unsure]:
     """Letters that another construction, which fits as well, has elsewhere."""
-    others = (fit for fit in fits[1:] if fit.is_likely and fit.score >= fits[0].score - _ALIKE)
+    others = (fit for fit in fits[1:] if fit.is_likely and fit.score >= fits[0].score - _ALIKE
+              and fit.departs <= max(0.0, fits[0].departs) + _ODDER)  # fmt: skip
     best, alike = fits[0].named(key), [fit.named(key) for fit in others]
     for name, corner in best.items():
         apart = max((abs(there[name].at - corner.at) for there in alike if name in there), default=0.0)
