@@ -63,7 +63,7 @@ def mobility(mechanism: Mechanism) -> Mobility:
         return Mobility(None, len(drivers), 0, (), (), 0, quiet, (), pairs.gap * 1e3)
     positions = _nearby(loops, pairs.q)
     if whole.q is None:  # put together anyhow, perhaps folded so that a driven link is at rest
-        positions += _nearby(loops, pairs.q, _FAR)
+        positions += _nearby(loops, pairs.q, anyhow=True)
     ranks = _Ranks.at(loops, loops.weights(drivers), positions)
     independent, redundant = ranks.drivers()
     constraints = ranks.constraints()
@@ -137,12 +137,12 @@ def _scale(rows: Reals) -> Reals:
     return np.where(most > 0, most, 1.0)
 
 
-def _nearby(loops: Loops, q: Reals, nudge: float = _NUDGE) -> list[Reals]:
-    """The position, and some about it, along its freedoms where that is near, put together again."""
+def _nearby(loops: Loops, q: Reals, anyhow: bool = False) -> list[Reals]:
+    """The position, and some next to it along its freedoms, or anyhow and farther off, put together again."""
     closure = EquationSystem.of(loops, (*loops.relations, *held(loops, loops.relations)))
     rng = np.random.default_rng(2)
-    slopes = closure.matrix(q)
-    directions = null_space(slopes if nudge == _NUDGE else slopes[:0])
+    slopes, nudge = closure.matrix(q), _FAR if anyhow else _NUDGE
+    directions = null_space(slopes[:0] if anyhow else slopes)
     moves = rng.normal(0, 1, (_NUDGES, len(directions))) @ directions
     length = np.max(np.abs(moves), axis=1, initial=0.0, keepdims=True)
     shifted = closure.move(q, nudge * moves / np.where(length > 0, length, 1.0))

@@ -57,12 +57,15 @@ class Line:
     def drawn_by(self, wobble: float, beside: float) -> Line:
         """As it is known when the hand wobbles by so much [mm], which tilts a short line unseen, and when another one
         runs beside this part of it."""
-        off = max(self.off, wobble / np.sqrt(max(1.0, self.length / _WOBBLES)), _LEAST * (1 + _SPOILT * beside))
-        return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
+        tilted = wobble / np.sqrt(max(1.0, self.length / _WOBBLES))
+        return self._known(max(self.off, tilted, _LEAST * (1 + _SPOILT * beside)))
 
     def off_by(self, more: float) -> Line:
         """As it is known when it may be so much farther off [mm]."""
-        off = float(np.hypot(self.off, more))
+        return self._known(float(np.hypot(self.off, more)))
+
+    def _known(self, off: float) -> Line:
+        """With another standard deviation, and what follows for its direction [mm]."""
         return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
 
     def beyond(self, place: complex) -> float:

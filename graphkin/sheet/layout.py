@@ -17,7 +17,7 @@ from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, TooLargeForPaper
-from graphkin.sheet.corners import standing
+from graphkin.sheet.corners import Standing, standing
 from graphkin.sheet.marks import Place
 from graphkin.sheet.page import HEAD_WIDTH
 from graphkin.sheet.paper import KEYS, UNITS, Paper, Room, finer
@@ -48,15 +48,19 @@ class Layout:
     def placed(self, plane: Plane, extent: Extent) -> tuple[Window, list[tuple[int, Place]]]:
         """The figure with all its signs in the middle of what its blocks leave, under its heading; the number of each
         block's shape, and its upper left corner."""
-        under, own = _under_heading(_one(self.rooms[plane])), self.as_drawn(plane, extent)
-        stands, free = standing(under, own), Room(*map(float, under[:, 0]))
+        under, own, stands = self._standing(plane, extent)
+        free = Room(*map(float, under[:, 0]))
         return stands.window(own, free, self.paper.times), stands.corners(free)
 
     def holds(self, extents: Mapping[Plane, Extent], strip: float) -> bool:
         """Whether figures stand in its rooms at its scales, over a strip of that height [mm]."""
-        rooms = {plane: _under_heading(_one(self.rooms[plane])) for plane in extents}
-        stand = (standing(rooms[plane], self.as_drawn(plane, extent)) for plane, extent in extents.items())
-        return strip <= self.strip.size.imag and all(np.isfinite(each.scales[0]) for each in stand)
+        every = (self._standing(plane, extent)[-1] for plane, extent in extents.items())
+        return strip <= self.strip.size.imag and all(np.isfinite(stands.scales[0]) for stands in every)
+
+    def _standing(self, plane: Plane, extent: Extent) -> tuple[Array, Extent, Standing]:
+        """The room of a figure under its heading, its extent as drawn, and how it stands there."""
+        under, own = _under_heading(_one(self.rooms[plane])), self.as_drawn(plane, extent)
+        return under, own, standing(under, own)
 
     def as_drawn(self, plane: Plane, extent: Extent) -> Extent:
         """At the scale at which it is drawn."""

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from pypdf import PdfReader
 
 _PAGES = 40  # of a PDF that are looked at
+_QUIET = logging.NullHandler()  # what is wrong with a broken file is said in words
 _NUMBER = re.compile(r"[-+−–±]?\s*[0-9]")
 _WIDE = re.compile(rf"\t|\s{{3,}}|[;；]|\s+(?=(?:{'|'.join(map(re.escape, FIELDS))})\s*[:：])", re.I)
 """Between things that stand beside each other in a line; a head of whose it is begins one."""
@@ -63,10 +64,10 @@ def _of_word(content: bytes, where: Where, limits: Limits) -> Parts:
 
 
 def _pdf(content: bytes) -> PdfReader:
-    """A PDF's reader, whose own remarks on a broken one stand nowhere: what is wrong with it is said in words."""
+    """A PDF's reader, whose own remarks on a broken one stand nowhere."""
     from pypdf import PdfReader
 
-    logging.getLogger("pypdf").addHandler(logging.NullHandler())
+    logging.getLogger("pypdf").addHandler(_QUIET)
     return PdfReader(io.BytesIO(content))
 
 

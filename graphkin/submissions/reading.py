@@ -8,6 +8,7 @@ from dataclasses import field, replace
 from functools import cached_property
 from itertools import chain
 from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
 
 from graphkin import errors
 from graphkin.base.value import frozen
@@ -22,6 +23,9 @@ from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.students import Owner, Roster, file_text, owner
 from graphkin.submissions.submission import DRAWINGS, Limits, MeasuredDrawing, ReadableProblem, Submission, tidy_id
+
+if TYPE_CHECKING:
+    from graphkin.submissions.letters import PaperPolygon
 
 Key = ReadableProblem | Callable[[str], ReadableProblem | None]
 """One problem for all, or each student's own by id; None for a student there is not."""
@@ -238,7 +242,7 @@ def pictures_of(files: Set[str], limits: Limits = USUAL) -> dict[str, office.See
 
 
 def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:
-    from graphkin.submissions.drawings import drawn_values, measured
+    from graphkin.submissions.drawings import drawn_values, lettered_vectors, measured
 
     entries = (entry for document in contents.documents for entry in document.entries)
     written = answers_at(entries, key, _questions, limits)
@@ -261,7 +265,7 @@ def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Content
             notes.append(problem)
     if handed.drawing is not None and 1 not in drawn:
         drawn[1] = replace(handed.drawing, points=handed.drawing.sure)
-        values = {**drawn_values(paper_vectors(drawn[1], key)), **values}
+        values = {**drawn_values(lettered_vectors(drawn[1], paper_polygons(key))), **values}
     if not values and work is None and not any(one.unsure for one in drawn.values()):
         if len(notes) == 1 and not isinstance(notes[0], errors.BrokenSubmission):
             raise notes[0]
@@ -270,12 +274,11 @@ def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Content
     return Submission(student, handed.file, values, None, tuple(notes), handed.place, drawn, work)
 
 
-def paper_vectors(drawing: MeasuredDrawing, key: ReadableProblem) -> dict[str, complex]:
-    """Vectors between the letters of a drawing on paper, by question."""
-    from graphkin.submissions.drawings import lettered_vectors
+def paper_polygons(key: ReadableProblem) -> tuple[PaperPolygon, ...]:
+    """The polygons that a drawing on paper has letters of."""
     from graphkin.submissions.letters import polygons
 
-    return lettered_vectors(drawing, polygons(key.mechanism, _questions(key)))
+    return polygons(key.mechanism, _questions(key))
 
 
 _REMEMBERED: list[tuple[ReadableProblem, Questions]] = []

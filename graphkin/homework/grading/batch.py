@@ -25,7 +25,7 @@ from graphkin.model.quantities import at_position, position_of
 from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, measured_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 from graphkin.submissions.board import work_of
-from graphkin.submissions.reading import paper_vectors
+from graphkin.submissions.reading import paper_polygons
 from graphkin.submissions.submission import MeasuredDrawing, fingerprint, tidy_id
 
 _EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each further one [s]
@@ -199,12 +199,14 @@ def _doubtful(work: StudentWork, drawing: MeasuredDrawing | None, judge: SetMark
     readable, marker = judge(work.student), _marker(judge, work)
     if drawing is None or readable is None or marker is None:
         return work
-    off, points = drawing.off, drawing.points
+    from graphkin.submissions.drawings import lettered_vectors
+
+    off, points, shapes = drawing.off, drawing.points, paper_polygons(readable)
     known = {at: place for at, place in points.items() if math.isfinite(off.get(at, 0.0))}
 
     def read(moved: Mapping[tuple[Plane, str], complex]) -> dict[str, float]:
         there = replace(drawing, points={**known, **moved})
-        sizes = {text: abs(vector) for text, vector in paper_vectors(there, readable).items()}
+        sizes = {text: abs(vector) for text, vector in lettered_vectors(there, shapes).items()}
         return sizes | dict(marker.off_drawing(there.in_si(), {}, {})[0].values)
 
     values, squares = read({}), dict[str, float]()
