@@ -231,18 +231,8 @@ def _leg(hypotenuse: Real, other: Real) -> Real:
     return leg(hypotenuse, other)
 
 
-def _know_lengths(crossing: tuple[Value, Real, Real], *circles: tuple[Value, Real]) -> tuple[Value, Real, Real]:
-    """The same crossing, whose distances from the centres are known."""
-    for centre, radius in circles:
-        if isinstance(arm := crossing[0] - centre, Recorded):
-            arm.tape.know_length(arm.x, arm.y, arm.lifted(radius).x)
-    return crossing
-
-
 COMPASS = Compass(
-    _leg,
-    line_circle=lambda p, u, c, r, side: _know_lengths(meet_line_circle(p, u, c, r, side, _leg), (c, r)),
-    circles=lambda a, r, b, s, side: _know_lengths(meet_circles(a, r, b, s, side, _leg), (a, r), (b, s)),
+    _leg, line_circle=partial(meet_line_circle, leg=_leg), circles=partial(meet_circles, leg=_leg)
 )
 
 

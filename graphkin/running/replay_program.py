@@ -17,7 +17,7 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import Lazy, filled, frozen
 from graphkin.construction import Construction, Facts, Plot, replay
 from graphkin.construction.fitting import sense_and_sine
-from graphkin.running.in_numpy import Calls, in_numpy, lent
+from graphkin.running.in_numpy import Calls, in_numpy
 from graphkin.running.recorder import TABLES, Entry, FactsOf, GroupSense, Recorded, Recording, record
 
 USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "turn")
@@ -159,7 +159,7 @@ class ProgramPart:
         """The arrays of all rooms (n,); positions, block by block, that are to be replayed plainly: (m,) each."""
         count, split = max(value.size for value in inputs), 2 * len(self.vectors)
         end = (split + len(self.numbers)) * count
-        room = lent(end + min(count, BLOCK))
+        room = np.empty(end + min(count, BLOCK))
         vectors = room[: split * count].view(complex).reshape(-1, count)
         numbers = room[split * count : end].reshape(-1, count)
         by_compiler = compiled or (compiled is None and count >= VERY_MANY)
@@ -168,7 +168,7 @@ class ProgramPart:
             # fill all rooms; positions at which something failed, or that are dead points
             least = room[end:]
             failures, doubtful = list[str](), list[np.ndarray]()
-            registers = lent(self.calls.registers * least.size).reshape(-1, least.size)
+            registers = np.empty((self.calls.registers, least.size))
             with np.errstate(call=lambda kind, _: failures.append(kind), divide="call", invalid="call", over="ignore"):
                 for here in _blocks(numbers.shape[1]):
                     sines = least[: here.stop - here.start]

@@ -136,11 +136,6 @@ class Tape:
             return self.absolute(x if y == self.zero else y)
         return self.done("sqrt", self.add(self.multiply(x, x), self.multiply(y, y)))
 
-    def know_length(self, x: int, y: int, length: int) -> None:
-        """Keep a length that was laid off, so that it is not measured again."""
-        a, b = sorted((self.multiply(x, x), self.multiply(y, y)))
-        self._places.setdefault(Operation("add", (a, b)), self.multiply(length, length))
-
     def absolute(self, a: int) -> int:
         inside = self._of("negative", a)
         a = inside[0] if inside else a

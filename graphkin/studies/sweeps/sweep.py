@@ -19,7 +19,6 @@ from graphkin.model.quantities.kinds import Track
 from graphkin.model.readout import Readable
 from graphkin.model.units import Measured, Numbers, Vectors, measured
 from graphkin.planning import Method
-from graphkin.running.in_numpy import lent
 from graphkin.running.other_positions import MANY
 from graphkin.running.path import stride
 from graphkin.running.recorder import Entry
@@ -315,10 +314,7 @@ def _joined(parts: Iterable[Sweep], count: int) -> Sweep:
     for part in parts:
         rows = [part.t, part.driven]
         rows += [row for entry in part.series for row in (entry.values, entry.vectors) if row is not None]
-        if not columns:  # all in one piece of memory
-            sizes = [count * (row.itemsize // 8) for row in rows]
-            rooms = np.split(lent(sum(sizes)), np.cumsum(sizes)[:-1])
-            columns = [room.view(row.dtype) for room, row in zip(rooms, rows, strict=True)]
+        columns = columns or [np.empty(count, row.dtype) for row in rows]
         begin, end = end, end + part.t.size
         for column, row in zip(columns, rows, strict=True):
             column[begin:end] = row
