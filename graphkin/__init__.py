@@ -81,7 +81,7 @@ _HOMES = {
     "model.readout": "State",
     "outputs.tables": "SweepFrames",
     "page.board_set": "problems",
-    "page.saved": "play",
+    "page.player": "play",
 }
 _CALLED = {"Mechanism": "MechanismFile", "Sweep": "SweepFrames"}
 
@@ -107,7 +107,7 @@ if TYPE_CHECKING:
     from graphkin.model.readout import State
     from graphkin.outputs.tables import SweepFrames as Sweep
     from graphkin.page.board_set import problems
-    from graphkin.page.saved import play
+    from graphkin.page.player import play
 
 
 def __getattr__(name: str) -> Any:

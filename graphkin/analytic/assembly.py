@@ -199,8 +199,7 @@ def _columns(loops: Loops, names: set[str]) -> list[int]:
 
 
 def _drawn_lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
-    """Displacements that are positive as drawn: along a moving link of one point, which is its own line (a cylinder),
-    and along a line of centres. A rack that cannot turn may be passed either way."""
+    """Displacements that are positive as drawn: of cylinders, and along lines of centres; a rack may be passed."""
     links, slides = mechanism.links, {pair.name for pair in mechanism.slides if pair.line.on_axis}
     across = {pair.name for pair in mechanism.slides} - slides
     blocks = {pair.block for pair in mechanism.slides}

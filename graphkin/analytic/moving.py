@@ -73,8 +73,7 @@ def moved(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tup
 
 
 def _on_line(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tuple[Reals, list[Limit]] | None:
-    """Positions on one line, which may pass the drawn position by: first straight to it, then all at once from the
-    nodes of a path. None where no line joins them."""
+    """Positions on one line: straight to it, then all at once along its path; None where no line joins them."""
     base, direction = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
     square = float(direction @ direction)
     if square < _SAME**2:

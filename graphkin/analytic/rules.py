@@ -132,8 +132,7 @@ def _own(pair: Pair) -> str:
 
 
 def _line_of_centres(mechanism: Mechanism, pair: Pair, rod: Rod, length: float | None) -> tuple[str, tuple[Joint, ...]]:
-    """The link that carries both centres (at this `length` [m], if one is given), or a new one and its joints. A new
-    link of open length is a rod from the first centre that slides through the second."""
+    """The link that carries both centres, at this `length` [m] if given; or a new rod and its joints."""
     for link in mechanism.links.values() if rod.carried else ():
         if link.points.keys() >= set(rod.points):
             carried = abs(link.arm(*rod.points))

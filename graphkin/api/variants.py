@@ -131,8 +131,7 @@ class Trial:
         return f"<Trial of {self.mechanism.name}: {', '.join(self.paths)} at {self.values[0].size} position(s)>"
 
     def __call__(self, *values: object) -> State:
-        """All positions with these values, numbers or places (x, y) in the units of the file. Raises what reading them
-        there raises."""
+        """All positions with these values: numbers, or places (x, y), in the units of the file."""
         return self._state(self.values, values)
 
     def taken(self, *values: object) -> State:

@@ -229,8 +229,7 @@ def _reached(course: _PaperCourse, slid: float) -> tuple[float, float]:
 
 
 def _curve(places: Places, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
-    """Values of the driver in their order, and the curve there, as a line so fine that no chord stands off it [mm];
-    close by dead points, where it runs on fast."""
+    """The curve by values of the driver, as a line so fine that no chord stands off it [mm]."""
     value = (low + high) / 2 - (high - low) / 2 * np.cos(np.linspace(0.0, np.pi, 4 * _LOOK))
     begin, end = value[:-1], value[1:]
     values, there = [value], [places(value)]
@@ -262,8 +261,7 @@ def _drawn(course: _PaperCourse, corners: np.ndarray, values: np.ndarray, curve:
 
 
 def _deviations(corners: np.ndarray, curve: np.ndarray, visible: np.ndarray) -> Iterator[Pair]:
-    """Each corner with the place of the curve next to it; and the place of its visible part that is too far off what is
-    drawn, beside the drawn place next to it."""
+    """Each corner beside the curve; and the visible place farthest off what is drawn."""
     line = shapely.linestrings(_xy(curve[np.isfinite(curve)]))
     there = shapely.line_interpolate_point(line, shapely.line_locate_point(line, shapely.points(_xy(corners))))
     yield from zip(corners, shapely.get_x(there) + 1j * shapely.get_y(there), strict=True)

@@ -88,9 +88,7 @@ def _on_paper(mark: ShownMark, paper: complex) -> bool:
 
 
 def _hide(above: list[shapely.Geometry], mark: ShownMark) -> bool:
-    """A dot is hidden as a whole; a line by a large surface over any of it, or by small signs over most of it; the path
-    of a point, which runs under the links, by anything over most of it.
-    """
+    """A dot is hidden as a whole; a line by a large surface, or for the most part; the path of a point for the most."""
     if "point" in mark.kind:
         return bool(shapely.union_all(above).contains(shapely.Polygon(_xy(mark.lines[0]))))
     line = shapely.MultiLineString([_xy(places) for places in mark.lines])
@@ -207,9 +205,7 @@ def _in_paper_units(marker: Element, places: list[complex], unit: float) -> list
 
 
 def _is_tip(places: list[complex]) -> bool:
-    """The foremost corner lies on the line, at its end or a head before it; the others behind it, on both sides or
-    along the line and on one side of it.
-    """
+    """The foremost corner lies on the line, where it ends or nearly; the others lie behind it."""
     tip = max(places, key=lambda p: p.real)
     behind = {p - tip for p in places if abs(p - tip) > 1e-6}
     long, wide = max((-p.real for p in behind), default=0.0), max((abs(p.imag) for p in behind), default=0.0)

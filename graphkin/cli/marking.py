@@ -217,8 +217,7 @@ class _Grading:
             yield graded.marked is not None
 
     def _printed(self, marked: list[bool], problem: str, lines: Iterable[str]) -> Iterator[str]:
-        """Each record's line, once what programs get of it is printed where that is wanted; and whether it was marked.
-        """
+        """Each record's line, printed as data where that is wanted; and whether it was marked."""
         from graphkin.outputs import marks_json
 
         for line in streams.counted(lines, self.as_json):

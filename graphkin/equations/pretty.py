@@ -104,8 +104,7 @@ class Pretty:
 
     @cached_property
     def _names(self) -> tuple[list[tuple[Symbol, AngleSum]], dict[Symbol, list[int]]]:
-        """The names of sums, of long ones before those of a part of them; and the numbers of those in which each symbol
-        stands."""
+        """The names of sums, long ones first; and by symbol the numbers of those in which it stands."""
         longest_first = sorted(self.alias.items(), key=lambda each: -len(each[1].parts))
         naming: dict[Symbol, list[int]] = {}
         for k, (_, meaning) in enumerate(longest_first):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from html import escape
 from typing import assert_never
@@ -11,7 +10,7 @@ from graphkin.equations import document as parts
 from graphkin.equations.document import Block, Document
 from graphkin.equations.formulas import LATEX, MATHML, TEXT, Grid, Minus, Node, Op, Row, escaped, in_notation
 from graphkin.outputs.typesetting import tex_text
-from graphkin.say.text_table import aligned, padded, width
+from graphkin.say.text_table import aligned, in_lines, padded, width
 
 
 def _has_grid(nodes: Sequence[Node]) -> bool:
@@ -23,8 +22,6 @@ def _has_grid(nodes: Sequence[Node]) -> bool:
 
 
 _NUMBERED_AT = 88
-_PIECES = re.compile(r"[\u4e00-\u9fff][，。；：、）]*\s*|[^\s\u4e00-\u9fff]+\s*")
-"""Words, and Chinese characters with the signs that may not begin a line."""
 
 
 def write_text(document: Document) -> str:
@@ -40,11 +37,7 @@ def _block_lines(block: Block) -> list[str]:
         case parts.DocumentHeading():
             return [block.text, ("-" if block.level == 2 else "·") * width(block.text)]
         case parts.DocumentSentence():
-            lines = [""]  # of a terminal's width, broken at blanks or between Chinese characters
-            for word in _PIECES.findall("".join(_text(part) for part in block.parts)):
-                lines += [""] if lines[-1] and width(lines[-1] + word.rstrip()) > _NUMBERED_AT else []
-                lines[-1] += word
-            return lines
+            return in_lines("".join(_text(part) for part in block.parts), _NUMBERED_AT)
         case parts.Display():
             lines = []
             for row in block.rows:  # a chain of equal sides; products with matrices in them taken apart

@@ -5,10 +5,10 @@ the data; only the edge (the command line, a notebook) asks for the words.
 
 `base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys, values and names,
 `mechanism` about links, pairs, drivers and poses, `motion` about assembly and movement, `drawings` about what is
-measured or written, `asking` about what is asked for, `studies` about conditions, linkages and instant centres,
-`homework` about keys and marks, what is handed in, and problem sets, `photo` about photographs of paper, `sheets` about
-what was printed on it. A new error is a class in one of them, and a name in its `__all__`: this module passes on all
-that those hold, and loads each where something of it is first asked for.
+measured, photographed or written, `asking` about what is asked for, `studies` about conditions, linkages and instant
+centres, `homework` about keys and marks, what is handed in, and problem sets, `sheets` about what was printed. A new
+error is a class in one of them, and a name in its `__all__`: this module passes on all that those hold, and loads each
+where something of it is first asked for.
 """
 
 from __future__ import annotations
@@ -25,11 +25,10 @@ if TYPE_CHECKING:
     from graphkin.errors.keys import *  # noqa: F403
     from graphkin.errors.mechanism import *  # noqa: F403
     from graphkin.errors.motion import *  # noqa: F403
-    from graphkin.errors.photo import *  # noqa: F403
     from graphkin.errors.sheets import *  # noqa: F403
     from graphkin.errors.studies import *  # noqa: F403
 
-_FILES = ("base", "drawings", "files", "keys", "mechanism", "motion", "asking", "studies", "homework", "photo", "sheets")
+_FILES = ("base", "drawings", "files", "keys", "mechanism", "motion", "asking", "studies", "homework", "sheets")
 """In the order in which a name is looked for: what every command and every mechanism file may meet comes first."""
 
 if not TYPE_CHECKING:

@@ -149,8 +149,7 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
 
 
 def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
-    """Empty equations, gridded paper with the pole, a table to measure into: where paper is tall, before it. Of the
-    mechanism that paper alone."""
+    """Empty equations, gridded paper with the pole, a table to measure into; of the mechanism the paper alone."""
     yield document.NewPage()
     yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
     drawn = plane == "position"

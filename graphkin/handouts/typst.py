@@ -161,8 +161,7 @@ def printed(
 def _sheets(
     handout: Handout, page: Paper, first: int, placed: list[dict[str, Any]], count: int
 ) -> Iterator[PrintedSheet]:
-    """Each page, by the titles of problems and the gridded papers that typst has placed, in their order: of a problem
-    are the pages from its title to the next one's."""
+    """Each page, by the titles of problems and the gridded papers on it, in the order in which they were placed."""
     owner, rooms = ("", ""), (block for block in handout.blocks if isinstance(block, document.GridRoom))
     for number in range(1, count + 1):
         own: list[SheetRoom] = []
@@ -212,8 +211,7 @@ def page_count(content: bytes) -> int:
 
 
 def _fonts(typst: ModuleType, named: Path | None, chinese: bool) -> tuple[object, tuple[str, ...], bool]:
-    """The fonts of typst, their families in the order in which they are tried, and whether Chinese letters have but one
-    weight. Raises NoFont, NoChineseLetters."""
+    """Families of fonts by preference, and whether the Chinese has but one weight. Raises NoFont, NoChineseLetters."""
     from matplotlib.ft2font import FT2Font
 
     from graphkin.outputs.diagram.fonts import chinese_font

@@ -60,8 +60,7 @@ class ResultFiles:
     def _folders(
         self, files: Sequence[Path], judges: Sequence[SetMarker], problems: Sequence[Problem]
     ) -> Iterator[Path | str]:
-        """Everything else, made of the records; several problems of a student are seen together. What teachers wrote
-        beside files of marks that are marked anew goes with these."""
+        """Everything else, made of the records; with what teachers wrote beside marks that are marked anew."""
         book, called = {file.parent.name: platforms.read_results(file) for file in files}, dict[str, str]()
         several = [{one.student: one.trace for one in results if one.status == "marked"}
                    for results in book.values()] if len(files) > 1 else []  # fmt: skip

@@ -147,8 +147,7 @@ class CarriedProblem:
         return SlipOutcomes(*(each[:, there][:, :, there] for each in (values, scatters)))
 
     def _scatter(self, followed: np.ndarray, left: np.ndarray) -> np.ndarray:
-        """The scatter of values that follow from own ones: so much of the right one's is left, more where they are
-        larger, and the rounding of the own values."""
+        """The scatter of values that follow from own ones: the part of the right one's that is left, and rounding."""
         scatter = self.table.scatter * np.maximum(self._larger(followed), self._growth(followed)) * left
         return np.where(np.isfinite(followed), scatter, np.nan)
 
@@ -235,8 +234,7 @@ class CarriedProblem:
     def _otherwise(
         self, given: np.ndarray, used: np.ndarray
     ) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
-        """What own rotations give otherwise than the polygon: the number of a quantity, its values (students,), the
-        numbers of the rotations."""
+        """What own rotations give otherwise than the polygon: quantity, values (students,), which rotations."""
         several = len(self.method.structure.tying) > 1  # contacts, each of which gives a rotation by another
         for backwards in (False, True)[: 1 + several]:
             own = self._rotations(given, used, backwards)

@@ -83,8 +83,7 @@ def equation_choices(method: Method, plot: Plot) -> tuple[EquationChoices, ...]:
 
 
 def _is_written(method: Method, polygon: Construction, part: Equation) -> bool:
-    """False of what a sentence says instead: that all points of a link which cannot turn move alike; or that a special
-    point is an instant centre, as both its legs are on the frame."""
+    """False where a sentence stands for it: of a link that cannot turn, or of an instant centre."""
     both = part.left + part.right
     size, turns = part.right[-1].size, method.structure.turns
     if isinstance(part.right[0].size, terms.Drawn) and isinstance(size, terms.Turning | terms.Normal):

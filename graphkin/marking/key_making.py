@@ -203,8 +203,7 @@ def _together(drawn: np.ndarray) -> np.ndarray:
 
 
 def _ranked(series: np.ndarray) -> np.ndarray:
-    """Ranks (k, count), from their middle, of values (k, count); of what stands still, none. By ranks a few drawings
-    far off, near a dead point, say nothing of the others."""
+    """Ranks (k, count), from their middle: by these a few drawings far off say nothing of the others."""
     count = series.shape[1]
     ranks = np.empty(series.shape)
     np.put_along_axis(ranks, np.argsort(series, axis=1), np.arange(count)[None] - (count - 1) / 2, axis=1)

@@ -219,8 +219,7 @@ class Marker:
         ]
 
     def _costs(self, diagnosed: Sequence[Diagnosis]) -> np.ndarray:
-        """The place of each student's values (students, n) in which they cost something where others follow from them:
-        a slip that was named, then what is asked, in the order of the drawing."""
+        """Where each student's values (students, n) cost something: a slip that was named, then what is asked."""
         costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
         costs = np.repeat(costs[None], len(diagnosed), axis=0)
         for k, one in enumerate(diagnosed):
@@ -237,8 +236,7 @@ class Marker:
         self, given: np.ndarray, wrong: np.ndarray, carried: Carried, astray: np.ndarray,
         diagnosed: Sequence[Diagnosis], costs: np.ndarray,
     ) -> AfterMistake:  # fmt: skip
-        """Of the values that a student's named mistakes explain all follow but one for each: the first in costs that it
-        moves. What is far from what own values give, but nearer to the mistake, is said of this."""
+        """Of the values that a student's named mistakes explain all follow but the first that each moves."""
         explains, left = np.zeros_like(wrong), (wrong & ~carried.agrees) | astray
         values = np.full(given.shape, np.nan)
         named = [k for k, one in enumerate(diagnosed) if one.explanations]

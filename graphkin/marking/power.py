@@ -102,8 +102,7 @@ def _outcomes(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterato
 def _tried(
     marker: Marker, explainer: Explainer, there: np.ndarray, rows: np.ndarray, given: np.ndarray
 ) -> dict[int, _Parts]:
-    """Of those who make a mistake each (rows,) and hand in the same quantities, given (rows, trials, quantities), by
-    row. Nothing where most drawings fail."""
+    """Those who hand in the same quantities (rows, trials, quantities), by row; nothing where most drawings fail."""
     drawn = np.isfinite(given[..., there]).all(axis=2)  # students whose drawing fails hand in nothing
     most = 2 * drawn.sum(axis=1) >= given.shape[1]
     if not most.any():

@@ -107,8 +107,7 @@ def _kind(mark: Mark) -> tuple[object, ...]:
 
 
 def _element(pen: SvgPen, layer: Layer, row: Row, seconds: float) -> ET.Element:
-    """A mark as it is first, with all that changes of it; hidden where it is not there: it stays as it was last, or
-    will be first. The size of a vector in words, which is another one in each position, is left out."""
+    """A mark as it is first, with all that changes of it but the size of a vector in words; hidden where it is not."""
     elements: list[ET.Element] = []
     last = shown = next(mark for mark in row if mark is not None)
     for mark in row:
@@ -146,8 +145,7 @@ def _change(into: ET.Element, elements: Sequence[ET.Element], seconds: float) ->
 
 
 def _steps(name: str, values: Sequence[str], seconds: float) -> ET.Element:
-    """One value after the other; each from half a position before its own to half a position after it, so that none
-    lags behind what goes smoothly."""
+    """One value after the other, each from half a position before its own to half a position after it."""
     count, around = len(values), [*values, values[0]]
     changes = [k for k in range(1, count + 1) if around[k] != around[k - 1]]
     times = ";".join(short(max(0.0, k - 0.5) / count, 4) for k in [0, *changes])

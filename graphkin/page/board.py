@@ -32,8 +32,7 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Centre, Moving
 from graphkin.outputs.svg import inline
 from graphkin.page.board_forms import answer_rows, empty_answers, empty_equation, equation_table, scale_field
-from graphkin.page.elements import TAGS
-from graphkin.page.lettered import signs_of
+from graphkin.page.elements import TAGS, signs_of
 from graphkin.page.writer import FOLDER, page
 from graphkin.planning.asked import plane_of
 from graphkin.say import names
@@ -239,8 +238,7 @@ def _lines(figure: GivenFigure, pairs: list[tuple[str, ...]]) -> Iterator[Plain]
 
 
 def _guide_lines(problem: HandoutProblem, figure: GivenFigure, guides: Collection[str]) -> Iterator[Plain]:
-    """The lines of slides, where their points are, each as the choices call it; of one in the frame that stands askew
-    its direction, wherever the mechanism stands."""
+    """The lines of slides as the choices call them; of an oblique one in the frame its direction."""
     plot = problem.drawing.plot
     for slide in problem.drawing.method.structure.slides.values():
         along = place(plot.guide_direction(slide.name))

@@ -1,12 +1,15 @@
-"""Elements of HTML and of drawings in it, as text."""
+"""Elements of HTML and of drawings in it, as text; labels as a page's scripts letter them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from html import escape
 
+from graphkin.base.plain import Plain
 from graphkin.errors import Lang
+from graphkin.outputs.typesetting import signs
 from graphkin.say.catalogue import LANGUAGES
+from graphkin.sheet.lettering import Label
 
 Attributes = Mapping[str, str | float | bool | None]
 """Those that are None or False are left out, those that are True stand without a value."""
@@ -45,3 +48,13 @@ def tick_box(attributes: Attributes, words: str) -> str:
 def in_languages(words: Mapping[Lang, str]) -> str:
     """Words, which are HTML, in each language: the page shows those in its own."""
     return "".join(element("span", {"lang": TAGS[lang]}, words[lang]) for lang in LANGUAGES)
+
+
+def signs_of(label: Label) -> list[list[Plain]]:
+    """Each sign of a label: letters, whether they lean, what stands below and above."""
+    every: list[list[Plain]] = []
+    for sign in signs(label):
+        base, low, high = ("".join(run.text for run in each) for each in sign.runs)
+        leans = int(sign.base is not None and sign.base.italic)
+        every.append([base, leans, low, high] if low or high else [base, leans] if leans else [base])
+    return every

@@ -213,8 +213,7 @@ def _off_along(knots: PageKnots, driver: int) -> float:
 
 
 def _off(knots: PageKnots, us: Sequence[float], plane: Plane, plot: Plot) -> float:
-    """How far what is drawn is off [mm], with what rounding at the knots adds at most: at the rim of a grid, where all
-    knots lie on one side, many times a quantum."""
+    """How far what is drawn is off [mm], rounding at the knots included."""
     shown = knots.shown[plane]
     how = stencil(knots.axes, us, shown.reshape(knots.shape)) if knots.figures.motion.fits(plane, plot) else None
     if how is None:
@@ -238,8 +237,7 @@ def cells_shown(knots: PageKnots, plane: Plane) -> np.ndarray:
 
 
 def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int]) -> bool:
-    """True of a cell in the middle of which what is drawn is near to where it belongs; at the rim of what is shown,
-    beyond which it may have no end, in its quarters, too."""
+    """True of a cell in whose middle, at a rim in its quarters too, what is drawn is near to where it belongs."""
     axes, fits = knots.axes, knots.figures.motion.fits
     around = [[k + n if axis.period else min(max(k + n, 0), len(axis.u) - 1) for n in range(-2, 4)]
               for k, axis in zip(at, axes, strict=True)]  # fmt: skip

@@ -8,25 +8,30 @@ the k-th track.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from html import escape
 from itertools import product
+from pathlib import Path
 from typing import assert_never
 
 import numpy as np
 
-from graphkin.base.geometry import dot
+from graphkin.api.drawing import Drawing, Source, method_of
+from graphkin.base.geometry import dot, number
 from graphkin.base.value import bulky
 from graphkin.construction import Plane, Plot
 from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.errors.arguments import checked
 from graphkin.model.mechanism import Driver
 from graphkin.model.pairs import RollingContact
 from graphkin.model.quantities import EDGE, Quantity, centre_of, driven, named
+from graphkin.outputs.files import UnknownEnding
 from graphkin.outputs.paint import Colours
 from graphkin.page import writer
 from graphkin.page.diagrams import Frame, diagram, frame
+from graphkin.page.elements import signs_of
 from graphkin.page.figures import layer_of
 from graphkin.page.knots import PageKnots, cells_shown, knots_along, page_knots
 from graphkin.page.layers import Layers, layers, moving
-from graphkin.page.lettered import signs_of
 from graphkin.page.quiz import quiz
 from graphkin.page.reach import Reach
 from graphkin.page.rows import Row, rows
@@ -225,8 +230,7 @@ class _Played:
         return frame(np.abs(whole) if sizes else whole, unit, ends, along.sign, len(self.knots.axes) > 1)
 
     def _unwound(self, column: np.ndarray) -> float:
-        """Make angles [deg] go on past a full turn; that by which they rise each time the driver comes round, evenly,
-        is taken off."""
+        """Angles [deg] that go on past a full turn, without what they rise by each time the driver comes round."""
         held, axis = ~np.isnan(column), self.knots.axes[0]
         column[held] = np.unwrap(column[held], period=360.0)
         if not axis.period:
@@ -253,3 +257,40 @@ def _events(course: Course) -> Iterator[tuple[Event, Mapping[Lang, str]]]:
         yield stop, {lang: stop_line(course, stop, lang) for lang in LANGUAGES}
     for change in course.changes:
         yield change, {lang: change_line(course, change, lang) for lang in LANGUAGES}
+
+
+# --- as programs ask for it --------------------------------------------------------------------
+
+_HIGH = 820  # of the frame in a notebook [px]
+
+
+@bulky
+class SavedPage:
+    """A page: `save("x.html")`; a notebook shows it."""
+
+    text: str
+
+    @checked
+    def save(self, path: str | Path, *, force: bool = False) -> Path:
+        """Write it as .html; force: even over a file of another's."""
+        file = Path(path)
+        if file.suffix.lower() != ".html":
+            raise UnknownEnding(str(file), (".html",))
+        writer.write(file, self.text, force)
+        return file
+
+    def _repr_html_(self) -> str:
+        style = f"width:100%;height:{_HIGH}px;border:0"
+        return f'<iframe style="{style}" title="graphkin" srcdoc="{escape(self.text)}"></iframe>'
+
+
+def play(*mechanisms: Source | Drawing | Method, lang: Lang = "en") -> SavedPage:
+    """Mechanisms that play in a browser: drag the crank, the polygons follow. Several make a lecture; a drawing begins
+    at its position."""
+    return SavedPage(page_of([*map(_played, mechanisms)], lang))
+
+
+def _played(mechanism: Source | Drawing | Method) -> Data:
+    if isinstance(mechanism, Drawing):
+        return played(mechanism.method, [*map(number, mechanism.plot.facts.values)])
+    return played(method_of(mechanism))

@@ -19,7 +19,7 @@ from graphkin.errors import Lang
 from graphkin.handouts.stages import rows
 from graphkin.outputs.letters import lettered
 from graphkin.outputs.typesetting import signs
-from graphkin.page.lettered import signs_of
+from graphkin.page.elements import signs_of
 from graphkin.page.tracks import Tracks
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import shown

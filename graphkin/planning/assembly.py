@@ -75,8 +75,7 @@ def _nearest(structure: Topology, assemblies: Branches) -> int:
 
 
 def _same(plot: Plot, best: int, count: int) -> np.ndarray:
-    """True for branches that are the same assembly as one of them, itself or another (at a dead point, where rounding
-    parts them by the root of its size): (w,)."""
+    """True for branches that are the same assembly as one of them, but for rounding at a dead point: (w,)."""
     size, same = _size(plot, best), np.ones(count, dtype=bool)
     for value in (*plot.position.values(), *plot.s.values()):
         same &= np.abs(value - at(value, best)) <= TOUCHING * size

@@ -1,17 +1,19 @@
-"""Further points of a link whose motion is known: by image on two points, from one by its rotation.
+"""Further points of a link whose motion is known: by image on two points, from one by its rotation; gears as circles.
 
 Displacements of sliding pairs that join nothing, as they repeat what other pairs hold, are measured like any other.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import combinations
 
 from graphkin.construction import Image, LayOff, Measure, Roll, Simultaneous, Site, Term
 from graphkin.model.mechanism import FRAME
+from graphkin.model.wheels import Wheel, wheels_of
 from graphkin.planning.closing import known_sum
 from graphkin.planning.loop_terms import LinkArm, Slip
+from graphkin.planning.method import Method
 from graphkin.planning.polygon import PolygonPlan
 
 
@@ -56,8 +58,7 @@ def base_of(polygon: PolygonPlan, body: str) -> list[Site]:
 
 
 def _apart(polygon: PolygonPlan, body: str, first: Site, second: Site) -> bool:
-    """Points of one link are apart by their shape; a coincident point may come to lie on another, but not on the one
-    whose lever has just been measured."""
+    """Points of one link are apart by their shape; a coincident point is not on the end of a measured lever."""
     if frozenset((polygon.key(first), polygon.key(second))) in polygon.apart:
         return True
     points = polygon.structure.bodies[body]
@@ -114,3 +115,24 @@ def measure_slides(polygon: PolygonPlan, names: Iterable[str]) -> None:
         *known, along = polygon.terms(Slip(seen_from, of, False, name))
         polygon.parts += [LayOff(term, term.tail, term.head) for term in known]
         polygon.parts.append(Measure(polygon.sliding, name, along.tail, along.head))
+
+
+def imaged_gears(method: Method) -> Iterator[tuple[Wheel, str, str]]:
+    """Every gear once, with its circle's name, and the polygon's point of its centre; wheels that only roll have none.
+    `g` is another letter where the mechanism has a point G."""
+    letter = next((c for c in "gwzu" if c.upper() not in method.mechanism.points), "g")
+    for wheel in wheels_of(method.mechanism):
+        if wheel.gear and (centre := _gear_centre(method, wheel)) is not None:
+            called = method.mechanism.called(wheel.link)
+            yield wheel, letter + ("" if called.isdigit() else "@") + called, centre
+
+
+def _gear_centre(method: Method, wheel: Wheel) -> str | None:
+    """The polygon's point of a gear's centre; those of fixed points are the pole's."""
+    owners = method.mechanism.owners.get(wheel.centre, ())
+    if FRAME in owners or wheel.link == FRAME:
+        return method.velocity.pole
+    nodes = method.velocity.nodes.items()
+    at_centre = [(name, node.site) for name, node in nodes if node.site and node.site.point == wheel.centre]
+    at_centre.sort(key=lambda entry: entry[1] is None or entry[1].link != wheel.link)
+    return next((name for name, site in at_centre if site is not None and site.link in owners), None)

@@ -1,26 +1,34 @@
-"""`plan`: the three constructions of a mechanism, made once."""
+"""`plan`: the three constructions of a mechanism, made once.
+
+Polygons by Sun Huan, 机械原理, section 3-2.1: two points of one link, equations (3-1) and (3-2); coincident points of a
+sliding pair, (3-3) and (3-4); velocity and acceleration image.
+"""
 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
 from graphkin.base.cache import kept
-from graphkin.construction import Construction, Meet, Plot, Swing, replay
+from graphkin.construction import Construction, Equation, Plane, Plot, Site, kinds, replay
 from graphkin.errors import GraphkinError, HigherClass, OtherSide
-from graphkin.model.mechanism import Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.naming import primes
 from graphkin.model.pairs import Cam, Pair, RollingContact, Slide
 from graphkin.planning.assembly import assemble, with_sides
 from graphkin.planning.equivalent import contacts, lower_pairs
+from graphkin.planning.groups import chain, coincide, group, mesh, walk
+from graphkin.planning.images import drive, fill, measure_slides, reach
 from graphkin.planning.labels import Labels, coincident_points
+from graphkin.planning.loop_terms import halves, way_round
 from graphkin.planning.method import Method, facts_of
-from graphkin.planning.motion import motion
+from graphkin.planning.polygon import PolygonPlan
 from graphkin.planning.position import position
 from graphkin.planning.refusals import refuse_contacts_apart
 from graphkin.planning.special_points import Ternary, special_points, with_special_points
-from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
-from graphkin.planning.structure import Aside, SetAside, Topology
+from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage, stages
+from graphkin.planning.structure import Aside, Hinge, SetAside, Topology
 
 
 @kept(8)
@@ -70,7 +78,7 @@ def with_other_points(method: Method, plot: Plot) -> Method:
     """The same mechanism with the special points of its groups chosen anew, for the position of a plot."""
     structure, order = method.structure, method.stages
     construction, _ = position(structure, order)
-    sides = {step.choice: step.side for step in method.position.steps if isinstance(step, Meet | Swing)}
+    sides = {step.choice: step.side for step in method.position.steps if isinstance(step, kinds.Meet | kinds.Swing)}
     construction = with_sides(construction, tuple(sides[k] for k in sorted(k for k in sides if k is not None)))
     ternaries = special_points(structure, order, plot)
     polygons = _polygons(structure, order, construction, ternaries)
@@ -85,8 +93,8 @@ def _polygons(
     owners = structure.mechanism.owners
     pole = next(letter for letter in ("p", "o", "q", "z", "pole") if letter.upper() not in owners)
     labels = Labels(structure, meeting)
-    velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
-    acceleration, _ = motion(structure, order, labels, "acceleration", pole, at, ternaries)
+    velocity, at = _polygon(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
+    acceleration, _ = _polygon(structure, order, labels, "acceleration", pole, at, ternaries)
     return with_special_points(construction, ternaries), velocity, acceleration, meeting
 
 
@@ -167,3 +175,58 @@ def _other_sides(pair: Pair) -> Iterator[tuple[Pair, tuple[str | int, ...], bool
             if face.line is not None:
                 faces = [replace(each, left=not each.left) if each is face else each for each in pair.profiles]
                 yield replace(pair, profiles=(faces[0], faces[1])), ("profiles", n), not face.left
+
+
+# --- polygons ---------------------------------------------------------------------------------
+
+
+def _polygon(
+    structure: Topology, order: tuple[Stage, ...], labels: Labels, plane: Plane, pole: str,
+    velocity: Callable[[Site], str], ternaries: Mapping[Group, Ternary],
+) -> tuple[Construction, Callable[[Site], str]]:  # fmt: skip
+    """One polygon, an equation for each loop, and the name in it of each site; accelerations ask velocities."""
+    polygon = PolygonPlan(structure, labels, plane, pole + primes(structure.mechanism, plane), velocity)
+    polygon.new(polygon.pole, "pole")
+    polygon.parts.append(kinds.Given(polygon.pole, tuple(map(polygon.fixed, structure.named(FRAME)))))
+    for stage in order:
+        match stage:
+            case Carry(body, by):
+                if not isinstance(by, Hinge):
+                    drive(polygon, by.slide, body)
+                fill(polygon, body)
+            case Bridge(body, points):
+                # in the acceleration plane the normal part has no moment about the tail, so the whole arrow serves
+                tail, head = (polygon.name(Site(point, body)) for point in points)
+                polygon.parts.append(kinds.Measure(polygon.turning, body, tail, head, points))
+                fill(polygon, body)
+            case Mesh():
+                mesh(polygon, stage)
+            case Loop():
+                _loop(polygon, stage)
+            case Group():
+                group(polygon, stage, ternaries.get(stage))
+    for each in (stage for stage in order if isinstance(stage, Group)):
+        for loop in each.floating:
+            coincide(polygon, loop)
+    measure_slides(polygon, structure.measured)
+    return Construction(plane, tuple(polygon.parts), polygon.nodes, polygon.pole), polygon.name
+
+
+def _loop(polygon: PolygonPlan, stage: Loop) -> None:
+    """One vector equation, where the loop has two unknown scalars; else all of it by calculation."""
+    if sum(not hop.known for hop in way_round(polygon.structure, stage)[1]) > 2:
+        polygon.parts.append(kinds.Simultaneous(stage.angles, stage.slides, (chain(polygon, stage),), ()))
+        walk(polygon, stage)
+        return
+    start, left, end, right = halves(polygon.structure, stage)
+    reach(polygon, start)
+    reach(polygon, end)
+    sides = polygon.in_order(polygon.side(start, left), polygon.side(end, right))
+    # as long as nothing is laid off from the pole, an equation may begin elsewhere and find it last
+    free = polygon.plane == "velocity" and not any(isinstance(part, Equation | kinds.LayOff) for part in polygon.parts)
+    polygon.equate(left[-1].of if left else start, *sides, polygon.pole if free else "")
+    for hop in left + right:
+        if not hop.known:
+            polygon.measure_unknown(hop)
+    for body in stage.bodies:
+        fill(polygon, body)

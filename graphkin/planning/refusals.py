@@ -95,8 +95,7 @@ def _along_own_axis(mechanism: Mechanism, links: Sequence[str], angle_deg: float
 def _cannot_assemble(
     mechanism: Mechanism, where: errors.Where, called: tuple[str, ...], links: Sequence[str], gap_mm: float
 ) -> errors.CannotAssemble:
-    """The error that says what is open, and where a distance on one of these links is far from its sketch, that too. A
-    measure that the sketch has quite differently is probably the wrong one."""
+    """The error that says what is open, and which measure the sketch has quite differently: that is probably wrong."""
     places = {**mechanism.links[FRAME].points, **mechanism.sketch}
     worst = (FAR, "", 0.0, 0.0)  # times off, two points, as sketched, as given [mm]
     for link in links:

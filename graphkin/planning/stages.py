@@ -267,8 +267,7 @@ def _one_more(part: int, names: list[frozenset[str]], takers: dict[str, int]) ->
 
 
 def _needed(part: int, names: list[frozenset[str]], takers: dict[str, int], most: int) -> tuple[int, ...]:
-    """The parts without which this one leaves an unknown open, itself among them; none if one remains open, or if they
-    are more than so many."""
+    """The parts without which this one leaves an unknown open, itself among them; none if that, or if too many."""
     chosen, queue = {part}, [part]
     for one in queue:
         for name in names[one]:

@@ -91,8 +91,7 @@ class NodeFinder:
 
 
 class _ContinuationWalk:
-    """One direction of a path: positions found so far, change points gone through, and what ended it; `missed`: where
-    loci only came near touching."""
+    """One direction of a path: positions, change points, what ended it, and where loci only came near (`missed`)."""
 
     def __init__(self, finder: NodeFinder, path: DriverPath, side: int) -> None:
         self.finder, self.path, self.side, method = finder, path, side, finder.method

@@ -88,8 +88,7 @@ def on_one_path(method: Method, values: Sequence[Real]) -> tuple[DriverPath, np.
 
 
 def _fanned(method: Method, values: Sequence[Real]) -> Plot:
-    """Every position on its own straight path, step by step, each foretold from the two before; a step that surprises
-    one of them is halved for all."""
+    """Every position on its own straight path, step by step; a step that surprises one of them is halved for all."""
     facts = method.facts(values)
     start = method.facts(None).values
     changes = [np.asarray(end) - begin for begin, end in zip(start, facts.values, strict=True)]

@@ -112,8 +112,7 @@ def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
 
 
 def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, np.ndarray, Plot]:
-    """The plot at t, from the drawn position on to one side; where rolling counts, each position from the one before.
-    There the path gets what is found as its nodes, and more positions where a link turns fast."""
+    """The plot at t, to one side; where rolling counts from position to position, with nodes for the path."""
     if path.nodes is None:
         return path, t, along(method, path, t)
     near = path.near(float(t[0]))

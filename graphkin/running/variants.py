@@ -188,8 +188,7 @@ def _assemblies(method: Method, variants: Variants[Made], part: slice) -> _Assem
 
 
 def _coincidences(mechanism: Mechanism) -> Array:
-    """Coincidences of the numbers, as far as the steps hang on them: (k,), or (k, b) of mechanisms side by side. Points
-    of a link that lie in one place (0) or nearly so (1), and lines that are their links' own axes."""
+    """Points of a link in one place (0) or nearly (1), lines that are their links' own axes: (k,), or (k, b)."""
     rows: list[Array] = [np.equal(slide.line.direction, 1) for slide in mechanism.slides]
     for link in mechanism.links.values():
         points: list[Value] = [*link.points.values()]

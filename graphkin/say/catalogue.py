@@ -25,7 +25,7 @@ SHARED_FILES: Mapping[str, tuple[str, ...]] = {
     "homework": ("problems", "assembly", "platforms", "feedback", "class_report"),
     "linkages": ("design",),
     "marking": ("marks", "mistakes", "verdicts", "tolerances", "discriminability"),
-    "quiz": ("layers",),
+    "page": ("quiz", "layers", "photo"),
     "results": ("checks", "structure", "sweeps", "finding"),
     "sheets": ("sheet", "diagrams", "pictures", "handouts", "equations"),
 }

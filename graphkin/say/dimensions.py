@@ -166,8 +166,7 @@ def guide_sizes(reading: Reading) -> Iterator[Size]:
 
 
 def _eccentricities(reading: Reading) -> list[Size]:
-    """The distances of fixed guides and tracks from the first fixed point, of those through no fixed point; where there
-    is no point, from the first of them that is parallel. A track has the letter at which the wheel touches it."""
+    """Distances of fixed guides and tracks from the first fixed point, or from the first that is parallel."""
     machine, fixed, every = reading.mechanism, reading.plot.facts.shapes[FRAME], list[Size]()
     letters = contact_letters(reading.method.structure)
     every_line: list[tuple[Pair, Line | None, str, str]] = [

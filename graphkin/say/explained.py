@@ -71,8 +71,7 @@ class AnswerLines:
         return entry
 
     def _in_files_unit(self, quantity: Quantity, value: float) -> str:
-        """`48.58 in/s` of a value in the unit of the solution; nothing where the file has mm or m, or no length is in
-        it."""
+        """`48.58 in/s` of a value in the unit of the solution; nothing in a file in mm or m, or without a length."""
         unit, dimension, length = EDGE[quantity.unit], DIMENSIONS.get(quantity.unit, "angle"), length_unit(self.reading)
         if length in ("mm", "m") or dimension not in ("length", "velocity", "acceleration"):
             return ""

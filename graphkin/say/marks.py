@@ -53,8 +53,7 @@ def _remarks(graded: Graded, lang: Lang) -> Iterator[str]:
 
 
 def _carried(marked: Marked, lang: Lang) -> Iterator[str]:
-    """Values judged with the student's own earlier ones, those that were not carried on, and what follows from a
-    mistake."""
+    """Values judged by the student's own earlier ones, those not carried on, and what follows from a mistake."""
     units, between = {one.text: one.unit for one in marked.judged}, say("common.list", lang)
     explained = {text for one in marked.diagnosis.explanations for text in one.explains}
     for one in marked.judged:

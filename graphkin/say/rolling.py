@@ -9,7 +9,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Drawn, Equation, InStep, Measure, Plane, Roll, Simultaneous, Step, Touch, slide_key
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.planning.equivalent import Contact
-from graphkin.planning.gear_images import imaged_gears
+from graphkin.planning.images import imaged_gears
 from graphkin.planning.method import made
 from graphkin.planning.position import touching
 from graphkin.say import names

@@ -68,8 +68,7 @@ class SolutionGoal:
         return tuple(dict.fromkeys(pair for part in shown for pair in self._arms(part)))
 
     def _arms(self, part: Part) -> Iterator[tuple[str, str]]:
-        """Those of one part; of a link that cannot turn none is multiplied by anything; of an image on a line those by
-        which it is divided."""
+        """The arms of one part by which something is multiplied, or divided in an image on a line."""
         if isinstance(part, Equation):
             for step in part.steps:
                 yield from self._arms(step)

@@ -20,6 +20,19 @@ def width(text: str) -> int:
     return len(text) + wide - sum(bool(unicodedata.combining(letter)) for letter in text)
 
 
+_PIECES = re.compile(r"[\u4e00-\u9fff][，。；：、）”]*\s*|[^\s\u4e00-\u9fff]+\s*")
+"""Words, and Chinese characters with the signs that may not begin a line."""
+
+
+def in_lines(text: str, most: int, indent: str = "") -> list[str]:
+    """A text in lines of so many columns, broken at blanks or between Chinese characters."""
+    lines = [indent]
+    for word in _PIECES.findall(text):
+        lines += [indent] if lines[-1].strip() and width(lines[-1] + word.rstrip()) > most else []
+        lines[-1] += word
+    return [line.rstrip() for line in lines]
+
+
 def padded(text: str, room: int, side: str = "<") -> str:
     """A text with blanks after it (`<`), before it (`>`), or on both sides (`^`)."""
     spare = room - width(text)

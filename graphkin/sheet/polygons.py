@@ -16,7 +16,7 @@ from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.planning.at_rest import relabelled
-from graphkin.planning.gear_images import imaged_gears
+from graphkin.planning.images import imaged_gears
 from graphkin.planning.method import rate_found
 from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest

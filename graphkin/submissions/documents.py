@@ -113,8 +113,7 @@ def _is_question_table(header: Sequence[str]) -> bool:
 
 
 def _one(cells: Iterable[tuple[int, Sequence[object]]], where: Where, limits: Limits) -> StudentDocument:
-    """A student's own table: question and value beside each other, unit and sense after them; under a head with
-    several columns of questions so many beside each other."""
+    """A student's own table: question and value beside each other, unit and sense after them, several under a head."""
     stated, entries = list[tuple[str, str]](), list[Entry]()
     names: list[str] | None = None
     starts = [0]

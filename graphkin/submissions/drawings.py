@@ -89,8 +89,7 @@ def measured(
 def _written_on(
     picture: PagePicture, where: Where, questions: Questions, limits: Limits
 ) -> tuple[dict[str, HandedValue], Mapping[Plane, float]]:
-    """Answers and scales that are written on a drawing, as `ω3 = 3.92 rad/s`; its other texts are none, and what the
-    problem states of its drivers is no answer."""
+    """Answers and scales that are written on a drawing, as `ω3 = 3.92 rad/s`; what the problem states is none."""
     texts = (text.text.replace("\n", " ") for text in picture.texts if "=" in text.text)
     lines = "\n".join(line for text in texts for line in _SEVERAL.split(text))
     try:
@@ -121,8 +120,7 @@ def lettered_vectors(drawing: MeasuredDrawing, shapes: Sequence[PaperPolygon]) -
 def _drawn(
     picture: PagePicture, drawing: MeasuredDrawing, shapes: Sequence[PaperPolygon], questions: Questions
 ) -> dict[str, complex]:
-    """Vectors between two letters, and arrows that the file itself names after a quantity: `v_B3B2`; one drawn broken,
-    with the piece that it says it leaves out."""
+    """Vectors between two letters, and arrows named after a quantity, `v_B3B2`; one drawn broken with its gap."""
     named, broken = dict[str, complex](), dict[str, complex]()
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
@@ -160,8 +158,7 @@ def directions(picture: PagePicture, questions: Questions, limits: Limits) -> di
 
 
 def _drawn_links(picture: PagePicture, mechanism: Mechanism) -> tuple[dict[str, complex], set[Pair]]:
-    """The points of a drawn mechanism, and the pairs of a link that are as far apart as they are given; none where too
-    few are."""
+    """The points of a drawn mechanism, and pairs of a link as far apart as given; none where too few are."""
     pairs = ((link, pair) for link in mechanism.links.values() for pair in combinations(mechanism.named(link.name), 2))
     sizes: dict[Pair, float] = {pair: size for link, pair in pairs if (size := abs(link.arm(*pair))) > 0}  # [m]
     names = {name: (name,) for name in mechanism.points}

@@ -190,8 +190,7 @@ def _is_class_table(names: list[str]) -> bool:
 def _grouped(
     names: list[str], roster: Roster | None, by_folder: Mapping[str, Owner]
 ) -> Iterator[tuple[Owner, list[int]]]:
-    """The files of each hand-in, in the order of the first of each. A student's answers and drawing, in files of their
-    own, are one; of two files of a kind the second is another."""
+    """The files of each hand-in, in order; a student's answers and drawing are one, a second of a kind is another."""
     root, shared, kinds = _root(names), set[int](), set[int]()
     for name in names:  # a folder with several files of one kind is a class's; a student's has answers and a drawing
         file, folder = PurePosixPath(name), name.rpartition("/")[0]

@@ -338,8 +338,7 @@ def spellings(polygons: Sequence[PaperPolygon]) -> dict[str, tuple[Plane, str]]:
 
 
 def _keys(text: str, spelled: Mapping[str, tuple[Plane, str]]) -> list[tuple[Plane, str]]:
-    """The points that a text letters: `b₃`, `b_{3}'`, `p, a, d`, `p′(a′, d′)`; none where it says anything else. Primes
-    are read last, which GeoGebra has before a number: `b'_{3}`."""
+    """The points that a text letters: `b₃`, `b_{3}'`, `p, a, d`, `p′(a′, d′)`; none where it says anything else."""
     pieces = (re.sub(r"^([A-Za-z]+)('+)(\w+)$", r"\1\3\2", piece.replace('"', "''")) for piece in pieces_of(text))
     keys = [spelled.get(piece) for piece in pieces]
     return [key for key in dict.fromkeys(keys) if key is not None] if all(keys) else []

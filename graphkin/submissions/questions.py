@@ -71,8 +71,7 @@ class Questions:
         return self.asked.get(_meaning(self.mechanism, quantity), own), quantity, unit
 
     def _quantity(self, text: str) -> Quantity | None:
-        """By any of its spellings; `omega BC` by two points of link 2; a word alone, `a^k`, where the key asks for one
-        such quantity and no other."""
+        """By any of its spellings; by two points of a link, `omega BC`; by a word that the key asks once, `a^k`."""
         for candidate in spelled(text):
             if (quantity := quietly(self.mechanism, candidate)) is not None:
                 return quantity
@@ -115,8 +114,7 @@ def spelled(text: str) -> Iterator[str]:
 
 
 def _in_words(text: str) -> Iterator[str]:
-    """`D点的速度`, `angular velocity of link 2`, `连杆的角速度 ω2`: a kind in words and what it is of, or a symbol that
-    says the same."""
+    """`D点的速度`, `angular velocity of link 2`, `连杆的角速度 ω2`: a kind in words and what it is of."""
     if (match := _IN_WORDS.fullmatch(text)) is None:
         return
     word = _KINDS[match[2].lower()]

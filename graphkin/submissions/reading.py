@@ -118,8 +118,7 @@ class FirstOnes:
 
     @cached_property
     def _named(self) -> Mapping[str, tuple[set[str], set[str]]]:
-        """Of each student the folders and files that bear a name of theirs, and those of a platform's folders whose
-        names tell nothing in which a line says so."""
+        """Of each student the folders and files that bear their name, or in which a line says so."""
         named: dict[str, tuple[set[str], set[str]]] = {}
         for handed in handed_in(self._paths, USUAL, self._roster):
             if handed.row is not None:
@@ -156,8 +155,7 @@ def _by_names(by: Owner, names: Sequence[str], roster: Roster | None) -> set[str
 
 @frozen
 class _Contents:
-    """The documents in a hand-in, its drawings by name, those of them that are boards, and why the rest is passed
-    over."""
+    """The documents, the drawings, those of them that are boards, and why the rest is passed over."""
 
     documents: tuple[StudentDocument, ...]
     drawings: tuple[tuple[str, bytes], ...]

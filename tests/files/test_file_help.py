@@ -11,11 +11,10 @@ from click.testing import CliRunner
 
 from graphkin.cli import main
 from graphkin.errors import Lang
-from graphkin.files.examples import EXAMPLES, LINE
 from graphkin.files.fields import keys, kind_of
 from graphkin.files.schema import FURTHER, TABLES
 from graphkin.outputs.json_schema import json_schema
-from graphkin.say.file_help import file_lines
+from graphkin.say.file_help import EXAMPLES, LINE, file_lines
 from graphkin.say.text_table import width
 
 LANGUAGES: tuple[Lang, ...] = get_args(Lang)

@@ -11,7 +11,7 @@ from browsing import Browsing, axe
 from graphkin import api
 from graphkin.analytic import motion
 from graphkin.files import loads
-from graphkin.page.saved import play
+from graphkin.page.player import play
 from graphkin.proof.readings import mechanism_at
 
 WIDE = {"width": 1280, "height": 860}

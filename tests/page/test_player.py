@@ -22,7 +22,7 @@ from graphkin.analytic import motion
 from graphkin.files import library, loads
 from graphkin.model.quantities import EDGE, driven
 from graphkin.page import knots, player, writer
-from graphkin.page.saved import play
+from graphkin.page.player import play
 from graphkin.page.spoken import StepWords
 from graphkin.planning.needed import without_aids
 from graphkin.running import replay_all

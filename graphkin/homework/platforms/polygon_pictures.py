@@ -84,8 +84,7 @@ class PolygonPictures:
         return self._figures[name]
 
     def _pictures(self, marker: Marker, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
-        """One for each explanation; where there is none, the student's drawing over the right one. An error of ours
-        costs the picture, not the page, and is said there."""
+        """One for each explanation, or the student's drawing over the right one; an error of ours costs no more."""
         explanations = [(one.names, _position(one)) for one in result.suspicions] or [((), 1)]
         try:
             return [

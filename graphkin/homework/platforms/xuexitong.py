@@ -89,8 +89,7 @@ def excel_files(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes |
 
 
 def _blanks(problems: ProblemSet, lang: Lang) -> Iterator[tuple[Question, Part, str, str, str]]:
-    """Each number that is asked for: its text with a blank, the right number to a tenth of its tolerance, as one would
-    write it, and what is allowed."""
+    """Of each number that is asked for its text with a blank, its value as one would write it, and what is allowed."""
     for question in problems.questions:
         title = say("platforms.problem title", lang, set=problems.name, id=question.id)
         for part in question.parts:

@@ -69,8 +69,7 @@ def sketched_anew(template: Template, numbers: Sequence[int], mechanism: Mechani
 
 
 def _led_to(pattern: Method, own: MechanismFile) -> tuple[_Places, dict[str, int]]:
-    """Where the pattern's points are once its drivers stand as in a problem, and the crossings there. Raises
-    NotReached."""
+    """The pattern's points and crossings with its drivers as in a problem. Raises NotReached."""
     values = [begin if driver.value is None else driver.value
               for driver, begin in zip(own.drivers, pattern.facts().values, strict=True)]  # fmt: skip
     path, t = reached(pattern, values)

@@ -67,8 +67,7 @@ def answers(posed: PosedProblem) -> Array:
 
 
 def _has_short_vector(method: Method, plot: Plot) -> bool:
-    """True where an arrow that is read off is too small beside the largest, or there is none at all. Those that are 0
-    by what the mechanism is do not count, and those that are laid off may be short."""
+    """True where an arrow that is read off is too small beside the largest; those that are always 0 do not count."""
     longest_of_all = 0.0
     for construction in (method.velocity, method.acceleration):
         points, terms = plot.points(construction.plane), construction.vectors().values()

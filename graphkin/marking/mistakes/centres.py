@@ -111,8 +111,7 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
 
 
 def _ratios_of_radii(scene: Scene) -> Iterator[Rewrite]:
-    """Of two wheels upside down, or with the sense of wheels that touch from within where they do from without, or the
-    other way round: at each contact that gives a rotation."""
+    """Ratios of radii upside down, or of the other sense, at each contact that gives a rotation."""
     for contacts, bases in scene.rolling:
         for contact in contacts:
             of, form = _moving(scene, contact, bases), ", ".join(map(scene.method.mechanism.called, contact.wheels))
@@ -134,8 +133,7 @@ def _moving(scene: Scene, contact: Contact, bases: Sequence[str]) -> dict[str, s
 
 
 def _by_law(scene: Scene, contacts: Sequence[Contact], bases: Sequence[str], contact: Contact, law: Law) -> list[Edit]:
-    """Another law of one of some contacts: put into the equations that hold it; where none does, rotations as all laws
-    together give them, and what is drawn of their wheels. Nothing where they do not."""
+    """Another law of a contact in the equations that hold it, or for the rotations that all laws together give."""
     turns, laws = scene.plot.facts.turns, [law if each is contact else dict(each.angles) for each in contacts]
     counts = np.array([[sum(c for w, c in one.items() if turns[w].base == base) for base in bases] for one in laws])
     given = len(laws) == len(bases) == np.linalg.matrix_rank(counts)
@@ -156,8 +154,7 @@ def _by_law(scene: Scene, contacts: Sequence[Contact], bases: Sequence[str], con
 
 
 def _by_laws(laws: Sequence[Law], shares: Mapping[str, Sequence[float]], of: str, word: str) -> Change:
-    """A rate as laws of contacts give it, which together give some unknown ones; shares: by the base of these, how much
-    of what is known in each law counts."""
+    """A rate as laws of contacts give it; shares: by unknown base, how much of the known each law counts."""
 
     def change(plot: Redrawing, right: Value) -> Value:
         facts, order = plot.facts, 1 if word == "omega" else 2

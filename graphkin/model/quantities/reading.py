@@ -191,8 +191,7 @@ def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> kinds.Mov
 
 
 def _meant_points(mechanism: Mechanism, of: str, word: str) -> tuple[str, ...]:
-    """The texts that may be meant by one that names no point: of a sliding pair or a link what moves there. With a
-    known point and more, coincident points there."""
+    """The texts that may be meant by one that names no point: what moves there, or coincident points."""
     if moving := _moving_there(mechanism, of):
         return moving
     if word in ("a_n", "a_t"):

@@ -1,9 +1,8 @@
-"""Words of the page that plays."""
-
-from __future__ import annotations
+"""Words of pages in a browser: the one that plays, its layers and its quiz, and that on which photographs are looked at."""
 
 from graphkin.say.catalogue import Phrases
 
+# fmt: off
 PHRASES: Phrases = {
     "page.contents": ("Contents", "目录"),
     "page.language": ("中文", "English"),
@@ -41,4 +40,61 @@ PHRASES: Phrases = {
         "Arrow keys move the driver (Shift: finer), Page Up and Page Down step, Home shows the whole drawing, Space runs.",
         "左右方向键转动原动件（按住 Shift 更细），Page Up、Page Down 逐步作图，Home 显示完整图形，空格键运行。",
     ),
+    # === the quiz
+    "quiz.title": ("Quiz", "测验"),
+    "quiz.about": ("Questions on the drawn position, in the order of the drawing.", "按作图顺序，对图示位置提问。"),
+    "quiz.start": ("Start the quiz", "开始测验"),
+    "quiz.leave": ("Leave the quiz", "退出测验"),
+    "quiz.count": ("Question {number} of {count}", "第 {number} 题，共 {count} 题"),
+    "quiz.line": ("Turn the direction line of {name} through {from}: drag it, use the arrow keys, or type its angle.",
+                  "转动过 {from} 的 {name} 的方向线：可拖动，可用方向键，也可输入角度。"),
+    "quiz.arrow": ("Turn the arrow of {name} at {from} so that it points as it should: drag it, use the arrow keys, or "
+                   "type its angle.",
+                   "转动 {from} 处 {name} 的矢量，使其指向正确：可拖动，可用方向键，也可输入角度。"),
+    "quiz.value": ("What is {name}? Read it off the drawing, or calculate it.", "{name} 等于多少？可由图量取，也可计算。"),
+    "quiz.angle": ("Angle from the x axis, counter-clockwise", "与 x 轴的夹角（逆时针为正）"),
+    "quiz.number": ("Value", "数值"),
+    "quiz.unit": ("Unit", "单位"),
+    "quiz.sense": ("Sense", "转向"),
+    "quiz.choose": ("choose", "请选择"),
+    "quiz.ccw": ("counter-clockwise", "逆时针"),
+    "quiz.cw": ("clockwise", "顺时针"),
+    "quiz.check": ("Check", "检查"),
+    "quiz.show": ("Show the answer", "显示答案"),
+    "quiz.next": ("Next question", "下一题"),
+    "quiz.right": ("Right.", "正确。"),
+    "quiz.wrong": ("Not right; no common mistake gives this. Try again.", "不对，也不像是常见错误的结果。请再试一次。"),
+    "quiz.close": ("Not right, but close: {off}° off. Try again.", "不对，但已接近：相差 {off}°。请再试一次。"),
+    "quiz.mistake": ("Not right. This is what comes of a mistake:", "不对。这样的结果来自下面的错误："),
+    "quiz.or": ("or", "或"),
+    "quiz.not a number": ("Write a number.", "请输入数字。"),
+    "quiz.no unit": ("Choose a unit.", "请选择单位。"),
+    "quiz.other unit": ("{name} has no such unit.", "{name} 不用这种单位。"),
+    "quiz.no sense": ("Choose the sense.", "请选择转向。"),
+    "quiz.answer": ("The answer: {answer}", "答案：{answer}"),
+    "quiz.score": ("{right} of {count} right at the first try.", "{count} 题中有 {right} 题一次答对。"),
+    "quiz.handle": ("Direction of {name}", "{name} 的方向"),
+    # === layers
+    "layers.show centres": ("Instant centres", "瞬心"),
+    "layers.show curve": ("Coupler curve of {name}", "点 {name} 的连杆曲线"),
+    "layers.show centrode": ("Centrodes of link {name}", "构件 {name} 的瞬心线"),
+    "layers.show diagrams": ("Motion diagrams", "运动线图"),
+    # === photographs
+    "photo.title": ("Photographs of {name}", "{name}：照片核对"),
+    "photo.language": ("中文", "English"),
+    "photo.save": ("Save corrections", "保存核对结果"),
+    "photo.only": ("only what is unsure", "只看存疑的"),
+    "photo.count": ("{open} to look at, of {all} polygons", "共 {all} 个多边形，待核对 {open} 个"),
+    "photo.how": ("Drag a point, or move it with the arrow keys (0.1 mm, with Shift 1 mm); Delete takes it away; + and − zoom; N goes to the next. Tick what is right, save, and mark the saved file: graphkin grade KEY {file}",
+                  "拖动顶点，或用方向键移动（0.1 mm，按 Shift 为 1 mm）；Delete 删去；+ 和 − 缩放；N 到下一个。核对无误后勾选并保存，再评阅保存的文件：graphkin grade KEY {file}"),
+    "photo.velocity": ("velocity polygon", "速度多边形"),
+    "photo.acceleration": ("acceleration polygon", "加速度多边形"),
+    "photo.heading": ("{called} · #{number} · {plane}", "{called} · #{number} · {plane}"),
+    "photo.corner": ("{letter}: {x} mm to the right, {y} mm up", "{letter}：向右 {x} mm，向上 {y} mm"),
+    "photo.confirm": ("This is right", "核对无误"),
+    "photo.not drawn": ("not drawn:", "未画："),
+    "photo.put": ("put {put} on the drawing", "在图上放置 {put}"),
+    "photo.empty": ("Nothing is drawn", "没有作图"),
+    "photo.saved": ("Saved: {file}", "已保存：{file}"),
+    "photo.not read": ("Not read", "未能识读"),
 }

@@ -297,8 +297,7 @@ class _CentreSearch:
         return any_new
 
     def _on_two_lines(self, pair: Links, clear: float) -> Stage | None:
-        """The two lines that are farthest from being one; the first two, where several are clear. A line is ruled when
-        those before it are not enough: in a long chain there is one for nearly every link."""
+        """The two lines that are farthest from being one; the first two that are clear, as one would rule them."""
         ruled_lines = self.lines.setdefault(pair, {})
         lines: list[LineStep] = []
         for line in lines_to(self.mechanism, self.centres, pair, self._between(*pair)):
