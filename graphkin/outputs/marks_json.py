@@ -95,7 +95,10 @@ def measured_data(measured: MeasuredDrawing) -> Json:
                             "off": _rounded(each.off)}
                            for each in measured.unsure]  # fmt: skip
     scales: Json = dict(measured.scales.items())
-    return {"measured": planes, "measured at": scales, "error": _rounded(measured.error), "unsure": unsure}
+    shifts: list[Plain] = [[[plane, letter, plain(by)] for (plane, letter), by in shift.items()]
+                           for shift in measured.shifts]  # fmt: skip
+    known: Json = {"error": _rounded(measured.error), "unsure": unsure, "shifts": shifts}
+    return {"measured": planes, "measured at": scales, **known}
 
 
 def measured_of(record: Record) -> MeasuredDrawing | None:
@@ -107,7 +110,9 @@ def measured_of(record: Record) -> MeasuredDrawing | None:
     unsure = ((built(Plane, each["plane"]), built(Unsure, each)) for each in record["unsure"])
     doubts = tuple(UnsureDrawing(NOWHERE, plane, each.reason, each.letters, each.off) for plane, each in unsure)
     scales = built(Mapping[Plane, float], record.get("measured at", {}))
-    return MeasuredDrawing(points, scales, error=built(float, record["error"]), unsure=doubts)
+    shifts = built(tuple[tuple[tuple[Plane, str, complex], ...], ...], record.get("shifts", ()))
+    moves = tuple({(plane, letter): by for plane, letter, by in one} for one in shifts)
+    return MeasuredDrawing(points, scales, error=built(float, record["error"]), unsure=doubts, shifts=moves)
 
 
 def _of_board(graded: Graded, marked: Marked) -> Json:

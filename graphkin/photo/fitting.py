@@ -15,7 +15,7 @@ from graphkin.base.geometry import unit
 from graphkin.base.value import frozen
 from graphkin.photo.ink import STEP, Ink
 from graphkin.photo.lines import WIDER, Line, free_end, line_near
-from graphkin.photo.predicted import Corner, Stroke
+from graphkin.photo.predicted import Stroke
 from graphkin.photo.searching import Candidate, drawn_strokes
 
 _REACHES = (2.0, 1.2, 0.8)  # a line is sought so far from where it is expected, closer each time [mm]
@@ -46,10 +46,11 @@ class _Row:
 class Fit:
     """A candidate with its lines refined.
 
-    lines    by stroke; corners: by letter; at: the same as an array
+    lines    by stroke; at: corners by number; off: how well each is known [mm]
     hand     the covariance of corners as hands draw them
     wobble   of this hand [mm]
     ends     corners at which a single line ends
+    spread   how corners may be off together: the covariance of all x, then all y [mm^2]
     odd      corners by number that lie beside their lines; strain: by how many standard deviations, all in all, beyond
              what is usual; departs: by how many all of it is less likely than what hands draw usually is
     """
@@ -63,9 +64,7 @@ class Fit:
         self.hand = self.way.spread(candidate.column, candidate.factors)
         for reach in _REACHES:
             self.wobble = self._refine(reach)
-            off = self._solve(2.5 * reach + 1)
-        each = zip(self.way.letters, self.at, off, strict=True)
-        self.corners = {name: Corner(complex(at), float(known)) for name, at, known in each}
+            self.off, self.spread = self._solve(2.5 * reach + 1)
 
     def _refine(self, reach: float) -> float:
         """Lines where strokes are expected; by how much the hand wobbles [mm]."""
@@ -124,8 +123,9 @@ class Fit:
                 found.append(one)
         return found
 
-    def _solve(self, far_off: float) -> np.ndarray:
-        """The corners that fit best; their standard deviations. One that would move farther [mm] is not known."""
+    def _solve(self, far_off: float) -> tuple[np.ndarray, np.ndarray]:
+        """The corners that fit best; their standard deviations, and covariance. One that would move farther [mm] is not
+        known."""
         drawn = {stroke: line for stroke, line in self.lines.items() if line.covered > _DRAWN}
         seen = [row for stroke, line in drawn.items() for row in self._beside(stroke, line)]
         rows, free = [*seen, *self._ending()], [k for k in range(len(self.at)) if k != self.pole]
@@ -137,7 +137,8 @@ class Fit:
         there, off = self.at.copy(), np.zeros(len(self.at))
         there[free] = found[: len(free)] + 1j * found[len(free) :]
         cover = np.linalg.inv((told.T * weight) @ told + prior / _DISTRUST**2)
-        off[free] = _known(cover, times, far)  # a hand may have drawn what no construction has
+        alone = _worst(cover)
+        off[free] = alone * _torn(times, far)  # a hand may have drawn what no construction has
         off[np.abs(there - self.at) > far_off] = np.inf
         self.at = np.where(np.isfinite(off), there, self.at)
         for k in free:  # those on one place are known alike
@@ -148,7 +149,10 @@ class Fit:
         self.odd = {k for row, size in zip(seen, far, strict=True) if size > 1.5 * _ODD for k in row.times}
         ends = ((k, line) for stroke, line in drawn.items() for k in (stroke.tail, stroke.head) if line.length > _SHORT)
         self.odd = (self.odd | {k for k, line in ends if abs(line.beside(self.at[k])) > _ASIDE}) - {self.pole}
-        return off
+        more = np.tile(np.where(np.isfinite(off[free]), off[free] / alone, 1.0), 2)
+        spread = np.zeros((2 * len(off),) * 2)
+        spread[np.ix_(both, both)] = cover * np.outer(more, more)
+        return off, spread
 
     def _beside(self, stroke: Stroke, line: Line) -> Iterator[_Row]:
         """Both ends of a line lie on it, as well as it is known: off alike, and by its turn times their distance."""
@@ -198,11 +202,16 @@ def _weighed(
     return found, far, weight
 
 
-def _known(cover: np.ndarray, times: np.ndarray, far: np.ndarray) -> np.ndarray:
-    """Standard deviations of corners by their covariance, larger where observations contradict each other; times: what
-    each has to do with each corner (rows, corners), far: by how much it is off (rows,)."""
-    half = times.shape[1]
-    off = [np.linalg.eigvalsh(cover[np.ix_([n, half + n], [n, half + n])])[1] for n in range(half)]
+def _worst(cover: np.ndarray) -> np.ndarray:
+    """Standard deviations of corners in the direction in which each is known worst, by the covariance of all x, then
+    all y."""
+    half = len(cover) // 2
+    return np.sqrt([np.linalg.eigvalsh(cover[np.ix_([n, half + n], [n, half + n])])[1] for n in range(half)])
+
+
+def _torn(times: np.ndarray, far: np.ndarray) -> np.ndarray:
+    """So many times worse corners are known where observations contradict each other; times: what each has to do with
+    each corner (rows, corners), far: by how much it is off (rows,)."""
     share = np.abs(times) ** 2 / np.maximum((np.abs(times) ** 2).sum(axis=1, keepdims=True), 1e-12)
     torn = (share.T @ far**2) / np.maximum(share.sum(axis=0), 1.0)
-    return np.asarray(np.sqrt(np.array(off) * np.maximum(1.0, torn)))
+    return np.asarray(np.sqrt(np.maximum(1.0, torn)))

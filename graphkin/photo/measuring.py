@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.photo.fitting import Fit
 from graphkin.photo.ink import STRANGE, Ink, Page
-from graphkin.photo.predicted import Corner, Way
+from graphkin.photo.predicted import Way
 from graphkin.photo.searching import MISSING, SLIP, Candidate, candidates
 from graphkin.photo.sheets import SheetRoom, Unsure
 
@@ -22,6 +23,7 @@ _CLOSE = 0.6  # ink belongs to a refined line when it is no farther off [mm]
 _ONE = 0.15  # corners so near each other are one [mm]
 _FAR = 2.0  # where a single line ends no farther from where a construction has it, it ends on purpose [mm]
 _STRAIN = 2.0  # what contradicts counts so much [mm a standard deviation]
+_STILL = 0.03  # what moves corners less is not told [mm]
 _BLANK = 15.0  # less than so much ink is no drawing [mm]
 _HOPELESS = 20.0  # one that scores so much less before its lines are refined is not looked at [mm]
 _LIKELY, _ODDER, _TORN = 5.0, 3.0, 5.0
@@ -35,11 +37,14 @@ class PageReading:
 
     vertices  by letter of the key's construction [mm from the pole, y up], best guesses where not sure
     error     estimated standard deviation [mm]
+    shifts    how those that are not sure, but known as well as `unsure` says, may all be off together: independent of
+              each other, each by one standard deviation [mm]
     """
 
     vertices: Mapping[str, complex]
     error: float
     unsure: tuple[Unsure, ...] = ()
+    shifts: tuple[Mapping[str, complex], ...] = ()
 
 
 def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
@@ -50,39 +55,28 @@ def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
     fits = list[_Fit]()
     for one in candidates(ink, ways):
         if one.score > max((fit.score for fit in fits), default=-np.inf) - _HOPELESS:
-            fits.append(_Fit(ink, one))
+            fits.append(_Fit(ink, one, ways[0]))
     if not fits:
         return PageReading({}, page.rms, (Unsure("unexplained"),))
     fits.sort(key=lambda fit: fit.score - _ALIKE * (not fit.is_likely), reverse=True)
-    best, key = fits[0], ways[0]
-    vertices = {letter: corner.at for letter, corner in best.named(key).items()}
-    unsure = [*best.unsure()]
+    best, own, rivals = fits[0], fits[0].numbers, [*fits[0].apart(fits[1:])]
+    unsure = [*best.unsure(), *best.alike(rivals)]
     if ink.seen < 1:
         unsure.append(Unsure("outside"))
-    unsure += _alike(fits, key)
-    left = {letter for one in unsure for letter in one.letters}  # these count for nothing
-    offs = [corner.off for letter, corner in best.corners.items() if letter not in left and np.isfinite(corner.off)]
-    error = float(np.hypot(page.rms, np.sqrt(np.mean(np.square(offs or [0.0])))))
-    return PageReading(vertices, error, tuple(unsure))
-
-
-def _alike(fits: Sequence[_Fit], key: Way) -> Iterator[Unsure]:
-    """Letters that another construction, which fits as well, has elsewhere."""
-    others = (fit for fit in fits[1:] if fit.is_likely and fit.score >= fits[0].score - _ALIKE
-              and fit.departs <= max(0.0, fits[0].departs) + _ODDER)  # fmt: skip
-    best, alike = fits[0].named(key), [fit.named(key) for fit in others]
-    for name, corner in best.items():
-        apart = max((abs(there[name].at - corner.at) for there in alike if name in there), default=0.0)
-        if apart > _APART:
-            yield Unsure("alike", (name,), _known(float(np.hypot(corner.off, apart))))
+    doubts = {name: [one for one in unsure if name in (one.letters or own)] for name in own}
+    known = [name for name, reasons in doubts.items() if reasons and all(one.off for one in reasons)]
+    sure = [best.off[own[name]] for name, reasons in doubts.items() if not reasons]
+    error = float(np.hypot(page.rms, np.sqrt(np.mean(np.square(sure or [0.0])))))
+    vertices = {name: complex(best.at[k]) for name, k in own.items()}
+    return PageReading(vertices, error, tuple(unsure), (*best.shifts(rivals, known),))
 
 
 class _Fit(Fit):
-    """With its score, its names, and what is not sure of it."""
+    """With its score, its corners by the letters of the key's method, and what is not sure of it."""
 
-    def __init__(self, ink: Ink, candidate: Candidate) -> None:
+    def __init__(self, ink: Ink, candidate: Candidate, key: Way) -> None:
         super().__init__(ink, candidate)
-        self.score = self._score()
+        self.score, self.numbers = self._score(), self._numbers(key)
 
     def _score(self) -> float:
         """Ink along the refined lines, less needed strokes without any and places that are drawn otherwise [mm]."""
@@ -97,14 +91,37 @@ class _Fit(Fit):
         """A hand may have drawn it."""
         return self.strain <= _TORN and self.departs <= _LIKELY
 
-    def named(self, key: Way) -> dict[str, Corner]:
+    def _numbers(self, key: Way) -> dict[str, int]:
         """Corners by the letters of the key's method."""
-        own = {letter: self.corners[letter] for letter in self.way.letters}
+        own = {letter: k for k, letter in enumerate(self.way.letters)}
         if self.way is key:
             return own
         by_name = {node.of: name for name, node in self.way.construction.nodes.items()}
         pairs = ((name, by_name.get(node.of, "")) for name, node in key.construction.nodes.items())
         return {name: own[other] for name, other in pairs if other in own}
+
+    def apart(self, others: Iterable[_Fit]) -> Iterator[dict[str, complex]]:
+        """From its corners to where each that fits as well has them, but for those that this has beside its own lines."""
+        for fit in others:
+            if fit.is_likely and fit.score >= self.score - _ALIKE and fit.departs <= max(0.0, self.departs) + _ODDER:
+                there = {name: k for name, k in fit.numbers.items() if k not in fit.odd}
+                yield {name: complex(fit.at[there[name]] - self.at[k]) for name, k in self.numbers.items() if name in there}
+
+    def alike(self, rivals: Sequence[Mapping[str, complex]]) -> Iterator[Unsure]:
+        """Letters that rivals have elsewhere."""
+        for name, k in self.numbers.items():
+            apart = max((abs(rival.get(name, 0j)) for rival in rivals), default=0.0)
+            if apart > _APART:
+                yield Unsure("alike", (name,), _known(math.hypot(self.off[k], apart)))
+
+    def shifts(self, rivals: Sequence[Mapping[str, complex]], names: Sequence[str]) -> Iterator[dict[str, complex]]:
+        """How some corners may be off: as lines leave them, and as rivals have them, all of which are one deviation."""
+        numbers = np.array([self.numbers[name] for name in names], dtype=int)
+        both = np.r_[numbers, numbers + len(self.at)]
+        sizes, ways = np.linalg.eigh(self.spread[np.ix_(both, both)])
+        x, y = np.split(ways * np.sqrt(np.maximum(sizes, 0.0)), 2)
+        yield from (dict(zip(names, way.tolist(), strict=True)) for way in (x + 1j * y).T if np.abs(way).max() > _STILL)
+        yield from ({name: rival.get(name, 0j) / math.sqrt(len(rivals)) for name in names} for rival in rivals)
 
     def unsure(self) -> Iterator[Unsure]:
         key = self.way.letters
@@ -115,9 +132,9 @@ class _Fit(Fit):
         for k, letter in enumerate(key):
             drawn = [line for s, line in self.lines.items() if k in (s.tail, s.head) and line.covered > 0.5]
             alone = np.abs(np.delete(self.at, k) - self.at[k]).min(initial=np.inf) > _ONE
-            if self.corners[letter].off > _OFF or (k != self.pole and not drawn and alone) or k in self.odd:
+            if self.off[k] > _OFF or (k != self.pole and not drawn and alone) or k in self.odd:
                 short = any(line.length < _SHORT for line in drawn)
-                off = 0.0 if k in self.odd or not drawn else _known(self.corners[letter].off)
+                off = 0.0 if k in self.odd or not drawn else _known(self.off[k])
                 yield Unsure("short" if short else "flat" if drawn else "no ink", (letter,), off)
         for k in self.ends:  # also at the rim, where a line may go on
             around = self.at[k] + _FAR * np.exp(0.5j * np.pi * np.arange(4))
@@ -136,4 +153,4 @@ class _Fit(Fit):
 
 def _known(off: float) -> float:
     """A standard deviation, 0 where it says nothing."""
-    return off if off < _NOWHERE else 0.0
+    return float(off) if off < _NOWHERE else 0.0

@@ -24,6 +24,7 @@ class RoomReading:
     points     by letter [mm from the pole, y up], the pole's first
     letters    all that the polygon has; lines: pairs of them that arrows join
     error      estimated [mm]
+    shifts     how those that are not sure may be off together, each by one standard deviation [mm]
     confirmed  by a teacher, who has looked at it
     crop       the room set straight, as an address that holds a JPEG, where one was asked for
     """
@@ -34,6 +35,7 @@ class RoomReading:
     lines: tuple[tuple[str, str], ...] = ()
     error: float = 0.0
     unsure: tuple[Unsure, ...] = ()
+    shifts: tuple[Mapping[str, complex], ...] = ()
     confirmed: bool = False
     crop: str = ""
 
@@ -60,7 +62,8 @@ class RoomReading:
         points = {(plane, letter): place for letter, place in self.points.items()}
         told = () if self.confirmed else unsure
         doubts = tuple(UnsureDrawing(where, plane, one.reason, one.letters, one.off) for one in told)
-        return MeasuredDrawing(points, {plane: self.room.scale}, {}, where, tuple(remarks), self.error, doubts)
+        shifts = tuple({(plane, letter): by for letter, by in one.items()} for one in self.shifts)
+        return MeasuredDrawing(points, {plane: self.room.scale}, {}, where, tuple(remarks), self.error, doubts, shifts)
 
 
 @bulky
@@ -97,4 +100,5 @@ def as_drawing(readings: Sequence[SheetReading], printed: Iterable[PrintedSheet]
         {plane: scale for one in drawings for plane, scale in one.scales.items()}, {}, where,
         tuple(remark for one in drawings for remark in one.remarks), max(one.error for one in drawings),
         tuple(unsure for one in drawings for unsure in one.unsure),
+        tuple(shift for one in drawings for shift in one.shifts),
     )  # fmt: skip

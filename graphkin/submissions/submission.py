@@ -71,6 +71,8 @@ class MeasuredDrawing:
     remarks     for the teacher: what should be looked at
     error       of the points on a photograph of paper [mm]; 0 where a program has drawn
     unsure      what of a photograph should be looked at before it counts
+    shifts      how points of which something is unsure may all be off together: independent of each other, each by one
+                standard deviation [mm]
     """
 
     points: Mapping[tuple[Plane, str], complex]
@@ -80,6 +82,7 @@ class MeasuredDrawing:
     remarks: tuple[GraphkinError, ...] = ()
     error: float = 0.0
     unsure: tuple[UnsureDrawing, ...] = ()
+    shifts: tuple[Mapping[tuple[Plane, str], complex], ...] = ()
 
     @property
     def sure(self) -> dict[tuple[Plane, str], complex]:

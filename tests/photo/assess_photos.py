@@ -26,7 +26,7 @@ from cameras import CAMERAS, photograph
 from pencil import HAND, NEAT, PER_MM, FlatPage, PrintedPaper, Work, paper_of
 
 from graphkin.construction import LayOff, Meet, Plane, Ray
-from graphkin.errors import NOWHERE, UnsureDrawing
+from graphkin.errors import NOWHERE
 from graphkin.homework.grading.batch import marked
 from graphkin.homework.grading.keys import key_from
 from graphkin.homework.grading.sets import OneKey
@@ -37,9 +37,10 @@ from graphkin.marking.rewrite import Rewrite
 from graphkin.photo.measuring import PageReading, measured
 from graphkin.photo.pictures import pictures_in
 from graphkin.photo.predicted import own_velocities, predicted
-from graphkin.photo.readings import RoomReading
+from graphkin.photo.readings import RoomReading, SheetReading, as_drawing
 from graphkin.photo.registering import RegisteredPage, registered
-from graphkin.submissions import Handed, Limits, MeasuredDrawing
+from graphkin.photo.sheets import PrintedSheet
+from graphkin.submissions import Handed, Limits
 from graphkin.submissions.students import Owner
 
 TUNED = ("ex3-1", "ex3-5", "ex3-7", "fig3-1", "p3-15", "p3-12", "fig2-32", "s4-ex5", "p3-3a", "p3-19", "s4-ex7", "p3-11b")
@@ -165,12 +166,13 @@ def _judge(mechanism: str) -> OneKey:
     return OneKey(Marker(key_from(mechanism)))
 
 
-def verdicts(work: Work, points: Mapping[Plane, Mapping[str, complex]], unsure: Sequence[UnsureDrawing] = (), error: float = 0.0) -> tuple[bool, set[str]]:
-    """What the judge says of corners [mm from the pole]: that something is wrong, and the mistakes that would explain it best."""
-    problem, rooms = work.paper.problem, work.paper.rooms
+def verdicts(work: Work, rooms: Mapping[Plane, PageReading]) -> tuple[bool, set[str]]:
+    """What the judge says of what was measured: that something is wrong, and the mistakes that would explain it best."""
+    problem, printed = work.paper.problem, PrintedSheet(1, "", "", 0.0, 0.0)
     poles: dict[Plane, str] = {"velocity": problem.drawing.method.velocity.pole, "acceleration": problem.drawing.method.acceleration.pole}
-    drawn = {(plane, letter): at for plane, own in points.items() for letter, at in ({poles[plane]: 0j} | dict(own)).items()}
-    drawing = MeasuredDrawing(drawn, {plane: rooms[plane].scale for plane in points}, error=error, unsure=tuple(unsure))
+    each = (RoomReading(work.paper.rooms[plane], {poles[plane]: 0j, **one.vertices}, (), (), one.error, one.unsure, one.shifts)
+            for plane, one in rooms.items())  # fmt: skip
+    drawing = as_drawing([SheetReading(printed, "s", "a.jpg", (*each,))], [], lost=False)
     (record,) = marked([Handed(Owner("s", "s"), "a.jpg", drawing=drawing)], _judge(problem.drawing.method.mechanism.name), Limits(), "")
     if not isinstance(record, Graded) or record.marked is None:
         return False, set()
@@ -178,16 +180,10 @@ def verdicts(work: Work, points: Mapping[Plane, Mapping[str, complex]], unsure: 
     return any(one.verdict in _WRONG for one in record.marked.judged), {id for one in best for id in one.ids}
 
 
-def said(work: Work, readings: Mapping[Plane, PageReading]) -> tuple[bool, set[str]]:
-    """What it says of what was measured."""
-    unsure = [UnsureDrawing(NOWHERE, plane, one.reason, one.letters, one.off) for plane, reading in readings.items() for one in reading.unsure]
-    points = {plane: one.vertices for plane, one in readings.items()}
-    return verdicts(work, points, unsure, max(one.error for one in readings.values()))
-
-
 def _is_named(work: Work, readings: Mapping[Plane, PageReading]) -> bool | None:
     """The judge finds nothing wrong in right work, and something in a slip; it names a mistake. None where it would not by the true corners."""
-    (wrong, names), (there, named) = said(work, readings), verdicts(work, work.corners)
+    truth = {plane: PageReading(corners, 0.0) for plane, corners in work.corners.items()}
+    (wrong, names), (there, named) = verdicts(work, readings), verdicts(work, truth)
     if not work.mistakes:
         return (wrong if there else None) if work.slips else not wrong
     id = work.mistakes[0].name[0]

@@ -204,15 +204,13 @@ def _doubtful(work: StudentWork, drawing: MeasuredDrawing | None, judge: SetMark
     off, points, shapes = drawing.off, drawing.points, paper_polygons(readable)
     known = {at: place for at, place in points.items() if math.isfinite(off.get(at, 0.0))}
 
-    def read(moved: Mapping[tuple[Plane, str], complex]) -> dict[str, float]:
-        there = replace(drawing, points={**known, **moved})
+    def read(shift: Mapping[tuple[Plane, str], complex]) -> dict[str, float]:
+        there = replace(drawing, points={at: place + shift.get(at, 0j) for at, place in known.items()})
         sizes = {text: abs(vector) for text, vector in lettered_vectors(there, shapes).items()}
         return sizes | dict(marker.off_drawing(there.in_si(), {}, {})[0].values)
 
     values, squares = read({}), dict[str, float]()
-    moved = [(at, known[at] + off[at] * aside) for at in off if at in known for aside in (1, 1j)]
-    for at, place in moved:
-        there = read({at: place})
+    for there in map(read, drawing.shifts):
         for text, value in values.items():
             squares[text] = squares.get(text, 0.0) + (there.get(text, math.inf) - value) ** 2
     new = {text: HandedNumber(values[text], measured=True, off=math.sqrt(square)) for text, square in squares.items()

@@ -273,7 +273,7 @@ def _room(job: PhotoJob, page: RegisteredPage, room: SheetRoom, student: str, ve
     points = {polygon.pole: 0j, **found.vertices}
     letters = tuple(dict.fromkeys((polygon.pole, *chain.from_iterable(lines), *points)))
     crop = _crop(page, room) if job.crop else ""
-    return RoomReading(room, points, letters, lines, found.error, found.unsure, crop=crop)
+    return RoomReading(room, points, letters, lines, found.error, found.unsure, found.shifts, crop=crop)
 
 
 def _crop(page: RegisteredPage, room: SheetRoom) -> str:
