@@ -101,11 +101,11 @@ class _Fit(Fit):
         return {name: own[other] for name, other in pairs if other in own}
 
     def apart(self, others: Iterable[_Fit]) -> Iterator[dict[str, complex]]:
-        """From its corners to where each that fits as well has them, but for those that this has beside its own lines."""
+        """From its corners to those of each that fits as well, where these do not lie beside their own lines."""
         for fit in others:
             if fit.is_likely and fit.score >= self.score - _ALIKE and fit.departs <= max(0.0, self.departs) + _ODDER:
-                there = {name: k for name, k in fit.numbers.items() if k not in fit.odd}
-                yield {name: complex(fit.at[there[name]] - self.at[k]) for name, k in self.numbers.items() if name in there}
+                there = {name: fit.at[k] for name, k in fit.numbers.items() if k not in fit.odd}
+                yield {name: complex(there[name] - self.at[k]) for name, k in self.numbers.items() if name in there}
 
     def alike(self, rivals: Sequence[Mapping[str, complex]]) -> Iterator[Unsure]:
         """Letters that rivals have elsewhere."""

@@ -60,10 +60,10 @@ class RoomReading:
         """What was drawn; more: reasons why all of it is unsure."""
         plane, unsure = self.room.plane, (*self.unsure, *map(Unsure, more))
         points = {(plane, letter): place for letter, place in self.points.items()}
-        told = () if self.confirmed else unsure
-        doubts = tuple(UnsureDrawing(where, plane, one.reason, one.letters, one.off) for one in told)
+        doubts = tuple(UnsureDrawing(where, plane, one.reason, one.letters, one.off) for one in unsure)
         shifts = tuple({(plane, letter): by for letter, by in one.items()} for one in self.shifts)
-        return MeasuredDrawing(points, {plane: self.room.scale}, {}, where, tuple(remarks), self.error, doubts, shifts)
+        known = ((), ()) if self.confirmed else (doubts, shifts)
+        return MeasuredDrawing(points, {plane: self.room.scale}, {}, where, tuple(remarks), self.error, *known)
 
 
 @bulky

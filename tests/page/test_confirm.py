@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from browsing import Browsing, axe
 
+from graphkin.errors import NOWHERE
 from graphkin.outputs.sheets_json import is_readings, read_readings
 from graphkin.page.confirm import write_page
 from graphkin.photo.readings import RoomReading, SheetReading
@@ -18,8 +19,9 @@ LINES = (("p", "b"), ("p", "c"), ("b", "c"))
 
 def reading(number: int, unsure: tuple[Unsure, ...] = ()) -> SheetReading:
     sheet = PrintedSheet(number, "ex3-5", f"s{number}", 210.0, 297.0, (ROOM,))
-    points = {"p": 0j, "b": 40 + 10j, "c": 30 - 20j}
-    return SheetReading(sheet, sheet.student, f"IMG_{number}.jpg", (RoomReading(ROOM, points, ("p", "b", "c"), LINES, 0.1, unsure),))
+    points, shifts = {"p": 0j, "b": 40 + 10j, "c": 30 - 20j}, tuple({letter: 0.3 + 0.1j for letter in one.letters} for one in unsure)
+    room = RoomReading(ROOM, points, ("p", "b", "c"), LINES, 0.1, unsure, shifts)
+    return SheetReading(sheet, sheet.student, f"IMG_{number}.jpg", (room,))
 
 
 @pytest.fixture
@@ -47,7 +49,7 @@ def test_a_point_is_moved_ticked_and_saved(browsing: Browsing, path: Path, tmp_p
     by_number = {one.sheet.number: one.rooms[0] for one in read_readings(file)}
     assert by_number[8].points["c"] == pytest.approx(30.2 - 19j)
     assert by_number[8].confirmed
-    assert by_number[8].unsure == ()
+    assert by_number[8].unsure == by_number[8].drawing(NOWHERE).shifts == ()
     assert by_number[8].error == pytest.approx(0.15)
     assert by_number[7] == reading(7).rooms[0]
 
