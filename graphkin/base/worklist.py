@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Hashable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from heapq import heapify, heappop, heappush
 from itertools import islice
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
 _Item = TypeVar("_Item")
 _Done = TypeVar("_Done")
 _Result = TypeVar("_Result")
-_Rule = TypeVar("_Rule")
 
 
 class Waiting:
@@ -38,40 +37,6 @@ class Waiting:
             if number not in self._called:
                 self._called.add(number)
                 heappush(self._numbers, number)
-
-
-class Rounds(Generic[_Rule]):
-    """Rules gone through in their order, round by round, as long as one is called: at first all are.
-
-    A rule is called by something that it starts from; when its turn is past, it comes in the next round.
-    """
-
-    def __init__(self, rules: Iterable[tuple[Iterable[Hashable], _Rule]]) -> None:
-        self._rules: list[_Rule] = []
-        self._starting: dict[Hashable, list[int]] = {}
-        for number, (starts, rule) in enumerate(rules):
-            self._rules.append(rule)
-            for start in starts:
-                self._starting.setdefault(start, []).append(number)
-        self._now: list[int] = []
-        self._next = list(range(len(self._rules)))
-        self._called, self._at = set(self._next), len(self._rules)
-
-    def __iter__(self) -> Iterator[_Rule]:
-        while self._now or self._next:
-            if not self._now:
-                self._now, self._next = self._next, []
-                heapify(self._now)
-            self._at = heappop(self._now)
-            self._called.remove(self._at)
-            yield self._rules[self._at]
-        self._at = len(self._rules)
-
-    def call(self, start: Hashable) -> None:
-        for number in self._starting.get(start, ()):
-            if number not in self._called:
-                self._called.add(number)
-                heappush(self._now if number > self._at else self._next, number)
 
 
 def ahead(

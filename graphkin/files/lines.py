@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
-from graphkin.base.worklist import Rounds, Waiting
 from graphkin.errors import KeyClash, MissingKey, NeedsDirection, NoLine, NoMeaning, UnknownPoint
 from graphkin.files.draft import Draft
 from graphkin.files.schema import File, LineTable
@@ -116,7 +115,7 @@ def _turn(angle: float) -> complex:
 
 Learnt = tuple[dict[str, complex], str, complex]
 """Directions of links or places of points, and what is to be put into them."""
-Rule = tuple[tuple[str | tuple[str], ...], Callable[[], Iterator[Learnt]]]
+Rule = Callable[[], Iterator[Learnt]]
 
 _CLOSE = 1e-9  # a centre this near to the line [m] lies on neither side
 
@@ -156,25 +155,14 @@ class _RoughLayout:
         self.links, self.slides, self.held = links, slides, held
         self.turns: dict[str, complex] = {FRAME: 1 + 0j}
         self.places: dict[str, complex] = dict(links[FRAME].points)
-        self.listed = [*links.values()]
-        self.links_at: dict[str, list[int]] = {}
-        for number, link in enumerate(self.listed):
-            for point in link.points:
-                self.links_at.setdefault(point, []).append(number)
-        self.rules = Rounds(self._exact())
-        self.open = Waiting(len(links))
-        more = iter(sketch.items())
+        rules, more = [*self._exact()], ((self.places, point, place) for point, place in sketch.items())
         while True:  # what is exact comes first; then point by point what the sketch says
-            for rule in self.rules:
-                self._learn(rule())
-            turned = self.open.first(self._by_two_points)
-            if turned is not None:
-                self._learn([turned])
-                continue
-            point, place = next(more, ("", 0j))
-            if not point:
+            while sum(self._learns(rule()) for rule in rules):
+                pass  # until they all give nothing new
+            news = next(filter(None, map(self._by_two_points, links.values())), None) or next(more, None)
+            if news is None:
                 return
-            self._learn([(self.places, point, place)])
+            self._learns([news])
 
     def on_left(self, line: Line, centre: str) -> bool:
         """Left, where the sketch does not say otherwise."""
@@ -183,27 +171,23 @@ class _RoughLayout:
         along = self.turns[line.link] * line.direction
         return ((self.places[centre] - self.places[line.origin]) / along).imag > -_CLOSE
 
-    def _learn(self, news: Iterable[Learnt]) -> None:
-        """Note what is new; it calls for the rules that may go on from it."""
+    def _learns(self, news: Iterable[Learnt]) -> bool:
+        """Note what is new; true where anything is."""
+        new = False
         for table, name, value in news:
             if name not in table:
-                table[name] = value
-                self.rules.call(name if table is self.turns else (name,))
-                if table is self.places:
-                    self.open.call(self.links_at.get(name, ()))
+                table[name], new = value, True
+        return new
 
     def _exact(self) -> Iterator[Rule]:
-        """The rules in their order, each with the links whose direction and the points whose place it starts from."""
+        """The rules in their order."""
         slides = {slide.name: slide for slide in self.slides}
-        for each in self.held:
-            yield (each.from_link,), partial(self._driven, each)
-        for slide in self.slides:
-            yield (slide.guide, slide.block or ""), partial(self._parallel, slide)
-        for link in self.listed:
-            yield (link.name, *((point,) for point in link.points)), partial(self._rigid, link)
+        yield from (partial(self._driven, each) for each in self.held)
+        yield from (partial(self._parallel, slide) for slide in self.slides)
+        yield from (partial(self._rigid, link) for link in self.links.values())
         for each in self.held:
             if each.kind == "slide" and (moved := slides.get(each.link)) is not None:
-                yield (moved.guide, (moved.line.origin,)), partial(self._displaced, each, moved)
+                yield partial(self._displaced, each, moved)
 
     def _driven(self, each: Driver | Pose) -> Iterator[Learnt]:
         if each.kind != "angle" or each.vector is None or each.value is None or each.from_link not in self.turns:
@@ -238,9 +222,8 @@ class _RoughLayout:
             along = self.turns[slide.guide] * slide.line.direction
             yield self.places, slide.point, self.places[slide.line.origin] + each.value * along
 
-    def _by_two_points(self, number: int) -> Learnt | None:
+    def _by_two_points(self, link: Link) -> Learnt | None:
         """The direction of a link two of whose points are known."""
-        link = self.listed[number]
         known = [point for point in link.points if point in self.places]
         head = next((point for point in known[1:] if abs(link.arm(known[0], point)) > _CLOSE), None)
         if link.name in self.turns or head is None or self.places[head] == self.places[known[0]]:
