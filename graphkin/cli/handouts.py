@@ -57,22 +57,20 @@ def handout(
     from graphkin.outputs import files
     from graphkin.outputs.sheets_json import NAME
 
-    problems, seed = _problems(mechanisms, seed, at)
-    output = output or Path(f"{problems[0][0].name}.pdf")
-    folder = output.is_dir() or not output.suffix
-    kind = ".pdf" if folder else output.suffix.lower()
-    if kind not in (".pdf", ".html"):
-        raise click.UsageError(f"{output}: the file to write must end in .pdf or .html, or be a folder")
-    if scan is not None and kind == ".html":
-        raise click.UsageError("--scan needs a .pdf: a page of a browser has no fixed size")
     if scan is not None and stage == "solution":
         raise NothingToScan()
-    langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
-    books = [(output, problems)]
-    if folder:
-        shared.refuse_one_file((machine.name for machine, _ in problems), kind)
+    problems, seed = _problems(mechanisms, seed, at)
+    output = output or Path(f"{problems[0][0].name}.pdf")
+    books, sheets = [(output, problems)], None
+    if output.is_dir() or not output.suffix:
+        shared.refuse_one_file((machine.name for machine, _ in problems), ".pdf")
         output.mkdir(parents=True, exist_ok=True)
-        books = [(output / f"{machine.name}.pdf", [(machine, who)]) for machine, who in problems]
+        books, sheets = [(output / f"{one.name}.pdf", [(one, who)]) for one, who in problems], output / NAME
+    elif output.suffix.lower() not in (".pdf", ".html"):
+        raise click.UsageError(f"{output}: the file to write must end in .pdf or .html, or be a folder")
+    elif scan is not None and output.suffix.lower() == ".html":
+        raise click.UsageError("--scan needs a .pdf: a page of a browser has no fixed size")
+    langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     for path, several in streams.counted(books, True):
         files.refuse(path, force, saving.MARKS)
         machines, whose = zip(*several, strict=True)
@@ -82,7 +80,7 @@ def handout(
         for machine, who in several if stage != "solution" else ():
             for line in untold_answers(machine, lang) if who is None else ():  # those of a set can be told
                 click.echo(line, err=True)
-        pages = _write(path, made, paper, font, scan, force, output / NAME if folder else None)
+        pages = _write(path, made, paper, font, scan, force, sheets)
         scan = None if scan is None else scan + pages  # sheet numbers go on from file to file, and those of problems
         number = number if number is None or any(whose) else number + 1
 

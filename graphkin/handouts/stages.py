@@ -71,15 +71,10 @@ def handout(
         blocks += [document.NewPage(duplex)] if k or contents else []
         own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
         said = " · ".join(filter(None, (problem.whose, own)))
-        own_problem = replace(problem, before=before)
-        staged = [*_numbered(own_problem, stage, upto, own_number, said, k)]
+        staged = [*_numbered(replace(problem, before=before), stage, upto, own_number, said, k)]
         before += 0 if problem.whose else sum(isinstance(block, document.HandoutPicture) for block in staged)
         blocks += staged
-    if answers:
-        blocks += [document.NewPage(duplex), document.HandoutHeading(plain(say("handouts.answers", lang)), 1)]
-        for problem, own_number in zip(problems, numbers, strict=True):
-            blocks.append(document.HandoutHeading(plain(_titled(problem.title, lang, own_number))))
-            blocks += blocks_of(problem.answers.entries, lang, problem.points)
+    blocks += [document.NewPage(duplex), *_answers(problems, numbers, lang)] if answers else []
     title = " / ".join(problem.title for problem in problems)
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     words = say("handouts.seed", lang, seed=seed) if seed else ""
@@ -87,6 +82,14 @@ def handout(
     ids = ("" if who is None else who.id for who in owners)
     whole = (document.HandoutPart(lang, foot, contents), *blocks)
     return Handout(title, lang, whole, tuple(zip((machine.name for machine in mechanisms), ids, strict=True)))
+
+
+def _answers(problems: Sequence[HandoutProblem], numbers: Sequence[int], lang: Lang) -> Iterator[Block]:
+    """The answers of a whole book."""
+    yield document.HandoutHeading(plain(say("handouts.answers", lang)), 1)
+    for problem, number in zip(problems, numbers, strict=True):
+        yield document.HandoutHeading(plain(_titled(problem.title, lang, number)))
+        yield from blocks_of(problem.answers.entries, lang, problem.points)
 
 
 def in_languages(
