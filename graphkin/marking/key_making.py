@@ -190,10 +190,6 @@ def _doubted(entry: KeyEntry, usual: float, deviation: float, proportional: floa
     return replace(entry, doubt="too small" if part_off(entry, usual) > MOST else "steep" if steep else "")
 
 
-_PRODUCT = 2**17
-"""Multiplications at once: one thread does them, where of more each of several would wait for the others."""
-
-
 def _together(drawn: np.ndarray) -> np.ndarray:
     """The correlation (n, n) of the quantities' scatters, of drawings (drawings, n)."""
     series = drawn[np.isfinite(drawn).all(axis=1)].T.copy()
@@ -214,15 +210,8 @@ def _ranked(series: np.ndarray) -> np.ndarray:
 
 def _correlated(ranks: np.ndarray) -> np.ndarray:
     """The correlation (.., n, n) of ranks (.., n, count)."""
-    *rows, n, count = ranks.shape
-    size = math.isqrt(_PRODUCT // count) + 1
-    tiles = -(-n // size)
-    parts = np.zeros((*rows, tiles * size, count))
-    parts[..., :n, :] = ranks
-    parts = parts.reshape(*rows, tiles, size, count)
-    products = (parts[..., :, None, :, :] @ parts[..., None, :, :, :].swapaxes(-1, -2)).swapaxes(-2, -3)
-    products = products.reshape(*rows, tiles * size, tiles * size)[..., :n, :n]
-    correlation = products * 12 / (count * (count**2 - 1))
+    n, count = ranks.shape[-2:]
+    correlation = ranks @ ranks.swapaxes(-1, -2) * 12 / (count * (count**2 - 1))
     correlation[..., range(n), range(n)] = 1.0
     return np.asarray(correlation)
 

@@ -17,7 +17,7 @@ from graphkin.errors import NotReached
 from graphkin.model.quantities import EDGE, driven
 from graphkin.planning import Method
 from graphkin.running.path import STEP_DEG, STEP_PART, DriverPath, along, stride, turned
-from graphkin.running.recorder import TABLES, Entry
+from graphkin.running.recorder import Entry
 from graphkin.running.replay_program import ReplayProgram, recorded_program
 from graphkin.running.tape import CannotRecord
 from graphkin.running.tracing import trace
@@ -26,7 +26,6 @@ SURPRISE = 0.02  # a link may turn so far beside what its turning so far foretol
 SHORTEST = 1 / 256  # steps are not halved below this part of the longest, for many positions at once
 MANY = 64  # from so many positions on a program is worth being made: a few such sweeps take as long as making it
 FITTED_MANY = 2000  # the same where links are fitted: to fit so many plainly takes about as long as making the program
-PART = 4096  # positions that are fitted at once
 
 _PROGRAMS: dict[int, ReplayProgram | None] = {}
 """By the identity of their methods, as long as these live: methods are alike by value, and too large to be hashed."""
@@ -69,7 +68,7 @@ def moved_to(method: Method, values: Sequence[Real]) -> Plot:
     if not method.moves_on:
         return replay(method.position, Plot(method.facts(values)))
     course = on_one_path(method, values)
-    return _fanned(method, values) if course is None else _along_in_parts(method, *course)
+    return _fanned(method, values) if course is None else along(method, *course)
 
 
 def on_one_path(method: Method, values: Sequence[Real]) -> tuple[DriverPath, np.ndarray] | None:
@@ -149,23 +148,10 @@ def by_program(
     return None if program is None else program.run(values, sides, near, asked, compiled)
 
 
-def _along_in_parts(method: Method, path: DriverPath, t: Real) -> Plot:
-    """The positions at t on the path by plain replay; many in parts, so that what they need stays in the cache."""
-    if not isinstance(t, np.ndarray) or t.ndim != 1 or t.size <= PART:
-        return along(method, path, t)
-    plots = [along(method, path, part) for part in np.array_split(t, -(-t.size // PART))]
-    whole = Plot(method.facts(path.values(t)), dict(path.near(t)))
-    for table in TABLES:
-        for name, value in getattr(plots[0], table).items():  # a scalar in one part is the same in all
-            joined = np.concatenate([getattr(plot, table)[name] for plot in plots]) if np.ndim(value) else value
-            getattr(whole, table)[name] = joined
-    return whole
-
-
 def replay_along(
     method: Method, path: DriverPath, t: np.ndarray, asked: set[Entry] | None = None, compiled: bool | None = None
 ) -> Plot:
     """All three constructions at t (n,) on the path, each choice on the side that is right there; `asked`, `compiled`:
     as `ReplayProgram.run` has them."""
     plot = by_program(method, path.values(t), path.crossings(t), path.near(t), asked, compiled)
-    return plot or replay(method.acceleration, replay(method.velocity, _along_in_parts(method, path, t)))
+    return plot or replay(method.acceleration, replay(method.velocity, along(method, path, t)))

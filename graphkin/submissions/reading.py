@@ -11,6 +11,7 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from graphkin import errors
+from graphkin.base.cache import kept
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.submissions import archives, documents, office
@@ -279,17 +280,7 @@ def paper_polygons(key: ReadableProblem) -> tuple[PaperPolygon, ...]:
     return polygons(key.mechanism, _questions(key))
 
 
-_REMEMBERED: list[tuple[ReadableProblem, Questions]] = []
-"""The last few problems' readers of questions: a class asks the same over and over."""
-
-
+@kept(8)  # a class asks the same over and over
 def _questions(key: ReadableProblem) -> Questions:
-    for asked, questions in _REMEMBERED:
-        one, other = asked.mechanism, key.mechanism  # between processes copies: their text is what they are
-        same = one is other or bool(one.text and one.text == other.text)
-        if asked is key or (asked.questions == key.questions and same):
-            return questions
-    questions = Questions(key.mechanism, key.questions)
-    _REMEMBERED.append((key, questions))
-    del _REMEMBERED[:-8]
-    return questions
+    """The reader of a problem's questions."""
+    return Questions(key.mechanism, key.questions)
