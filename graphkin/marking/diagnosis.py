@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -261,14 +261,14 @@ class Diagnostician:
     def __init__(self, key: Key, table: Columns, pairs: PairsOf, other_methods: OtherMethods, slips: SlipsOf) -> None:
         self._key, self._table, self._pairs = key, table, pairs
         self._other_methods, self._slips = other_methods, slips
-        self._explainers: dict[tuple[bytes, int, Name | None], Explainer] = {}
+        self._explainer = lru_cache(maxsize=_KEPT)(self._made)
 
     def diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
         """Of values, some of them wrong (students, quantities)."""
         there = np.isfinite(given).all(axis=0)
         if not len(given) or not there.any():
             return [Diagnosis() for _ in given]
-        one = self._explainer(there, 1)
+        one = self._explainer(there.tobytes(), 1)
         first_ids = np.array([names[0][0] for names in one.names], dtype=object)
         ids = [id for id in dict.fromkeys(first_ids) if id != SLIP]
         by_one = []
@@ -293,22 +293,17 @@ class Diagnostician:
         found: list[tuple[Explanation, ...]] = [() if part is None else (part,) for part in parts]
         for first in dict.fromkeys(firsts):
             students = [k for k, name in enumerate(firsts) if name == first]
-            two = self._explainer(there, 2, first)
+            two = self._explainer(there.tobytes(), 2, first)
             each = (some for best in two.best(given[students], wrong[students]) for some in _explanations(two, best))
             for k, explanations in zip(students, each, strict=True):
                 found[k] = explanations or found[k]
         return found
 
-    def _explainer(self, there: np.ndarray, count: int, first: Name | None = None) -> Explainer:
-        """By one mistake, or by two."""
-        of = there.tobytes(), count, first
-        if of not in self._explainers:
-            if len(self._explainers) > _KEPT:
-                self._explainers.clear()
-            hypotheses, met = (self._key.singles, ONE) if count == 1 else (self._pairs(first), TWO)
-            slips = self._slips if count == 1 else None
-            self._explainers[of] = Explainer(self._key, self._table, there, hypotheses, met, self._other_methods, slips)
-        return self._explainers[of]
+    def _made(self, which: bytes, count: int, first: Name | None = None) -> Explainer:
+        """By one mistake, or by two, of the quantities that are there."""
+        hypotheses, met = (self._key.singles, ONE) if count == 1 else (self._pairs(first), TWO)
+        there, slips = np.frombuffer(which, dtype=bool), self._slips if count == 1 else None
+        return Explainer(self._key, self._table, there, hypotheses, met, self._other_methods, slips)
 
 
 def independent(key: Key, there: np.ndarray) -> int:

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable
 
 import numpy as np
 
@@ -70,12 +69,8 @@ def rocker(
         ChosenPoint("D", 0j), Reckon("upright", "above", ("psi",)), DraftLayOff("C1", "D", "c", "", "upright"),
         DraftLayOff("C2", "D", "c", "C1", "psi", -1.0),
     )  # fmt: skip
-    lengths = Stage("rocker lengths", (*_CRANK_AND_COUPLER, DraftMeasure("d", "A", "D")))
-
-    def solution(side: float, steps: tuple[Stage, ...]) -> Solution | None:
-        return _solution(Drafting(values, (_THETA, Stage("rocker limits", limits), *steps, lengths)), chord, side)
-
-    return _design("rocker", values, chord, (family(chord, 1.0), family(chord, -1.0)), name, gamma_min, solution)
+    stages = Stage("rocker limits", limits), Stage("rocker lengths", (*_CRANK_AND_COUPLER, DraftMeasure("d", "A", "D")))
+    return _design("rocker", values, chord, (family(chord, 1.0), family(chord, -1.0)), name, gamma_min, stages)
 
 
 def _rocker_chord(length: float, swing: float, k: float) -> Chord:
@@ -83,8 +78,7 @@ def _rocker_chord(length: float, swing: float, k: float) -> Chord:
     first, second = (complex(length * np.exp(1j * (math.pi / 2 + sign * swing / 2))) for sign in (1, -1))
 
     def lengths(at: Value) -> dict[str, Real]:
-        near, far = np.abs(at - first), np.abs(at - second)
-        return {"a": np.abs(far - near) / 2, "b": (far + near) / 2, "d": np.abs(at), "ac1": near}
+        return {**_crank_and_coupler(at, first, second), "d": np.abs(at), "ac1": np.abs(at - first)}
 
     def gamma(at: Value) -> Real:
         of = lengths(at)
@@ -119,13 +113,9 @@ def slider(
     values = {"H": stroke, "K": k} | ({name: abs(conditions[name] or 0.0)} if name else {})
     chord = _slider_chord(stroke, k)
     limits = Stage("slider limits", (ChosenPoint("C1", 0j), DraftLayOff("C2", "C1", "H")))
-
-    def solution(side: float, steps: tuple[Stage, ...]) -> Solution | None:
-        lengths = Stage("slider lengths", _CRANK_AND_COUPLER)
-        return _solution(Drafting(values, (_THETA, limits, *steps, lengths)), chord, side)
-
     families = (family(chord, -1.0 if (offset or 0.0) < 0 else 1.0),)
-    return _design("slider", values, chord, families, name, gamma_min, solution)
+    stages = limits, Stage("slider lengths", _CRANK_AND_COUPLER)
+    return _design("slider", values, chord, families, name, gamma_min, stages)
 
 
 def _slider_chord(stroke: float, k: float) -> Chord:
@@ -133,8 +123,7 @@ def _slider_chord(stroke: float, k: float) -> Chord:
     first, second = 0j, complex(stroke)
 
     def lengths(at: Value) -> dict[str, Real]:
-        near, far = np.abs(at - first), np.abs(at - second)
-        return {"a": np.abs(far - near) / 2, "b": (far + near) / 2, "e": np.abs(np.asarray(at).imag)}
+        return {**_crank_and_coupler(at, first, second), "e": np.abs(np.asarray(at).imag)}
 
     def gamma(at: Value) -> Real:
         of = lengths(at)
@@ -147,12 +136,21 @@ def _slider_chord(stroke: float, k: float) -> Chord:
     return Chord(first, second, theta_of(k), ((first, 1j), (second, 1j)), parted, lengths, gamma)
 
 
+def _crank_and_coupler(at: Value, first: complex, second: complex) -> dict[str, Real]:
+    """AC1 = b - a, AC2 = b + a, or the other way round."""
+    near, far = np.abs(at - first), np.abs(at - second)
+    return {"a": np.abs(far - near) / 2, "b": (far + near) / 2}
+
+
 def _design(
     kind: Kind, values: dict[str, float], chord: Chord, families: tuple[Family, ...], name: str,
-    gamma_min: float | None, solution: Callable[[float, tuple[Stage, ...]], Solution | None],
+    gamma_min: float | None, stages: tuple[Stage, Stage],
 ) -> Design:  # fmt: skip
-    """The design of all A that the pencil gives; without a solution, with the bounds of the condition."""
-    every = [solution(side, steps) for side, steps in steps_to_centre(chord, families, name, gamma_min)]
+    """The design of all A that the pencil gives; without a solution, with the bounds of the condition. `stages`: what
+    is drawn before A and behind it."""
+    limits, lengths = stages
+    every = [_solution(Drafting(values, (_THETA, limits, *steps, lengths)), chord, side)
+             for side, steps in steps_to_centre(chord, families, name, gamma_min)]  # fmt: skip
     valid = tuple(one for one in every if one is not None and one.valid)
     rejected = tuple(one for one in every if one is not None and not one.valid)
     return Design(kind, values, valid, rejected, families, () if valid else bounds(name, families, chord))
