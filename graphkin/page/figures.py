@@ -18,7 +18,7 @@ from graphkin.say.reading import Reading
 from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
-from graphkin.sheet.motion_frames import MotionFigures, lettered
+from graphkin.sheet.motion_frames import MotionFigure, lettered
 from graphkin.sheet.paper import KEYS, Room
 from graphkin.sheet.polygons import PolygonFigure, arrows, named_site
 from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
@@ -53,15 +53,15 @@ class PageFigures:
     usual: Sequence[Plot]
 
     @cached_property
-    def motion(self) -> MotionFigures:
-        return MotionFigures(self.method, self.usual, PLANES, "en", False, {})
+    def motion(self) -> dict[Plane, MotionFigure]:
+        return {plane: MotionFigure(self.method, self.usual, plane) for plane in PLANES}
 
     @cached_property
     def _cut(self) -> dict[Plane, tuple[Window, Room]]:
         cut: dict[Plane, tuple[Window, Room]] = {}
         for plane in PLANES:
-            usual = {k: times for k, times in self.motion.smaller[plane].items() if times == 1}
-            extent: Extent = replace(self.motion.extent(plane, usual), blocks=())
+            usual = {k: times for k, times in self.motion[plane].smaller.items() if times == 1}
+            extent: Extent = replace(self.motion[plane].extent(usual), blocks=())
             scale = extent.scale(_ROOMS[plane])
             room = extent.cut_out(scale)
             cut[plane] = extent.window(room, scale), room
@@ -81,10 +81,10 @@ class PageFigures:
     def figure(self, plane: Plane, plot: Plot | None) -> Figure:
         """A plane's figure at a position, with the lines of the pencil, without its letters; nothing where it is
         endless."""
-        if plot is None or not self.motion.fits(plane, plot):
+        if plot is None or not self.motion[plane].fits(plot):
             return Figure()
         window = self.window(plane)
-        figure = self.motion.figure(plane, window, plot)
+        figure = self.motion[plane].figure(window, plot)
         wanted: Sequence[LabelRequest] = figure.wanted
         if plane == "position":
             marks = [*pencil_lines(self.method.position, plot, window, pages(self.method)), *figure.marks]
@@ -95,7 +95,7 @@ class PageFigures:
             points = [replace(mark, step=None if mark.of == "pole" else mark.step)
                       for mark in figure.marks if isinstance(mark, PointMark)]  # fmt: skip
             marks = [*self._pencil(polygon, plot), *rest, *self._vectors(polygon), *points]
-            named = [[name for name in group if name in polygon.named] for group in self.motion.as_one[plane]]
+            named = [[name for name in group if name in polygon.named] for group in self.motion[plane].as_one]
             steps = [None if polygon.construction.pole in group else born.get(group[0]) for group in named if group]
             wanted = [replace(want, step=step) for want, step in zip(wanted, steps, strict=True)]
         return Figure(marks, [*wanted])
@@ -120,7 +120,7 @@ class PageFigures:
         for plane in PLANES[1:]:
             construction, born = constructions(self.method)[plane], births(self.method, plane)
             there = self.usual[0].points(plane)
-            one = {name: group[0] for group in self.motion.as_one[plane] for name in group}
+            one = {name: group[0] for group in self.motion[plane].as_one for name in group}
             groups: dict[tuple[str, str], list[VectorMark]] = {}
             for arrow in arrows(self.method.mechanism, construction, there):
                 step = max((born[name] for name in (arrow.tail, arrow.head) if name in born), default=None)

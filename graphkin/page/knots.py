@@ -57,8 +57,8 @@ class PageKnots:
     @cached_property
     def shown(self) -> dict[Plane, np.ndarray]:
         """By plane True at the knots at which it is drawn."""
-        fits = self.figures.motion.fits
-        return {plane: np.array([plot is not None and fits(plane, plot) for plot in self.plots]) for plane in PLANES}
+        return {plane: np.array([plot is not None and figure.fits(plot) for plot in self.plots])
+                for plane, figure in self.figures.motion.items()}  # fmt: skip
 
     @cached_property
     def _between(self) -> dict[Places, Plot | None]:
@@ -215,7 +215,7 @@ def _off_along(knots: PageKnots, driver: int) -> float:
 def _off(knots: PageKnots, us: Sequence[float], plane: Plane, plot: Plot) -> float:
     """How far what is drawn is off [mm], rounding at the knots included."""
     shown = knots.shown[plane]
-    how = stencil(knots.axes, us, shown.reshape(knots.shape)) if knots.figures.motion.fits(plane, plot) else None
+    how = stencil(knots.axes, us, shown.reshape(knots.shape)) if knots.figures.motion[plane].fits(plot) else None
     if how is None:
         return 0.0
     places = np.array([complex(plot.points(plane)[name]) for name in knots.names[plane]])
@@ -238,7 +238,7 @@ def cells_shown(knots: PageKnots, plane: Plane) -> np.ndarray:
 
 def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int]) -> bool:
     """True of a cell in whose middle, at a rim in its quarters too, what is drawn is near to where it belongs."""
-    axes, fits = knots.axes, knots.figures.motion.fits
+    axes, fits = knots.axes, knots.figures.motion[plane].fits
     around = [[k + n if axis.period else min(max(k + n, 0), len(axis.u) - 1) for n in range(-2, 4)]
               for k, axis in zip(at, axes, strict=True)]  # fmt: skip
     inside = shown[np.ix_(*(np.array(own) % len(axis.u) for own, axis in zip(around, axes, strict=True)))].all()
@@ -247,7 +247,7 @@ def _is_near(knots: PageKnots, plane: Plane, shown: np.ndarray, at: Sequence[int
     if inside and _is_sure(knots, plane, shown, places[0]):
         return True
     plots = [(us, knots.plot(us)) for us in places]
-    there = all(plot is not None and fits(plane, plot) for _, plot in plots)
+    there = all(plot is not None and fits(plot) for _, plot in plots)
     return there and all(plot is None or _off(knots, us, plane, plot) <= NEAR for us, plot in plots)
 
 

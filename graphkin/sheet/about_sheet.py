@@ -15,7 +15,7 @@ from graphkin.model.mechanism import FRAME
 from graphkin.say.catalogue import say
 from graphkin.say.centre_about import bobillier_words, link_words
 from graphkin.sheet import symbols
-from graphkin.sheet.centre_figure import INFINITY, coordinates
+from graphkin.sheet.centre_figure import INFINITY, centre_label, coordinates
 from graphkin.sheet.drafting_figure import DraftingFigure, angle, named, spot
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label, quantity_label
@@ -53,7 +53,7 @@ def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> 
     on = place_for(method, [plot], places, paper, Strip(_point_tables(link, lang), [*link_words(link, lang)]))
     drawing = _LinkDrawing(link, on, lang)
     under = chain(drawing.circles(), drawing.axes(), drawing.rays())
-    over = chain(drawing.velocities(), drawing.poles(), drawing.centres())
+    over = chain(drawing.velocities(), drawing.centres())
     figure = Figure.of(under) + on.mechanism(plot) + Figure.of(over)
     further: dict[Plane, float] = {"velocity": drawing.pace} if link.moves else {}
     return on.sheet(plot, say("about.sheet heading", lang, link=link.called), figure, lang, further)
@@ -92,11 +92,6 @@ class _LinkDrawing:
             if all(room.holds(window(each.place) + 1.1 * window.turned(each.velocity / pace)) for each in points):
                 break
         return pace
-
-    @property
-    def name(self) -> Label:
-        """The pole's letters, P₁₃."""
-        return quantity_label("P", self.link.found.name(FRAME, self.link.link)[1:])
 
     def circles(self) -> Iterator[Entry]:
         """Inflection and return circle; the inflection pole W."""
@@ -145,8 +140,9 @@ class _LinkDrawing:
                     last = [(ray.places[-1], along)]
                     yield from (ray, symbols.arrow_head(ray.places[-1], along, None))
         for at, along in last:
+            name = centre_label(link.found.name(FRAME, link.link))
             where = INFINITY if far else (Run(" "), *coordinates(link.found, link.pole), Run(" mm"))
-            yield LabelRequest((*self.name, *where), at, gap=1.0, away=along)
+            yield LabelRequest((*name, *where), at, gap=1.0, away=along)
 
     def velocities(self) -> Iterator[Entry]:
         """The velocity of each point, to the scale of velocities."""
@@ -158,15 +154,12 @@ class _LinkDrawing:
             yield from symbols.arrow(start, start + arrow, "velocity")
             yield LabelRequest(quantity_label("v", name), start, start + arrow, gap=0.7)
 
-    def poles(self) -> Iterator[Entry]:
-        """P and J."""
-        yield from self._spot(self.link.pole, self.name, 1.0, "paper")
+    def centres(self) -> Iterator[Entry]:
+        """The poles P and J; centres of curvature, and the radius from each point."""
+        window = self.on.window
+        yield from self._spot(self.link.pole, centre_label(self.link.found.name(FRAME, self.link.link)), 1.0, "paper")
         if self.link.acceleration_pole is not None:
             yield from self._spot(self.link.acceleration_pole, plain("J", italic=True), 1.0, "paper")
-
-    def centres(self) -> Iterator[Entry]:
-        """Centres of curvature, and the radius from each point."""
-        window = self.on.window
         for name, carried in self.link.points.items():
             if cmath.isfinite(carried.centre) and carried.radius > 1e-9 * self.link.size:
                 yield from clipped([window(carried.place), window(carried.centre)], self.on.room, "dashed")
@@ -223,12 +216,10 @@ class _BobillierDrawing:
     def points(self, new: bool) -> Iterator[Entry]:
         """The points of the construction; new: and the point itself, where the mechanism does not show it."""
         point, solution = self.solution.point, self.solution
-        named: list[tuple[str, int | None]] = [(point, None)] if new else []
-        named += [(step.name, solution.construction.born(step.name)) for step in solution.construction.steps
-                  if isinstance(step, PointStep)]  # fmt: skip
-        labels = {point: point_label(point), solution.crossings[1]: quantity_label("Q", point)}
-        labels[solution.answer] = quantity_label("K", point)
-        for name, stage in named:
+        labels = {point: point_label(point), solution.crossings[1]: quantity_label("Q", point),
+                  solution.answer: quantity_label("K", point)}  # fmt: skip
+        made = (step.name for step in solution.construction.steps if isinstance(step, PointStep))
+        for name, stage in [*[(point, None)] * new, *((name, solution.construction.born(name)) for name in made)]:
             for at in filter(self.on.room.holds, self.on.at(name)):
                 own = plain(name.replace("'", "′"), italic=True)
                 yield from spot(at, labels.get(name, own), step=stage)

@@ -6,8 +6,7 @@ import cmath
 from collections.abc import Iterator, Mapping
 
 from graphkin.base import geometry
-from graphkin.base.value import frozen
-from graphkin.construction import Along, Arc, Meet, Plot, Ray, Site, Swing, Touch
+from graphkin.construction import Along, Meet, Plot, Ray, Site, Swing, Touch
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
@@ -17,7 +16,7 @@ from graphkin.say.reading import Reading
 from graphkin.say.tangents import feet
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain, point_label, quantity_label
-from graphkin.sheet.marks import Disc, Place, PointMark, Stroke
+from graphkin.sheet.marks import Disc, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, arrow_head, right_angle
@@ -26,38 +25,25 @@ from graphkin.sheet.window import Figure, corners
 _BEYOND = 6.0  # how far a leg's line goes on past the special point [mm]
 _CUT = 34.0  # how much is drawn of a line to a special point off the paper [mm]
 _AXIS = 9.0  # the length of an axis [mm]
+_SHORT = 0.5  # a shorter line, or radius, is not drawn [mm]
 _FAR = 1.9  # so many times larger the mechanism may become for a special point's sake
 
 
-@frozen
-class _Special:
-    """A special point: its letter, its site as written (`S4`) and as `S@4`, and the two lines."""
-
-    name: str
-    of: str
-    site: str
-    rays: tuple[Ray, Ray]
-    step: int
-
-
-def _special_points(method: Method) -> Iterator[_Special]:
-    sites = {node.site: node.of for node in method.velocity.nodes.values() if node.site is not None}
+def _special_points(method: Method) -> Iterator[tuple[str, list[Ray], int]]:
+    """Each special point, the two lines that meet there, and the step in which they do."""
     page = pages(method)
     for step in method.position.steps:
-        if not isinstance(step, Meet) or step.point not in method.special:
-            continue
-        if not isinstance(step.first, Arc) and not isinstance(step.second, Arc):
-            node = method.position.nodes[step.point]
-            of, site = (node.of, "") if node.site is None else (sites.get(node.site, node.of), named_site(node.site))
-            yield _Special(step.point, of, site, (step.first, step.second), page["position", step])
+        if isinstance(step, Meet) and step.point in method.special:
+            rays = [line for line in (step.first, step.second) if isinstance(line, Ray)]
+            if len(rays) == 2:
+                yield step.point, rays, page["position", step]
 
 
 def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping[str, complex]:
-    """Special points, asked centres and the origin that they are told from, where they lie near enough to the mechanism
-    to be drawn [m]."""
+    """Special points, asked centres and their origin, where they lie near enough to the mechanism to be drawn [m]."""
     low, high = corners(others)
     size, near = max((high - low).real, (high - low).imag), dict[str, complex]()
-    places = {special.name: geometry.place(plot.position[special.name]) for special in _special_points(method)}
+    places = {name: geometry.place(plot.position[name]) for name, *_ in _special_points(method)}
     for name, at in {**places, **_asked(method, plot)}.items():
         least, most = corners([low, high, at])
         if max((most - least).real, (most - least).imag) <= _FAR * size:
@@ -100,38 +86,30 @@ def asked_centres(method: Method, skeleton: Skeleton, plot: Plot, drawn: list[co
 
 
 def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
-    """The legs' lines, thin, to where they meet; towards it only where it is not among the places drawn [m]."""
-    figure = Figure()
-    for special in _special_points(method):
-        at = skeleton.at(special.name)
-        if not cmath.isfinite(at):  # the legs are parallel: neither points anywhere
-            continue
-        if geometry.place(skeleton.plot.position[special.name]) in drawn:
-            for ray in special.rays:  # from the leg's far end through the special point
-                start = max(_ends(skeleton, ray), key=lambda end: abs(end - at))
-                if abs(at - start) >= 0.5:
-                    end = at + (at - start) / abs(at - start) * _BEYOND
-                    figure.marks.append(Stroke((start, end), "thin", step=special.step))
-            dot = PointMark("position", special.name, special.of, at, 0.6, step=special.step, site=special.site)
-            figure.marks.append(dot)
-            figure.wanted.append(LabelRequest(point_label(special.name), at, gap=0.8, step=special.step))
-        else:
-            for ray in special.rays:
-                start = min(_ends(skeleton, ray), key=lambda end: abs(end - at))
-                if at == start:  # the leg's near end is the special point itself
-                    continue
-                along = (at - start) / abs(at - start)
-                tip, label = start + along * _CUT, (*plain("→ "), *point_label(special.name))
-                head = arrow_head(tip, along, special.step)
-                figure.marks += [Stroke((start, tip), "thin", step=special.step), head]
-                for end in (tip, head.places[-1]):
-                    figure.wanted.append(LabelRequest(label, end, gap=0.6, step=special.step))
+    """The legs' lines, thin, from their far ends through where they meet; from their near ends towards it only where it
+    is not among the places drawn [m]."""
+    figure, sites = Figure(), {n.site: n.of for n in method.velocity.nodes.values() if n.site is not None}
+    for name, rays, step in _special_points(method):
+        at, shown = skeleton.at(name), geometry.place(skeleton.plot.position[name]) in drawn
+        for ray in rays if cmath.isfinite(at) else ():  # else the legs are parallel: neither points anywhere
+            way = (ray.direction.tail, ray.direction.head) if isinstance(ray.direction, Along) else ()
+            start = sorted(map(skeleton.at, (ray.through, *way)), key=lambda end: abs(end - at))[-1 if shown else 0]
+            if abs(at - start) < (_SHORT if shown else 1e-9):  # an end of the leg is the special point itself
+                continue
+            along = (at - start) / abs(at - start)
+            if shown:
+                figure.marks.append(Stroke((start, at + along * _BEYOND), "thin", step=step))
+                continue
+            tip, label = start + along * _CUT, (*plain("→ "), *point_label(name))
+            head = arrow_head(tip, along, step)
+            figure.marks += [Stroke((start, tip), "thin", step=step), head]
+            figure.wanted += (LabelRequest(label, end, gap=0.6, step=step) for end in (tip, head.places[-1]))
+        if shown:
+            node = method.position.nodes[name]
+            of, site = (node.of, "") if node.site is None else (sites.get(node.site, node.of), named_site(node.site))
+            figure.marks.append(PointMark("position", name, of, at, 0.6, step=step, site=site))
+            figure.wanted.append(LabelRequest(point_label(name), at, gap=0.8, step=step))
     return figure
-
-
-def _ends(skeleton: Skeleton, ray: Ray) -> list[Place]:
-    names = [ray.through, *((ray.direction.tail, ray.direction.head) if isinstance(ray.direction, Along) else ())]
-    return [skeleton.at(name) for name in names]
 
 
 def contacts(method: Method, skeleton: Skeleton) -> Figure:
@@ -154,7 +132,7 @@ def touched(method: Method, plot: Plot, skeleton: Skeleton) -> Figure:
             pivot, through = skeleton.at(step.pivot), skeleton.at(step.through)
             along, number = skeleton.direction(method.structure.slides[step.slide].line), page["position", step]
             foot = through - (along.conjugate() * (through - pivot)).real * along
-            if min(abs(foot - pivot), abs(foot - through)) >= 0.5:
+            if min(abs(foot - pivot), abs(foot - through)) >= _SHORT:
                 figure.marks.append(Stroke((pivot, foot, through), "construction", step=number))
                 figure.marks += right_angle(foot, pivot - foot, through - foot, step=number)
                 figure.marks.append(Disc(foot, 0.6, "thin", "ink", step=number))

@@ -1,29 +1,35 @@
-"""Arrows of a polygon on one line, and heads that would melt.
+"""Arrows of a polygon on one line, heads that would melt, and an arrow that is far longer than all others.
 
 Arrows on one line lie on one another, as books draw them: each from its point to its point. The name of one stands
 where no shorter one lies, if it has such a piece; else they lie side by side, tied to their points. Heads that meet at
 one point under a small angle open outwards only; what would still become one to the eye stands back from its point,
 the longer arrow's.
+
+An arrow over five times as long as most is drawn broken where nothing hangs on where its head is. It has its direction,
+a gap between two strokes in its middle, and its size at its name; the scale is chosen by the others.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import count, pairwise
 
 import numpy as np
 
-from graphkin.base.geometry import Array
+from graphkin.base.geometry import Array, place
+from graphkin.construction import Construction, Plot
+from graphkin.planning import Method
+from graphkin.planning.needed import PartsReader
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.marks import Half, Mark, PointMark, Stroke, VectorMark
-from graphkin.sheet.window import Figure
+from graphkin.sheet.marks import BREAK, Half, Mark, PointMark, Stroke, VectorMark
+from graphkin.sheet.polygons import GearImage, PolygonFigure
+from graphkin.sheet.window import Figure, corners, trial_window
 
 TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that [mm]
-_ON, _ALONG = 0.3, 1.0
-"""Nearer than this to a line, over more than this of it, an arrow lies on it [mm]."""
+_ON, _ALONG = 0.3, 1.0  # nearer than this to a line, over more than this of it, an arrow lies on it [mm]
 _NAMED = 3.0  # a piece of its own that is shorter bears no arrow's name [mm]
 _LANE = 1.2  # from arrow to arrow, where they would hide one another [mm]
 _SHORT = 0.9  # the heads of shorter arrows stay as they are [mm]
@@ -36,8 +42,7 @@ _SHARE = 0.08  # so much of a head may lie in another
 _SQUARE = np.stack(np.meshgrid(*2 * [np.linspace(0.04, 0.96, 12)])).reshape(2, -1)
 _GRID = np.where(_SQUARE.sum(axis=0) > 1, 1 - _SQUARE, _SQUARE)  # places in a triangle, in parts of two of its sides
 _Piece = tuple[float, float]
-_Key = tuple[str, complex]
-"""The name of an arrow, and where it starts: points of two links may move alike."""
+_Key = tuple[str, complex]  # the name of an arrow, and where it starts: points of two links may move alike
 Head = tuple[complex, complex, complex]
 """The corners of an arrow head, the tip first [mm]."""
 
@@ -49,7 +54,8 @@ def side_by_side(figure: Figure) -> Figure:
     vectors.sort(key=lambda vector: vector.length)
     start, end = (np.array([getattr(v, side) for v in vectors], dtype=complex) for side in ("start", "end"))
     on = [_pieces_on(vector, start, end) for vector in vectors]
-    pieces = [[*_free(v, low[:k], high[:k]), (0.0, 0.0)] for k, (v, (low, high)) in enumerate(zip(vectors, on))]
+    pieces = [[*free_pieces(v.length, zip(low[:k].tolist(), high[:k].tolist(), strict=True)), (0.0, 0.0)]
+              for k, (v, (low, high)) in enumerate(zip(vectors, on, strict=True))]  # fmt: skip
     free = {(v.name, v.start): max(each, key=lambda piece: piece[1] - piece[0])
             for v, each in zip(vectors, pieces, strict=True)}  # fmt: skip
     hidden = np.array([high - low < _NAMED for low, high in (free[v.name, v.start] for v in vectors)], dtype=bool)
@@ -99,15 +105,13 @@ def _pieces_on(vector: VectorMark, starts: Array, ends: Array) -> tuple[Array, A
     return low * near, high * near
 
 
-def _free(vector: VectorMark, low: Array, high: Array) -> Iterator[_Piece]:
-    """The pieces of an arrow on which no other lies, from its tail [mm]."""
+def free_pieces(length: float, taken: Iterable[_Piece]) -> Iterator[_Piece]:
+    """The pieces of a line that others, from where to where they lie on it, leave free, from its start."""
     at = 0.0
-    for begin, stop in sorted(zip(low[high > low].tolist(), high[high > low].tolist(), strict=True)):
-        if begin > at:
-            yield at, begin
+    for begin, stop in (*sorted(taken), (length, length)):
+        if (end := min(begin, length)) > at:
+            yield at, end
         at = max(at, stop)
-    if at < vector.length:
-        yield at, vector.length
 
 
 def heads_apart(figure: Figure) -> Figure:
@@ -156,19 +160,73 @@ def head_size(vector: VectorMark) -> tuple[float, float]:
 
 def _melting(corners: Head, heads: Sequence[Head]) -> float:
     """The part of a head, or of a smaller one, that lies in another, so far as it is more than a little."""
-    near = [each for each in heads if abs(sum(each) - sum(corners)) < 6 * TIP]
-    return max(0.0, float(_shares(corners, np.array(near).T).max()) - _SHARE) if near else 0.0
-
-
-def _shares(one: Head, others: Array) -> Array:
-    """The part of the smaller triangle that lies in the other, of one and each of others (3, n)."""
-    alike, larger = np.array(one)[:, None] + 0 * others, abs(_across(*one)) > abs(_across(*others))
+    others = np.array([each for each in heads if abs(sum(each) - sum(corners)) < 6 * TIP]).T
+    if not others.size:
+        return 0.0
+    alike, larger = np.array(corners)[:, None] + 0 * others, abs(_across(*corners)) > abs(_across(*others))
     small, large, (u, v) = np.where(larger, others, alike), np.where(larger, alike, others), _GRID[:, :, None]
     inside = small[0] + u * (small[1] - small[0]) + v * (small[2] - small[0])
     sides = np.array([_across(a, b, inside) for a, b in pairwise((*large, large[0]))])
-    return np.asarray(((sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)).mean(axis=0))
+    shares = ((sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)).mean(axis=0)
+    return max(0.0, float(shares.max()) - _SHARE)
 
 
 def _across(a: complex | Array, b: complex | Array, c: complex | Array) -> Array:
     """Twice the area of a triangle, with the sense of its turn."""
     return np.imag((b - a).conjugate() * (c - a))
+
+
+# --- an arrow that is drawn broken ----------------------------------------------------------------------------------
+
+
+_LONG, _WORTH, _DRAWN = 5.0, 1.5, 1.2
+"""An arrow is drawn broken that is so many times as long as the median of all, where the polygon becomes so many times
+smaller; it is drawn so many times as long as the longest other one."""
+_POINT = 0.1  # shorter arrows and distances are none, where the polygon is as large as a trial [mm]
+_SIGN = cmath.rect(1.6, cmath.pi / 3)  # half of a stroke of the break sign, on an arrow to the right [mm]
+
+
+def left_out(method: Method, construction: Construction, plot: Plot, gears: Sequence[GearImage]) -> dict[str, complex]:
+    """The head of the arrow that is drawn broken, and the piece of the arrow that is not drawn [SI]; or nothing."""
+    points = plot.points(construction.plane)
+    places = {name: place(points[name]) for name in (construction.pole, *construction.nodes) if name in points}
+    polygon = PolygonFigure(method.mechanism, construction, plot, trial_window([*places.values()]), {})
+    vectors = [vector for vector in polygon.vectors() if vector.length > _POINT]
+    long = max(vectors, key=lambda vector: vector.length, default=None)
+    lengths = sorted(vector.length for vector in vectors)
+    if long is None or long.length <= _LONG * (lengths[(len(lengths) - 1) // 2] + lengths[len(lengths) // 2]) / 2:
+        return {}
+    drawn = _DRAWN * max(vector.length for vector in vectors if vector is not long) / long.length
+    piece = (places[long.head] - places[long.tail]) * (1 - drawn)
+    circles = [corner for image in gears for corner in image.corners]
+    shorter = _span([*{**places, long.head: places[long.head] - piece}.values(), *circles])
+    if _WORTH * shorter > _span([*places.values(), *circles]) or _bears(method, polygon, gears, long):
+        return {}
+    return {long.head: piece}
+
+
+def _span(places: Iterable[complex]) -> float:
+    """From corner to corner of what holds them."""
+    low, high = corners([*places])
+    return abs(high - low)
+
+
+def _bears(method: Method, polygon: PolygonFigure, gears: Sequence[GearImage], arrow: VectorMark) -> bool:
+    """True if something else is drawn or measured from the head of an arrow: it must be where it belongs."""
+    ends = [name for vector in polygon.vectors() for name in (vector.tail, vector.head)]
+    ends += [name for _, names in polygon.images() for name in names] + [image.centre for image in gears]
+    ends += [arrow.head for name, at in polygon.points.items() if abs(at - arrow.end) < _POINT and name != arrow.head]
+    readers = [PartsReader(method, each) for each in method.constructions]
+    needs = (fact for reader, each in zip(readers, method.constructions, strict=True) for step in each.steps
+             for fact in reader.needs(step))  # fmt: skip
+    return ends.count(arrow.head) > 1 or (arrow.plane, arrow.head) in needs
+
+
+def with_break_signs(figure: Figure) -> Figure:
+    """The figure with two strokes across each arrow that is drawn broken, one on each side of its gap."""
+    marks = [*figure.marks]
+    for vector in (mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.broken):
+        along, middle = (vector.end - vector.start) / (vector.length or 1.0), (vector.start + vector.end) / 2
+        for at in (middle - BREAK / 2 * along, middle + BREAK / 2 * along):
+            marks.append(Stroke((at - along * _SIGN, at + along * _SIGN), "thin", step=vector.step))
+    return Figure(marks, figure.wanted)

@@ -21,6 +21,7 @@ from graphkin.model.pairs import Cam, Rod
 from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
 from graphkin.sheet.added_points import drawn_when
+from graphkin.sheet.arrows import free_pieces
 from graphkin.sheet.boxes import xy
 from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
@@ -28,7 +29,7 @@ from graphkin.sheet.lettering import Label, Run, number, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
-from graphkin.sheet.paper import Room
+from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import BLOCK, HINGE
@@ -41,8 +42,7 @@ SAME = 0.05  # places closer than this are one on paper [mm]
 
 @frozen
 class Spot:
-    """A centre at one position: the stage that finds it (the first is 1), its place [m], None at infinity, and the
-    direction in which one at infinity lies, a unit vector; 0 for others."""
+    """A centre at one position, found in a stage (the first is 1): its place [m]; None at infinity, in a direction."""
 
     name: str
     number: int
@@ -77,12 +77,10 @@ _BEYOND = 4.0  # how far a line goes on past the centres on it [mm]
 _NORMAL = 12.0  # how far a common normal goes on past the rim of the smaller profile about its centre [mm]
 _SHORT = 0.8  # a shorter rest of a line already drawn is not drawn [mm]
 INFINITY: Label = plain(" → ∞ ")  # the room after the sign is because it is wider than what letters count as
-_ARROW, _EDGE_ARROW = 13.0, 8.0
-"""An arrow to infinity, and one to a centre beyond the edge [mm]."""
+_ARROW, _EDGE_ARROW = 13.0, 8.0  # an arrow to infinity, and one to a centre beyond the edge [mm]
 _OFF = BLOCK.imag / 2 + 1.0  # from a block's middle to where its arrow starts [mm]
 _APART = 5.0  # arrows in one direction start at least so far from one another [mm]
-_CIRCLE, _DOT = 1.0, 0.5
-"""Radius of the circle and of the dot that mark a centre [mm]."""
+_CIRCLE, _DOT = 1.0, 0.5  # radius of the circle and of the dot that mark a centre [mm]
 
 
 @frozen
@@ -92,11 +90,6 @@ class OnPaper:
     found: Centres
     window: Window
     room: Room
-
-    @cached_property
-    def drafting(self) -> DraftingFigure:
-        construction = self.found.centring.construction
-        return DraftingFigure(construction, self.found.board, self.window, self.room, _BEYOND)
 
     @cached_property
     def spots(self) -> list[Spot]:
@@ -113,6 +106,8 @@ class OnPaper:
 
     def lines(self, spot: Spot) -> Iterator[Stroke]:
         """The lines that give a centre, past the centres on them; common normals past profiles, as centre lines."""
+        construction, board = self.found.centring.construction, self.found.board
+        drafting = DraftingFigure(construction, board, self.window, self.room, _BEYOND)
         for line in spot.stage.lines if spot.stage.say == "two lines" else ():
             normal, also = self.found.centring.normals.get(line.name), list[Place]()
             if normal is not None:
@@ -122,8 +117,8 @@ class OnPaper:
                 names = pair.slipping.points if isinstance(pair.slipping, Rod) else (normal.line.through,)
                 centres = [self.window(place(self.found.plot.position[name])) for name in names]
                 also = [at + side * past for at in centres for side in (1, -1)]
-            ends = self.drafting.ends(line, also)
-            yield from clipped(ends, self.room, "dashed" if normal is None else "centre", spot.number)
+            pen: PenName = "dashed" if normal is None else "centre"
+            yield from clipped(drafting.ends(line, also), self.room, pen, spot.number)
 
 
 def centre_lines(paper: OnPaper) -> Figure:
@@ -140,8 +135,7 @@ def centre_lines(paper: OnPaper) -> Figure:
 
 
 def asked_lines(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
-    """Kennedy's lines to the asked centres that a mechanism's figure shows, as far as the places drawn reach; the lines
-    of a special point's legs are there already."""
+    """Kennedy's lines to the asked centres that a figure shows; those of a special point's legs are there already."""
     plot = skeleton.plot
     asked = [one for one in (read(method.mechanism, text) for text in method.mechanism.ask) if isinstance(one, Centre)]
     if not asked or not isinstance(plot, Plot) or not plot.omega:
@@ -164,13 +158,11 @@ def _fresh(line: Stroke, drawn: Sequence[Stroke]) -> Iterator[Stroke]:
     """The pieces of a line on which no other lies."""
     start, end = line.places
     along = (end - start) / abs(end - start)
-    left = [(0.0, abs(end - start))]
-    for other in drawn:
-        one, two = sorted(((at - start) / along for at in other.places), key=lambda off: off.real)
-        if max(abs(one.imag), abs(two.imag)) < 2 * SAME:
-            halves = [half for low, high in left for half in ((low, min(high, one.real)), (max(low, two.real), high))]
-            left = [(low, high) for low, high in halves if high - low > _SHORT]
-    yield from (replace(line, places=(start + low * along, start + high * along)) for low, high in left)
+    every = [[(at - start) / along for at in other.places] for other in drawn]
+    on = [sorted(off.real for off in ends) for ends in every if max(abs(off.imag) for off in ends) < 2 * SAME]
+    for low, high in free_pieces(abs(end - start), ((one, two) for one, two in on)):
+        if high - low > _SHORT:
+            yield replace(line, places=(start + low * along, start + high * along))
 
 
 def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:

@@ -1,24 +1,32 @@
-"""The sheet of instant centres: the mechanism with its centres, the circle diagram, the table.
+"""The sheet of instant centres: the mechanism with its centres, the circle diagram (消元法), the table.
 
 A step is a centre, in the order in which they are found.
 """
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache, partial
 
-from graphkin.base.value import frozen
+import numpy as np
+
+from graphkin.base import geometry
 from graphkin.construction import Plane
+from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
-from graphkin.sheet.centre_figure import OnPaper, bare_mechanism, centre_figure, spots
-from graphkin.sheet.centre_table import centre_table, circle_diagram, circle_size
+from graphkin.say.catalogue import say
+from graphkin.sheet.boxes import free_about
+from graphkin.sheet.centre_figure import OnPaper, Spot, bare_mechanism, centre_figure, centre_label, coordinates, spots
 from graphkin.sheet.layout import HEAD, Layout, division
+from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width
+from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.page import Page, Panel, Sheet, heading
-from graphkin.sheet.paper import Paper, papers_for
-from graphkin.sheet.titleblock import Strip, TableBlock, tables_room
+from graphkin.sheet.paper import Paper, PenName, Room, papers_for
+from graphkin.sheet.titleblock import PITCH, Strip, Table, TableBlock, across, tables_room
 from graphkin.sheet.window import Extent, Window, corners, enlarged
 from graphkin.studies.centres import Centres
 
@@ -28,8 +36,7 @@ _TRIES = 3
 _SLACK = 5 + 5j  # of the room about the circle, which no figure's points need [mm]
 _LARGE_ENOUGH = 14.0
 """The mechanism is to be so large, times the root of how many centres there are, which want letters in it [mm]."""
-_SHOWN, _LARGER_PAPER = 16, 80
-"""Worth of a centre on the sheet, and cost of a larger paper, which fewer printers have."""
+_SHOWN, _LARGER_PAPER = 16, 80  # worth of a centre on the sheet, and cost of a larger paper, which fewer printers have
 _TIMES, _FIT = [1.12**k for k in range(15)], 20.0
 """So many times larger than the mechanism the figure may become for its centres; and where all are to be on it."""
 
@@ -43,9 +50,9 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
            else those farther off are told by an arrow and their coordinates
     """
     tried = list[tuple[int, int, int, Page]]()
-    layouts = {(one.layout.paper, one.window, one.worth): one for one in _layouts(found, papers_for(paper), lang, fit)}
-    for layout in sorted(layouts.values(), key=lambda one: -one.worth)[:_TRIES]:
-        page = layout.page(found, lang)
+    every = {(one[1].paper, one[2], one[0]): one for one in _layouts(found, papers_for(paper), lang, fit)}
+    for _, layout, window, table in sorted(every.values(), key=lambda one: -one[0])[:_TRIES]:
+        page = _page(found, layout, window, table, lang)
         labels = page.panels[0].far
         tried.append((len(labels.clashing), max(0, len(labels.led) - _CROWDED), len(tried), page))
         if not any(tried[-1][:2]):
@@ -53,30 +60,22 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
     return min(tried)[-1].sheet()
 
 
-@frozen
-class CentreLayout:
-    """A paper divided, the window through which the figure is seen, and what that is worth; the circle diagram has the
-    room that a velocity polygon has on other sheets."""
-
-    layout: Layout
-    window: Window
-    table: TableBlock
-    worth: float
-
-    def page(self, found: Centres, lang: Lang) -> Page:
-        """Table, headings and circle diagram; then the figure."""
-        layout, strip = self.layout, self.layout.strip
-        whole, circle = layout.rooms["position"], layout.rooms["velocity"]
-        base = [*self.table.marks(complex(strip.left + 3, strip.top + 1.5)), *circle_diagram(found, circle, lang)]
-        base += heading(_HEADING[lang], "position", self.window.printed, whole)
-        room = whole.inset(2, HEAD, 2)
-        panel = Panel(centre_figure(OnPaper(found, self.window, room)), self.window, room, tuple(base))
-        below = Strip(least=self.table.size.imag)
-        return Page(layout.paper, [panel], found.method.mechanism, found.plot.facts.values, lang, below)
+def _page(found: Centres, layout: Layout, window: Window, table: TableBlock, lang: Lang) -> Page:
+    """Table, headings and circle diagram; then the figure."""
+    whole, strip = layout.rooms["position"], layout.strip
+    base = [*table.marks(complex(strip.left + 3, strip.top + 1.5))]
+    base += circle_diagram(found, layout.rooms["velocity"], lang)
+    base += heading(_HEADING[lang], "position", window.printed, whole)
+    room = whole.inset(2, HEAD, 2)
+    panel = Panel(centre_figure(OnPaper(found, window, room)), window, room, tuple(base))
+    below = Strip(least=table.size.imag)
+    return Page(layout.paper, [panel], found.method.mechanism, found.plot.facts.values, lang, below)
 
 
-def _layouts(found: Centres, papers: list[Paper], lang: Lang, fit: bool) -> Iterator[CentreLayout]:
-    """With more or fewer centres outside the mechanism, at the file's own scale where it fits at that."""
+def _layouts(
+    found: Centres, papers: list[Paper], lang: Lang, fit: bool
+) -> Iterator[tuple[float, Layout, Window, TableBlock]]:
+    """Worth, paper divided, window and table, with more or fewer centres far off; at the file's scale if it fits."""
     places, given = mechanism_places(found.method, found.plot), found.method.mechanism.scales.get("length")
     alone = Extent.of(places, partial(bare_mechanism, found), given)
     middle, finite = (alone.low + alone.high) / 2, [spot.place for spot in spots(found) if spot.place is not None]
@@ -98,4 +97,120 @@ def _layouts(found: Centres, papers: list[Paper], lang: Lang, fit: bool) -> Iter
                 small = max(0.0, _LARGE_ENOUGH * len(found.centring.stages) ** 0.5 - large)
                 worth = _SHOWN * sum(room.holds(window(centre)) for centre in finite) + min(large, 100) / 8 - 3 * small
                 worth -= _LARGER_PAPER * (one.area > 80_000) + 40 * table(layout.paper).lost
-                yield CentreLayout(layout, window, table(layout.paper), worth)
+                yield worth, layout, window, table(layout.paper)
+
+
+# --- circle diagram and table -----------------------------------------------------------------------------------------
+
+
+_PENS: dict[str, PenName] = {
+    "hinge": "thin", "contact": "thin", "slide": "thin", "two lines": "dashed", "velocities": "centre",
+}  # fmt: skip
+_BALL = 1.95  # radius of the circle around a chord's number [mm]
+_NUMBERS, _OFF = 8.0, 2.2  # room for the links' numbers around the circle; from the circle to them [mm]
+_LINE = 4.6  # height of a line of the key [mm]
+_SHARES = tuple(0.5 + sign * k / 40 for k in range(15) for sign in (1, -1))
+"""Places along its chord at which a number may stand."""
+
+
+def _radius(found: Centres) -> float:
+    return min(48.0, 15.0 + 2.6 * max(4, len(found.method.mechanism.links)))
+
+
+def _pens(found: Centres) -> list[PenName]:
+    used = {_PENS[stage.say] for stage in found.centring.stages}
+    return [pen for pen in dict.fromkeys(_PENS.values()) if pen in used]
+
+
+def circle_size(found: Centres) -> complex:
+    """Width and height of the diagram with its key, under its heading, and the links' numbers or names [mm]."""
+    names = [width(link_label(found.method.mechanism.called(link)), LABEL) for link in found.method.mechanism.links]
+    across = 2 * (_radius(found) + max(_NUMBERS, _OFF + 2 + max(names)))
+    return complex(max(across, 56.0), 2 * (_radius(found) + _NUMBERS) + _LINE * len(_pens(found)) + 2)
+
+
+def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
+    """Links as points on a circle, clockwise from the top as they are numbered, a chord for every centre. A missing one
+    is found when it closes two triangles whose other sides are there: each is a line with three centres (Kennedy)."""
+    size, radius = circle_size(found), _radius(found)
+    spare = room.size.imag - HEAD - size.imag
+    middle = complex(room.middle.real, room.top + HEAD + max(0.0, spare / 3) + _NUMBERS + radius)
+    order = list(dict.fromkeys(link for pair in found.pairs for link in pair))
+    turn = 2 * math.pi / max(1, len(order))
+    nodes = {link: middle + cmath.rect(radius, turn * k - math.pi / 2) for k, link in enumerate(order)}
+    title = Text(plain(say("sheet.circle", lang)), complex(room.left + 3, room.top + 5.5), LABEL)
+    marks = [title, Disc(middle, radius, "thin"), *_chord_marks(found, nodes)]
+    for link, at in nodes.items():
+        label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
+        wide, high = width(label, LABEL), 0.68 * LABEL
+        x, y = (max(-1.0, min(1.0, 1.6 * part)) for part in (out.real, out.imag))  # side or corner towards the circle
+        beside = at + out * _OFF + complex(x * wide, y * high) / 2
+        marks += [Disc(at, 0.9, "outline", "ink"), Text(label, beside + complex(-wide / 2, high / 2), LABEL)]
+    key = {pen: plain(say(f"sheet.chord {pen}", lang)) for pen in _pens(found)}
+    wide = max((width(label, LEAST) for label in key.values()), default=0.0) + 14
+    for k, (pen, label) in enumerate(key.items()):  # what full and dashed chords mean
+        at = complex(middle.real, middle.imag + radius + _NUMBERS + 3) + complex(-wide / 2, k * _LINE)
+        marks += [Stroke((at, at + 12), pen), Text(label, at + complex(14, 0.33 * LEAST), LEAST)]
+    return marks
+
+
+def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
+    """The chords with their numbers, each where most room is on its chord, the short chords first."""
+    chords = [
+        Stroke(tuple(nodes[link] for link in found.centring.links[stage.last.name]), _PENS[stage.say], step=k)
+        for k, stage in enumerate(found.centring.stages, start=1)
+    ]
+    marks, balls = list[Mark](chords), list[Place]()
+    for chord in sorted(chords, key=lambda chord: abs(chord.places[1] - chord.places[0])):
+        start, end = chord.places
+        spots = np.array([start + share * (end - start) for share in _SHARES])
+        to_chord = free_about(spots, [other.places for other in chords if other is not chord], 5.0)
+        room = np.minimum(to_chord, free_about(spots, [(ball, ball) for ball in balls], 5.0 + _BALL) - _BALL)
+        at = complex(spots[np.round(room, 3).argmax()])
+        balls.append(at)
+        label = plain(str(chord.step))
+        corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
+        ball = Disc(at, _BALL, "thin", "paper", step=chord.step)
+        marks += [ball, Text(label, corner, LEAST, chord.step)]
+    return marks
+
+
+def centre_table(found: Centres, lang: Lang, room: float, most: float) -> TableBlock:
+    """The table in so many mm of width, as low as it gets, and not higher than `most`."""
+    head = tuple(plain(say(f"centres.column {key}", lang)) for key in ("number", "centre", "place", "by"))
+    rows: list[tuple[Label, ...]] = []
+    for spot in spots(found):
+        if spot.place is not None:
+            place = coordinates(found, spot.place)
+        else:  # the direction of a centre at infinity
+            angle = round(math.degrees(geometry.number(found.board.direction(spot.name))), 6) % 180
+            place = (Run("→ ∞ "), Run(say("centres.towards", lang)), *number(angle), Run("°"))
+        rows.append((plain(str(spot.number)), centre_label(spot.name), place, _by(found, spot, lang)))
+    for pair in found.centring.together:
+        rows.append((plain("–"), centre_label(found.name(*pair)), plain("–"), plain(say("centres.by together", lang))))
+    last = len(found.centring.stages)
+    whole = Table(head, tuple(rows), tuple(min(k + 1, last) for k in range(len(rows))))
+    most_rows = max(4, int(most / PITCH))
+    for count in range(3, most_rows):
+        if across(parts := whole.cut(count)) <= room:
+            return TableBlock([parts])
+    parts = whole.cut(most_rows - 1)  # as many as there is room for; the last line tells how many rows are left out
+    kept = parts[: max(1, sum(across(parts[: k + 1]) <= room for k in range(len(parts))))]
+    lost = len(rows) - sum(len(part.rows) for part in kept) + 1
+    rest = plain("…"), plain(f"{lost}"), plain(say("centres.more", lang)), plain("")
+    return TableBlock([[*kept[:-1], replace(kept[-1], rows=(*kept[-1].rows[:-1], rest))]], lost)
+
+
+def _by(found: Centres, spot: Spot, lang: Lang) -> Label:
+    """`P12P23 × P14P34`, a hinge with its point, or a word."""
+    stage, step = spot.stage, spot.stage.last
+    if stage.say == "two lines":
+        first, second = (
+            plain(say("centres.by normal", lang)) if line.name in found.centring.normals
+            else tuple(run for end in drawn_through(line) for run in centre_label(end))
+            for line in stage.lines
+        )  # fmt: skip
+        return (*first, Run(" × "), *second)
+    if stage.say == "hinge" and isinstance(step, Pricked):
+        return (Run(say("centres.by hinge", lang) + " "), *point_label(step.point))
+    return plain(say(f"centres.by {stage.say}", lang))

@@ -13,9 +13,8 @@ from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
-from graphkin.planning.at_rest import at_rest, held_labels
+from graphkin.planning.at_rest import held_labels
 from graphkin.planning.method import births, pages
-from graphkin.planning.needed import Fact
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import driven, sizes
 from graphkin.say.plane import PolygonReading
@@ -23,22 +22,21 @@ from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Size
 from graphkin.sheet.added_points import touched
-from graphkin.sheet.arrows import heads_apart, side_by_side
+from graphkin.sheet.arrows import heads_apart, left_out, side_by_side, with_break_signs
 from graphkin.sheet.construction_lines import PolygonConstruction, Rings, pencil_lines
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.dimension_lines import angles
 from graphkin.sheet.layout import Height, Layout, division, lay_out
 from graphkin.sheet.lettering import LEAST, Label, plain
-from graphkin.sheet.long_arrow import left_out, with_break_signs
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.mechanism_notes import MechanismNotes
-from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
+from graphkin.sheet.page import HEADINGS, Last, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper, Room
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.text_blocks import Block, Ladder, WrittenLines, ladder
+from graphkin.sheet.text_blocks import Ladder, WrittenLines, ladder
 from graphkin.sheet.titleblock import Strip, Table, TableBlock
 from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
 
@@ -136,12 +134,10 @@ class Planes:
         return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
 
     def polygon(self, plane: Plane, window: Window) -> PolygonFigure:
-        born, gears = births(self.method, plane), self.gears(plane)
-        drafted = self.style == "construction"
-        held = held_labels(self.method, plane, self.rested)
+        held = held_labels(self.method, plane, self.reading({}).rested)
         return PolygonFigure(
-            self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held,
-            self.left_out[plane],
+            self.method.mechanism, self.construction(plane), self.plot, window, births(self.method, plane),
+            self.gears(plane), self.style == "construction", held, self.left_out[plane],
         )  # fmt: skip
 
     def last(self, plane: Plane, window: Window, scales: Mapping[Plane, float], rings: Rings | None) -> Last | None:
@@ -154,11 +150,6 @@ class Planes:
             return None
         acts = [act for act in self.method.acts if act.plane == plane]
         return PolygonConstruction(self.polygon(plane, window), PolygonReading(reading, plane), acts, rings)
-
-    @cached_property
-    def rested(self) -> frozenset[Fact]:
-        """The motions that drivers at rest hold still."""
-        return at_rest(self.method, self.plot.facts)
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
@@ -193,6 +184,7 @@ class DetailRoom:
         yield from ()
 
 
+Block = WrittenLines | Ladder | TableBlock | DetailRoom
 _FEET: Mapping[BlockName, bool] = {"paths": False, "equations": False, "detail": True, "tables": True}
 """The order in which blocks find their corners; True for those that are meant for the foot of a room."""
 _IN_STRIP: tuple[BlockName, ...] = ("equations", "tables")  # those that may stand there, too, the first given up first
@@ -200,15 +192,12 @@ _IN_STRIP: tuple[BlockName, ...] = ("equations", "tables")  # those that may sta
 
 @frozen
 class SheetContents:
-    """All that a mechanism's sheet shows, whatever its paper.
+    """All that a mechanism's sheet shows, whatever its paper; tight: without frame, tables and title.
 
-    tight   without frame, tables and title
-    given   tables of the strip; tables: of the planes, in the shapes that they may have
-    low     the blocks that stand in the strip, not with their figures
-    without   the blocks for which no paper is large enough
+    given, tables  of the strip; of the planes, in the shapes that they may have
+    low, without   blocks that stand in the strip, not with their figures; blocks for which no paper is large enough
     detailed  the planes in which what lies too close together is drawn once more, magnified, and the room for it
-    stages  over the lines of the pencil, for single steps; said: room in the strip for the sentence of one [mm];
-            scales: that are kept then
+    stages, said, scales  over the lines of the pencil, for single steps; room for the sentence of one [mm]; those kept
     """
 
     drawing: Planes
@@ -222,15 +211,11 @@ class SheetContents:
     said: float = 0.0
     scales: Mapping[Plane, float] = field(default_factory=dict)
 
-    @property
-    def planes(self) -> tuple[Plane, ...]:
-        return self.drawing.planes
-
     @cached_property
     def blocks(self) -> dict[Plane, dict[BlockName, Sequence[Block]]]:
         """What stands with each figure, in all its shapes."""
         blocks = dict[Plane, dict[BlockName, Sequence[Block]]]()
-        for plane in self.planes:
+        for plane in self.drawing.planes:
             own = self.drawing.ladders.get(plane)
             lines = self.drawing.paths.lines if plane == "position" else ()
             every: dict[BlockName, Sequence[Block]] = {
@@ -264,7 +249,7 @@ class SheetContents:
             return None
         if self.said:
             return Strip(notes=self.notes, least=self.said)
-        low = {name: [plane for plane in self.planes if (plane, name) in self.low and name not in self.without]
+        low = {name: [plane for plane in self.drawing.planes if (plane, name) in self.low and name not in self.without]
                for name in _IN_STRIP}  # fmt: skip
         blocks = (self.tables[plane][0] for plane in low["tables"])
         found = [*self.given, *(table for block in blocks for tier in block.tiers for table in tier)]
@@ -275,7 +260,7 @@ class SheetContents:
     def notes(self) -> dict[Plane, Label]:
         """How that was found which ruler and compass do not give."""
         notes, drawing = dict[Plane, Label](), self.drawing
-        for plane in self.planes if drawing.style != "given" else ():
+        for plane in drawing.planes if drawing.style != "given" else ():
             steps = drawing.construction(plane).steps
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
                 notes[plane] = plain(_FITTED[drawing.lang])
@@ -288,9 +273,8 @@ class SheetContents:
         coarser than bare stand in the strip, one more at a time."""
         papers = [replace(paper, margin=0.0) for paper in papers] if self.tight else papers
         bare = lay_out({p: replace(e, blocks=()) for p, e in self.extents.items()}, self.height, papers)
-        tries = [self]
-        while standing := tries[-1].movable:
-            tries.append(replace(tries[-1], low=tries[-1].low | {max(standing)[2:]}))
+        order = [(plane, name) for *_, plane, name in sorted(self.movable, reverse=True)]
+        tries = [replace(self, low=self.low.union(order[:count])) for count in range(len(order) + 1)]
         last = replace(tries[-1], detailed={})
         given_up = [replace(last, without=frozenset(_IN_STRIP[:count])) for count in range(3)]
         sizes = sorted({paper.area for paper in papers})
@@ -305,15 +289,8 @@ class SheetContents:
     def movable(self) -> list[tuple[bool, float, Plane, BlockName]]:
         """Blocks that may stand in the strip, too: tables rather than equations, large ones rather than small ones."""
         every = ((plane, name, own[name]) for plane, own in self.blocks.items() for name in _IN_STRIP if name in own)
-        return [] if self.tight else [
-            (_FEET[name], min(shape.size.real * shape.size.imag for shape in shapes), plane, name)
-            for plane, name, shapes in every
-        ]  # fmt: skip
-
-    def page(self, paper: Paper, panels: Sequence[Panel]) -> Page:
-        """Everything on a divided paper."""
-        drawing = self.drawing
-        return Page(paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, self.strip)
+        return [(_FEET[name], min(shape.size.real * shape.size.imag for shape in shapes), plane, name)
+                for plane, name, shapes in every if not self.tight]  # fmt: skip
 
     def panel(self, layout: Layout, plane: Plane) -> Panel:
         """One plane's figure; lettered once for all divisions that show it alike."""

@@ -49,11 +49,7 @@ class _DirectionLine:
 
 @frozen
 class PolygonConstruction:
-    """A polygon's construction.
-
-    spoken  the same polygon as it is worded; acts: those of its plane
-    rings   those of its equations, with more numbers
-    """
+    """A polygon's construction as it is spoken of; acts: of its plane; rings: of its equations, with more numbers."""
 
     polygon: PolygonFigure
     spoken: PolygonReading
@@ -106,11 +102,10 @@ class PolygonConstruction:
 
     def _shown(self, meet: Meet) -> bool:
         """Whether there is anything to see: not where both lines meet in the point from which they start."""
-        points, lines = self.polygon.points, (meet.first, meet.second)
-        feet = [points.get(line.through) for line in lines if isinstance(line, Ray)]
-        return (at := points.get(meet.point)) is not None and (
-            len(feet) < 2 or any(foot is None or abs(foot - at) > _NOTHING for foot in feet)
-        )
+        points, at = self.polygon.points, self.polygon.points.get(meet.point)
+        feet = [points.get(line.through) for line in (meet.first, meet.second) if isinstance(line, Ray)]
+        apart = (at is not None and (foot is None or abs(foot - at) > _NOTHING) for foot in feet)
+        return at is not None and (len(feet) < 2 or any(apart))
 
     def _carried(self) -> Iterator[tuple[Place, Place, int]]:
         """The ends of arrows that were found elsewhere and are laid off once more, and the act in which they are."""
@@ -136,8 +131,7 @@ class PolygonConstruction:
                                 yield from right_angle(at, a - at, b - at, _SQUARE, step)
 
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
-        """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next or
-        at a name, and what has none at all stands with the equations. Images come first, as their numbers do not."""
+        """A number in a circle beside each thing drawn, at the next or a name, or with the equations; images first."""
         images, lost = [act for act in self.acts if isinstance(act.done, Image)], set[int]()
         for acts in (images, [act for act in self.acts if act not in images]):
             waiting = list[tuple[list[int], list[LabelRequest]]]()
@@ -165,8 +159,7 @@ class PolygonConstruction:
             yield from self.rings(sorted(lost))
 
     def _beside(self, act: Act) -> Iterator[LabelRequest]:
-        """Requests for its number: at what it finds first, then at each arrow that comes with it; none for what has no
-        length."""
+        """Requests for its number: at what it finds, then at each arrow that comes with it; none without a length."""
         points, label = self.polygon.points, plain(str(act.number))
         match act.done:
             case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
@@ -193,8 +186,7 @@ class PolygonConstruction:
 
 
 def _lay(line: _DirectionLine, free: FreeRoom) -> tuple[Place, Place, Place]:
-    """A line from one end to the other, past which there is room enough to bear its mark and it lies on no other line,
-    and the tip beyond that; past where it meets the other if it can."""
+    """A line from one end to past the other, where it bears its mark and lies on no other line: start, end and tip."""
     ends = [(line.meeting, line.along), (line.foot, -line.along)]
     bare = [(end, on) for end, on in ends if not free.on_line(end, end + _SHORT * on)] or ends[:1]
     every = [(free.reach(end, on, _BEYOND), end, on) for end, on in bare]
@@ -205,17 +197,15 @@ def _lay(line: _DirectionLine, free: FreeRoom) -> tuple[Place, Place, Place]:
 
 Pages = Mapping[tuple[Plane, Step], int]
 _RAY_BEYOND = 9.0  # the length of a direction line past its points [mm]
-_SWING, _STROKE = math.radians(22), 12.0
-"""Half of an arc: this angle, or this length [mm] if that is less."""
+_SWING, _STROKE = math.radians(22), 12.0  # half of an arc: this angle, or this length [mm] if that is less
 
 
 def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: Pages) -> list[Mark]:
     """Each ray and arc from where it starts past where it meets another, with the number of its act."""
     ends: dict[Ray | Arc, list[str]] = {}
-    for step in construction.steps:
-        if isinstance(step, Meet):
-            ends.setdefault(step.first, []).append(step.point)
-            ends.setdefault(step.second, []).append(step.point)
+    for meet in (step for step in construction.steps if isinstance(step, Meet)):
+        for line in (meet.first, meet.second):
+            ends.setdefault(line, []).append(meet.point)
     points = plot.points(construction.plane)
     marks: list[Mark] = []
     for step in construction.steps:

@@ -34,8 +34,7 @@ class _Choices(NamedTuple):
     corner  on each axis 0, left or above, or 1, right or below
     off, part  the place of the figure that it keeps off that side, on each axis [SI], and how far [mm] (2, o)
     size    width and height with the distance to what is beside it (2, o) [mm]
-    shape   its number
-    cost    for a corner that is not liked as well as others
+    shape, cost  its number; the cost of a corner that is not liked as well as others
     """
 
     corner: tuple[int, int]
@@ -81,12 +80,8 @@ def _need(choices: _Choices, keeps: Sequence[Array], room: Array) -> Array:
 
 
 class Standing(NamedTuple):
-    """A figure and its blocks in each of many rooms (n,).
-
-    scales  NaN where it does not fit
-    keeps   of the sides and of each block (2, 2, 2, n)
-    blocks  size and side of each (2, n), and the number of its shape (n,)
-    """
+    """A figure and its blocks in each of many rooms (n,); scales: NaN where it does not fit; keeps: of the sides and of
+    each block (2, 2, 2, n); blocks: size and side of each (2, n), and the number of its shape (n,)."""
 
     scales: Array
     keeps: list[Array]
@@ -113,8 +108,7 @@ class Standing(NamedTuple):
 
 
 def standing(rooms: Array, extent: Extent) -> Standing:
-    """The finest scales at which a figure stands in many rooms with its blocks, one after the other in its best
-    corner; rooms: left, top, right and bottom (4, n)."""
+    """The finest scales at which a figure and its blocks stand in many rooms: left, top, right, bottom (4, n)."""
     room = rooms[2:] - rooms[:2]
     edges = np.broadcast_to(_edges(extent)[..., None], (2, 2, 2, room.shape[1]))
     free = room - edges[:, 0, 0] - edges[:, 1, 0]

@@ -26,7 +26,7 @@ from graphkin.say.numbers import circled
 from graphkin.sheet import symbols
 from graphkin.sheet.drafting_figure import NEAR, DraftingFigure, angle, spot
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import Label, Run, number, plain, point_label, quantity_label
+from graphkin.sheet.lettering import Label, Run, plain, point_label, quantity_label, valued
 from graphkin.sheet.linkage_sheet import found_sizes
 from graphkin.sheet.marks import ArcMark, Disc, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
@@ -138,12 +138,11 @@ class DesignFigure:
         """A given angle, `phi1`, at its pivot, from the direction of the frame."""
         value, radius = geometry.number(self.on.board.numbers[name]), 5.0 + 6.0 * int(name[3:])
         yield Stroke((at, at + radius + 3), "construction", step=stage)
-        label = (*quantity_label(_GREEK[name[:3]], name[3:]), Run(" = "), *number(math.degrees(value), 5), Run("°"))
+        label = valued(quantity_label(_GREEK[name[:3]], name[3:]), math.degrees(value), "°", 5)
         yield from angle(at, 1 + 0j, -value, radius, label, stage)
 
     def _locus(self, stage: int) -> Iterator[Entry]:
-        """The circle of crank centres: full where A may lie, dashed elsewhere; F and G, on C1D and C2D
-        or under C1 and C2, end the arc between them."""
+        """The circle of crank centres: full where A may lie, else dashed; F and G, on C1D and C2D or below."""
         centre, radius = self._circle("locus")
         family = min(self.families, key=lambda one: abs(one.centre - centre))
         for arc in family.arcs:
@@ -201,20 +200,21 @@ class DesignFigure:
         if one.theta is None or len(one.limits) != 2 or "theta" not in self.on.board.numbers:
             return
         if one.shape == "guide-bar":
-            yield from self._angle("C", "B1", "B2", _valued("ψ = θ", math.degrees(one.theta), "°"), 2)
+            both = valued(tuple(Run(c, c.isalpha()) for c in "ψ = θ"), math.degrees(one.theta), "°", 5)
+            yield from self._angle("C", "B1", "B2", both, 2)
             for pin in ("B1", "B2"):
                 yield from self._right_angle(pin, "A", "C", last)
             return
-        yield from self._angle("A", "C1", "C2", _valued("θ", math.degrees(one.theta), "°"), last)
+        yield from self._angle("A", "C1", "C2", valued(plain("θ", True), math.degrees(one.theta), "°", 5), last)
         if {"C1", "C2", "P"} <= self.places.keys() and (
             square := self._right_angle("C2", "C1", "P", self.on.construction.born("P"))
         ):
             yield from square
             yield from self._angle("C1", "C2", "P", (*plain("90° − "), Run("θ", True)), self.on.construction.born("P"))
         if one.swing is not None and "D" in self.places:
-            yield from self._angle("D", "C1", "C2", _valued("ψ", math.degrees(one.swing), "°"), 2)
+            yield from self._angle("D", "C1", "C2", valued(plain("ψ", True), math.degrees(one.swing), "°", 5), 2)
         if one.stroke is not None:
-            label = _valued("H", 1e3 * one.stroke, " mm")
+            label = valued(plain("H", True), 1e3 * one.stroke, " mm", 5)
             one_end, other = self.on.at("C1", "C2")
             yield LabelRequest(label, one_end, other, gap=3.4, step=2, spare=True)
 
@@ -229,7 +229,3 @@ class DesignFigure:
         at, one, other = self.on.at(centre, first, second)
         radius = min(_ARC, 0.6 * min(abs(one - at), abs(other - at)))
         return angle(at, one - at, cmath.phase((other - at) / (one - at)), radius, label, stage)
-
-
-def _valued(letter: str, value: float, unit: str) -> Label:
-    return (*(Run(c, c.isalpha()) for c in letter), Run(" = "), *number(value, 5), *plain(unit))

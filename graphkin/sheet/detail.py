@@ -33,8 +33,7 @@ _RADII = (1.2, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried a
 _TIMES = (20.0, 15.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.5)
 _LARGEST = 45.0  # radius of a detail [mm]
 DETAILS = (44 + 52j, 60 + 68j)  # the rooms for a small one and a large one [mm]
-_AROUND, _HEAD = 6.0, 4.0
-"""Room for letters around a detail, and for its own heading over it [mm]."""
+_AROUND, _HEAD = 6.0, 4.0  # room for letters around a detail, and for its own heading over it [mm]
 _FEW = 3  # labels, of one arrow and its ends, are no knot
 SAVED, _CLOSE = 4.0, 1e-6  # the burden that a detail saves at least, but for rounding
 _LED = 3.0  # the additional burden of a leader in a detail
@@ -104,11 +103,8 @@ def has_knot(panel: Panel) -> bool:
 
 @frozen
 class _DetailDrawing:
-    """A panel with the details it has so far.
-
-    prime  after their numerals
-    burdens  of its labels on the eye, as far as they are known before all are lettered
-    """
+    """A panel with the details it has so far; prime: after their numerals; burdens: of its labels on the eye, as far as
+    they are known before all are lettered."""
 
     panel: Panel
     draw: Callable[[Window], Figure]
@@ -140,8 +136,7 @@ class _DetailDrawing:
         return None
 
     def _with(self, view: _View) -> _DetailDrawing:
-        """The letters of one circle left to the other, where that part is drawn once more. That all other labels have
-        more room then is not counted, so that not all must be lettered anew for each detail that is tried."""
+        """The letters of one circle left to the other, where that part is drawn once more; others stand as they did."""
         whole, figure = self.draw(view.window), self.panel.figure
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
         named = [want for want in whole.wanted if view.shown.names(want)]
@@ -176,8 +171,7 @@ def _alone(want: LabelRequest) -> LabelRequest:
 
 
 def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> dict[_DetailCircle, float]:
-    """For each radius the circle about what is so near to one label and weighs most, where that is enough and more than
-    one arrow that has its name; and the most that this weighs."""
+    """For each radius the circle about what is near one label and weighs most, if that is enough; and that weight."""
     knots = dict[_DetailCircle, float]()
     if not 0 < len(wanted) <= MANY:
         return knots

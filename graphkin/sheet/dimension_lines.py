@@ -11,8 +11,8 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from functools import cache, cached_property, partial
-from itertools import count, islice, product
+from functools import cache, cached_property
+from itertools import product
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME
@@ -33,7 +33,6 @@ _GAPS = (1.1, 1.9)  # between a line and its letters [mm]
 _OFFSETS = (7.5, 11.0, 16.0, 22.0)  # of a dimension line from what it measures [mm]
 _RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
 _BLOCK, _GROUND = 6.2, 7.0  # from the middle of a block, from a pivot past its ground to an extension line [mm]
-_AT_ONCE = 10  # ways that are tried together; then twice as many, and so on
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
 _CLEAR = 2.2  # between an arc and what else there is [mm]
@@ -71,17 +70,15 @@ class DimensionLines:
 
     def draw(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""
-        every, at_once = self._trials(size), count(_AT_ONCE, _AT_ONCE)  # what finds no room soon is tried in many ways
-        while trials := list(islice(every, next(at_once))):
-            for number in self.free.fitting([(trial.free, trial.crossing) for trial in trials])[:1]:
-                trial = trials[number]
-                marks = [replace(mark, accent="grey") if size.derived and isinstance(mark, Stroke | Text) else mark
-                         for mark in (*trial.touching, *trial.crossing, *trial.free)]  # fmt: skip
-                self.free.add(marks)
-                return marks
+        for trial in self.free.fitting(self._trials(size), lambda trial: (trial.free, trial.crossing)):
+            marks = [replace(mark, accent="grey") if size.derived and isinstance(mark, Stroke | Text) else mark
+                     for mark in (*trial.touching, *trial.crossing, *trial.free)]  # fmt: skip
+            self.free.add(marks)
+            return marks
         return []
 
     def _trials(self, size: Size) -> Iterator[_Trial]:
+        owners = self.skeleton.mechanism.owners
         match size.shape:
             case Span(form="radius", points=(_,)) as span:
                 yield from self._radius(span, formula(size.text))
@@ -94,7 +91,9 @@ class DimensionLines:
                 along = self.skeleton.window.turned(span.along)
                 if parted:  # from end to end, past the joints and blocks between
                     yield from self._dimension(start, end, along, label, step)
-                if span.form != "apart" and not self._across_wheel(span.points):
+                shared = set.intersection(*(set(owners.get(point, ())) for point in span.points))
+                centres = {disc(self.skeleton, link) for link in shared} - {""}
+                if span.form != "apart" and centres <= {*span.points}:  # else nothing is drawn between them on a wheel
                     yield from self._beside(start, end, named, step, span.form == "measured")
                 if span.form in ("bar", "apart") and not parted:
                     yield from self._dimension(start, end, along, label, step)
@@ -118,8 +117,7 @@ class DimensionLines:
         return joints
 
     def _from(self, end: Place, across: complex, level: float) -> tuple[Place, float]:
-        """The joint at which the extension line of an end begins, the last one that is level with it, and how far off
-        its middle, past its block or the ground under it [mm]."""
+        """The last joint level with an end, where its extension line begins, and how far off its middle [mm]."""
         way = across * (level - (end / across).real)
         on = (at for at in self._joints if abs(((at - end) / across).imag) < 0.05 and 0 < ((at - end) / way).real < 1)
         at = min([end, *on], key=lambda at: abs(end + way - at))
@@ -127,12 +125,6 @@ class DimensionLines:
         if any(abs(down - way / abs(way)) < 0.1 for down in grounds):
             return at, _GROUND
         return at, _BLOCK if block else 2 * HINGE
-
-    def _across_wheel(self, points: Sequence[str]) -> bool:
-        """True of two points of one wheel, neither its centre: nothing is drawn between them."""
-        owners = self.skeleton.mechanism.owners
-        shared = set.intersection(*(set(owners.get(point, ())) for point in points))
-        return any(centre not in points for link in shared if (centre := disc(self.skeleton, link)))
 
     def _text(self, label: Label, middle: Place, along: complex, off: float, step: int | None) -> Text:
         """Letters along a line, `off` mm above it as they are read, or below it where less than 0."""
@@ -168,7 +160,13 @@ class DimensionLines:
         levels += [low + part * (high - low) for part in _ALONG if high - low > 2 * _OFFSETS[0]]
         past = 0.0 if wide + 1 <= long else wide + 5
         orders = [(start, end, along), (end, start, -along)][: 2 if past else 1]
-        lines = cache(partial(self._lines, across, past, step))  # of each level and order once, if they come to it
+
+        @cache  # of each level and order once, if they come to it
+        def lines(level: float, one: Place, other: Place) -> tuple[Stroke, list[Stroke], list[Stroke], bool]:
+            (one, near), (other, far) = self._from(one, across, level), self._from(other, across, level)
+            line, both, heads = dimension_line((one, other), across, level, past, step, (near, far))
+            return line, both, heads, any(self._through(each.places[0], each.places[1], HINGE) for each in both)
+
         for through, crossing, level, order in product((False, True), (0, 1, 2), levels, orders):
             line, both, heads, joints = lines(level, *order[:2])
             if through != joints:
@@ -181,14 +179,6 @@ class DimensionLines:
                 yield _Trial([line, text], heads, pieces)
             else:
                 yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
-
-    def _lines(
-        self, across: complex, past: float, step: int | None, level: float, one: Place, other: Place
-    ) -> tuple[Stroke, list[Stroke], list[Stroke], bool]:
-        """A dimension line, its extension lines and heads; True where these lines pass a joint."""
-        (one, near), (other, far) = self._from(one, across, level), self._from(other, across, level)
-        line, both, heads = dimension_line((one, other), across, level, past, step, (near, far))
-        return line, both, heads, any(self._through(each.places[0], each.places[1], HINGE) for each in both)
 
     def _radius(self, span: Span, label: Label) -> Iterator[_Trial]:
         """A line from a centre to its rim, with letters along it, inside or beyond."""
@@ -227,9 +217,7 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
     for size in data:
         if isinstance(corner := size.shape, Corner):
             arms = [*_arms(skeleton, corner, lines)]
-            tried = [(radius, _inner_arc(skeleton, corner, radius)) for radius in _RADII]
-            rooms = [_room(skeleton, skeleton.window(corner.at), arms, radius, arc, others) for radius, arc in tried]
-            radius, arc = tried[rooms.index(max(rooms))]
+            radius, arc = _arc_with_room(skeleton, corner, arms, others)
             others += arc
             figure += _angle(size, corner, skeleton, arms, radius)
     return figure
@@ -245,23 +233,21 @@ def _arms(
         yield arm, max((abs(end - at) for bar in bars for end in bar), default=0.0)
 
 
-def _inner_arc(skeleton: Skeleton, corner: Corner, radius: float) -> tuple[Place, ...]:
-    """Places on the arc of an angle, off its ends."""
-    start, off = cmath.phase(skeleton.window.turned(corner.start)), min(2 / radius, abs(corner.turn) / 2)
-    off = math.copysign(off, corner.turn)
-    return arc_places(ArcMark(skeleton.window(corner.at), radius, start - off, 2 * off - corner.turn))
-
-
-def _room(
-    skeleton: Skeleton, at: Place, arms: Sequence[tuple[complex, float]], radius: float, arc: Sequence[Place],
-    others: Sequence[Place],
-) -> float:  # fmt: skip
-    """Distance of an arc from links and other arcs, of its ends from those of bars, and of arms that are drawn from
-    links, as far as it matters [mm]."""
-    ends = [at + arm * (radius + _BEYOND) for arm, reach in arms if not reach]
-    on = [reach - radius - HINGE for _, reach in arms if reach]
-    apart = [abs(place - other) for place in arc for other in others]
-    return round(min([_CLEAR, *on, *apart, clearance(skeleton, *arc, *ends)]), 1)
+def _arc_with_room(
+    skeleton: Skeleton, corner: Corner, arms: Sequence[tuple[complex, float]], others: Sequence[Place]
+) -> tuple[float, tuple[Place, ...]]:
+    """The radius of the arc that lies farthest from links, other arcs and ends of arms [mm], and its places."""
+    at, start, tried = skeleton.window(corner.at), cmath.phase(arms[0][0]), list[tuple[float, tuple[Place, ...]]]()
+    rooms = list[float]()
+    for radius in _RADII:
+        off = math.copysign(min(2 / radius, abs(corner.turn) / 2), corner.turn)
+        arc = arc_places(ArcMark(at, radius, start - off, 2 * off - corner.turn))
+        ends = [at + arm * (radius + _BEYOND) for arm, reach in arms if not reach]
+        on = [reach - radius - HINGE for _, reach in arms if reach]
+        apart = [abs(place - other) for place in arc for other in others]
+        rooms.append(round(min([_CLEAR, *on, *apart, clearance(skeleton, *arc, *ends)]), 1))
+        tried.append((radius, arc))
+    return tried[rooms.index(max(rooms))]
 
 
 def _angle(

@@ -84,7 +84,7 @@ def together(wanted: Iterable[LabelRequest]) -> Iterator[LabelRequest]:
     """Labels of points at one place as one label, each once, whose parts come with steps of their own."""
     groups: list[list[LabelRequest]] = []
     for want in wanted:
-        same = (group for group in groups if want.end is None and not want.parts and _at_one_place(group[0], want))
+        same = (group for group in groups if _at_one_place(group[0], want))
         if (group := next(same, None)) is None:
             groups.append([want])
         elif all(each.label != want.label for each in group):
@@ -99,7 +99,7 @@ def together(wanted: Iterable[LabelRequest]) -> Iterator[LabelRequest]:
 
 
 def _at_one_place(one: LabelRequest, other: LabelRequest) -> bool:
-    points = one.end is None and not one.parts and max(one.gap, other.gap) <= HINGE  # no blocks, for their numbers
+    points = all(want.end is None and not want.parts and want.gap <= HINGE for want in (one, other))  # not of blocks
     return points and one.size == other.size and abs(one.start - other.start) < NEAR
 
 

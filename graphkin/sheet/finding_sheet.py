@@ -6,7 +6,7 @@ moved is seen. Points are plain marks here: a sheet of several positions is look
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from graphkin.base.geometry import place
@@ -29,8 +29,7 @@ from graphkin.studies.finding.answers import SlowPoint
 
 MOST = 12  # positions on one sheet, at most
 _LARGE_ENOUGH = 48.0  # a figure of this size needs no larger paper [mm]
-_DOT, _RING = 0.7, 1.7
-"""The slowest point: a dot in a ring, which no point of a mechanism is [mm]."""
+_DOT, _RING = 0.7, 1.7  # the slowest point: a dot in a ring, which no point of a mechanism is [mm]
 _FAR = 1.9  # so many times larger the figure may become for its sake
 
 
@@ -52,39 +51,28 @@ def positions_sheet(
     method: Method, plots: Sequence[Plot], captions: Sequence[str], lang: Lang = "en", *, paper: str | None = None,
     told: Sequence[str] = (), slow: Sequence[SlowPoint | None] = (),
 ) -> Sheet:  # fmt: skip
-    """The mechanism at several positions (at most `MOST`), lettered (a), (b), .. with captions. Raises UnknownPaper.
-
-    plots   the method replayed at one position each
-    paper   a key of `PAPERS`; the smallest on which the figures are large enough where left out
-    told    sentences in the strip
-    slow    the point to mark in each figure, where there is one
-    """
-    pictures = _pictures(method, plots, captions, slow or [None] * len(plots))
-    papers, strip = papers_for(paper), Strip(told=told)
-    for area in sorted({one.area for one in papers}):  # the smallest on which they are large enough
-        tried = ((*gridded([pictures], one, strip), one) for one in papers if one.area == area)
-        scale, panels, chosen = min(tried, key=lambda each: each[0])
-        if pictures[0].extent.longest / scale >= _LARGE_ENOUGH:
-            break
-    return Page(chosen, panels, method.mechanism, plots[0].facts.values, lang, strip).sheet()
-
-
-def _pictures(
-    method: Method, plots: Sequence[Plot], captions: Sequence[str], slow: Sequence[SlowPoint | None]
-) -> list[Picture]:  # fmt: skip
-    """All as large as all figures laid over one another."""
-    figures = [partial(_figure, method, plot, plots, point) for plot, point in zip(plots, slow, strict=True)]
-    places: list[complex] = []
-    for plot, point in zip(plots, slow, strict=True):
-        shown = shown_places(method, plot)
-        places += enlarged(shown, [] if point is None or point.along is None else [point.place], _FAR)
+    """The mechanism at several positions (at most `MOST`), at which the method is replayed, lettered (a), (b), .. with
+    captions; on the smallest paper on which the figures are large enough where none is named; told: sentences in the
+    strip; slow: the point to mark in each figure, where there is one. Raises UnknownPaper."""
+    figures, places = list[Callable[[Window], Figure]](), list[complex]()
+    for plot, point in zip(plots, slow or [None] * len(plots), strict=True):
+        figures.append(partial(_figure, method, plot, plots, point))
+        further = [] if point is None or point.along is None else [point.place]
+        places += enlarged(shown_places(method, plot), further, _FAR)
 
     def over(window: Window) -> Figure:
         return sum((figure(window) for figure in figures), Figure())
 
-    extent = Extent.of(places, over, method.mechanism.scales.get("length"))
+    extent = Extent.of(places, over, method.mechanism.scales.get("length"))  # all as large as all over one another
     texts = (f"({chr(ord('a') + number)}) {text}" for number, text in enumerate(captions))
-    return [Picture(extent, figure, (text,)) for figure, text in zip(figures, texts, strict=True)]
+    pictures = [Picture(extent, figure, (text,)) for figure, text in zip(figures, texts, strict=True)]
+    papers, strip = papers_for(paper), Strip(told=told)
+    for area in sorted({one.area for one in papers}):  # the smallest on which they are large enough
+        tried = ((*gridded([pictures], one, strip), one) for one in papers if one.area == area)
+        scale, panels, chosen = min(tried, key=lambda each: each[0])
+        if extent.longest / scale >= _LARGE_ENOUGH:
+            break
+    return Page(chosen, panels, method.mechanism, plots[0].facts.values, lang, strip).sheet()
 
 
 def _figure(method: Method, plot: Plot, plots: Sequence[Plot], slow: SlowPoint | None, window: Window) -> Figure:

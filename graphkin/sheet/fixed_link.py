@@ -32,8 +32,7 @@ _APART = 3.0  # between two arcs about one point [mm]
 
 
 def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
-    """Everything that stands still, and the frame's number beside one sign of it; others: the same mechanism at further
-    positions drawn over the first."""
+    """Everything that stands still, and the frame's number; others: further positions, drawn over the first."""
     figure, spots = Figure(), list[Place]()
     for run in _runs(skeleton, *others):
         figure.marks += run.marks()
@@ -129,21 +128,13 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _FixedStretch:
                 turned.append(((there - block) / abs(there - block) * along.conjugate()).real)
     back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
     before, beyond = (_REACH, _REACH) if back == on else (_HIDDEN, _AWAY) if back else (_AWAY, _HIDDEN)
-    low, high = _uncrossed(at, along, (min(stops), max(stops)), (before, beyond), skeleton, *others)
-    return _FixedStretch(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
-
-
-def _uncrossed(
-    at: Place, along: complex, stops: tuple[float, float], reach: tuple[float, float], *skeletons: Skeleton
-) -> tuple[float, float]:
-    """The ends of a guide: before links that would cross it; under the block where little would be seen of it."""
-    ends = []
-    for way, stop, far in ((-1, -stops[0], reach[0]), (1, stops[1], reach[1])):
+    ends = list[float]()  # before links that would cross it; under the block where little would be seen of it
+    for way, stop, far in ((-1, -min(stops), before), (1, max(stops), beyond)):
         start, tip = at + along * way * (stop + _HIDDEN), at + along * way * (stop + far + 2)
-        met = (crossing(start, tip, one, other) for each in skeletons for one, other in each.segments)
+        met = (crossing(start, tip, *bar) for each in (skeleton, *others) for bar in each.segments)
         most = min([far, *(abs(place - start) + _HIDDEN - 2 for place in met if place is not None)])
         ends.append(way * (stop + (most if most > symbols.BLOCK.real / 2 + 3 else _HIDDEN)))
-    return ends[0], ends[1]
+    return _FixedStretch(at, along, ends[0], ends[1], side, slide.block is None, step, slide.name, (slide.point,))
 
 
 def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:
@@ -182,8 +173,7 @@ def _arcs(
     skeleton: Skeleton, driver: Driver, figure: Figure, on: tuple[str, ...], radius: float,
     towards: complex, turns: Sequence[int],
 ) -> None:  # fmt: skip
-    """An arc about the first point; where the acceleration opposes the rate each has its own, the one about the other.
-    turns: from `towards` on, in its sense, where an arc may begin [deg]."""
+    """An arc about the first point, one for each sense; turns: from `towards` on, where it may begin [deg]."""
     at, seen_from = skeleton.at(on[0]), driver.from_link if driver.from_link != FRAME else ""
     letters: dict[int, str] = {}  # by the sense of rate and acceleration
     for letter, value in (("ω", driver.rate), ("α", driver.acceleration)):

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from copy import copy
-from functools import cached_property, lru_cache
-from itertools import accumulate, pairwise
+from functools import cached_property
+from itertools import accumulate, count, islice, pairwise
 from math import ceil
+from typing import TypeVar
 
 import numpy as np
 
@@ -28,6 +29,8 @@ _EDGE, _GRID = 2.0, 2.0
 """The distance of a rectangle from all others; the grid of the places that are tried for it [mm]."""
 _SLICE = 1.0  # between places of a line, and of slices of turned letters [mm]
 _STEPS = 0.5  # the steps in which a line is shortened [mm]
+_AT_ONCE = 10  # ways that are tried together; then twice as many, and so on
+_Way = TypeVar("_Way")
 
 
 class FreeRoom:
@@ -145,9 +148,15 @@ class FreeRoom:
             self.add(marks)
             yield marks
 
-    def fitting(self, groups: Sequence[tuple[Sequence[Mark], Sequence[Mark]]]) -> list[int]:
-        """The numbers of the groups of marks for which there is room: those of a first part touch nothing, those of a
-        second no letters, arcs and arrow heads."""
+    def fitting(self, ways: Iterable[_Way], marks: Callable[[_Way], Sequence[Sequence[Mark]]]) -> Iterator[_Way]:
+        """Those of many ways for whose marks there is room: of the first of two parts these touch nothing, of the
+        second no letters, arcs and arrow heads. More and more are tried together."""
+        every, lots = iter(ways), count(_AT_ONCE, _AT_ONCE)
+        while some := [*islice(every, next(lots))]:
+            yield from (some[number] for number in self._fitting([marks(way) for way in some]))
+
+    def _fitting(self, groups: Sequence[Sequence[Sequence[Mark]]]) -> list[int]:
+        """The numbers of the groups of marks for which there is room."""
         good = [*range(len(groups))]
         for part, letters in ((0, True), (0, False), (1, False)):  # few are left when lines are held against all
             every = [(k, mark) for k in good for mark in groups[k][part] if isinstance(mark, Text) == letters]
@@ -198,11 +207,6 @@ def _cover(text: Text) -> Array:
     (wide, up, down), turn, (x, y) = box(text.label, text.size), cmath.rect(1, text.turn), (text.at.real, text.at.imag)
     if not text.turn:
         return np.array([[[x, y - up], [x + wide, y + down]]])
-    at = text.at + turn * _slices(wide)
+    at = text.at + turn * np.linspace(0.0, wide, int(wide / _SLICE) + 2)
     ends = np.array([xy(at - 1j * turn * up), xy(at + 1j * turn * down)])
     return np.array([ends.min(axis=0), ends.max(axis=0)]).transpose(2, 0, 1)
-
-
-@lru_cache(256)
-def _slices(wide: float) -> Array:
-    return np.linspace(0.0, wide, int(wide / _SLICE) + 2)

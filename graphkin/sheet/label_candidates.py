@@ -137,8 +137,7 @@ class LabelScene:
 
 
 class Arrows:
-    """The arrows of a figure, by name, and sides of images: a label is to be nearer to its own arrow than to others,
-    with nothing between."""
+    """The arrows of a figure, and sides of images: a label is to be nearer to its own than to others, none between."""
 
     def __init__(self, drawn: Sequence[Mark]) -> None:
         lines = [(mark.name, mark.start, mark.end) for mark in drawn
@@ -179,8 +178,7 @@ class Arrows:
         return strange
 
     def unclear(self, wanted: Sequence[LabelRequest], owner: Array, start: Array, end: Array) -> Array:
-        """1 of leaders start..end (n, 2) that are long or end too close to an arrow or point not their owner's, less of
-        those that only cross one, 0 of clear ones."""
+        """1 of leaders start..end (n, 2) that are long or end at what is not their owner's, less of those over it."""
         start, end = (places @ (1, 1j) for places in (start, end))
         unclear, over = np.abs(end - start) > LONGEST, np.zeros(len(owner))
         for k in sorted(set(owner.tolist())):

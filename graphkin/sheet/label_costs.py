@@ -75,8 +75,7 @@ class LabelPlaces(NamedTuple):
 
 
 def together(one: LabelPlaces, other: LabelPlaces) -> tuple[Array, Array]:
-    """The costs of pairs of labels to each other; which of them lie on each other, or under each other's leader.
-    The other may be a single one."""
+    """The costs of pairs of labels to each other (the other may be one); which lie on each other, or under a leader."""
     clash = overlap(one.low, one.high, other.low - _APART, other.high + _APART)
     more = LYING * clash + _ONE_WORD * overlap(one.low, one.high, other.low - _WORD, other.high + _WORD)
     if not (one.led.any() or other.led.any()):
@@ -97,11 +96,8 @@ def under(led: LabelPlaces, other: LabelPlaces, keep: float = _PASSING) -> Array
 
 
 class LabelTable:
-    """Rows of places, one for each label, with room for so many; the rest of a row costs infinitely much.
-
-    cost, free  of each place (count, width)
-    _every      all of them, one row after the other; _low, _high: corners of what each reaches (2, n)
-    """
+    """Rows of places (count, width), one for each label; the rest of a row costs infinitely much. _every: all of them,
+    row after row; _low, _high: corners of what each reaches (2, n)."""
 
     def __init__(self, count: int, width: int) -> None:
         size = count * width

@@ -24,8 +24,7 @@ direction; in four of eight its corners come to the ring."""
 _LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
 """The cost of a direction where none is liked: above and to the right first."""
 _NOWHERE = complex("nan")
-_LEADER, _FARTHER = 6.0, 1.6
-"""The cost of a leader, and of each millimetre from the sign."""
+_LEADER, _FARTHER = 6.0, 1.6  # the cost of a leader, and of each millimetre from the sign
 _WIDE, _OFF_WIDE = np.array([*_RINGS, 3.5, 5.0]), np.array([[0.0], [0.75], [1.65], [2.6], [3.6]])
 """Distances of a label from its sign, and from its line beyond what it needs, at which it needs no leader [mm]."""
 _FAR = np.array([13.0, 16.0, 20.0, 25.0, 31.0, 39.0, 49.0])
@@ -89,16 +88,13 @@ class LabelRequest:
     parts: tuple[tuple[Label, int | None], ...] = ()
     of: str = ""
 
-    def texts(self, at: Place) -> Iterator[Text]:
-        """Its letters, from the left end of the base line."""
-        for label, step in self.parts or ((self.label, self.step),):
-            yield Text(label, at, self.size, step)
-            at += width(label, self.size)
-
     def about(self, middle: Place) -> Iterator[Text]:
         """Its letters about a place."""
         wide, up, down = box(self.label, self.size)
-        return self.texts(middle + complex(-wide / 2, (up - down) / 2))
+        at = middle + complex(-wide / 2, (up - down) / 2)
+        for label, step in self.parts or ((self.label, self.step),):
+            yield Text(label, at, self.size, step)
+            at += width(label, self.size)
 
     @cached_property
     def half(self) -> complex:
@@ -133,9 +129,8 @@ class LabelRequest:
         anchors = [start + (end - start) * t for t in _LED_ALONG]
         every = LabelCandidates.joined(_around(anchor, half, self, rings, led=True) for anchor in anchors)
         off, along = every.middle - every.anchor, (end - start) / abs(end - start)
-        off = np.maximum(np.abs(off.real) - half.real, 0) * np.sign(off.real) + 1j * (
-            np.maximum(np.abs(off.imag) - half.imag, 0) * np.sign(off.imag)
-        )  # from what it names to the near side of its box
+        inside = np.clip(off.real, -half.real, half.real) + 1j * np.clip(off.imag, -half.imag, half.imag)
+        off -= inside  # from what it names to the near side of its box
         upright = np.abs((off * along.conjugate()).imag) >= (_LEANT if far else _UPRIGHT) * np.abs(off)
         aside = np.repeat(np.abs(np.array(_LED_ALONG) - 0.5), len(off) // len(_LED_ALONG))
         every = every._replace(cost=every.cost + _OFF_MIDDLE * aside)

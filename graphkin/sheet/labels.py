@@ -31,11 +31,7 @@ _CHEAPER = 1.0  # a label moves where that saves more
 
 
 class LabelPlacing:
-    """Labels taking their places.
-
-    stands  those that have a place
-    _table  the places they choose from; _spot: the one that each takes
-    """
+    """Labels taking their places; stands: those that have one; _table: the choice; _spot: the one that each takes."""
 
     def __init__(self, scene: LabelScene, last: int) -> None:
         """last: the farthest tier in which labels look for places."""
@@ -113,8 +109,7 @@ class LabelPlacing:
         return int(np.sum(self._bad())), float(self._now().sum())
 
     def _claim(self, label: int) -> None:
-        """A label takes the place that is its best if others make way, and these look for new ones; if all are better
-        off then."""
+        """A label takes the place that is its best if others make way, and these look for new ones; if that helps."""
         before, kept = self._badness(), (self._table.copy(), self.stands.copy(), self._spot.copy())
         self._lift(label)
         [places] = self.scene.places([label], self._last)
@@ -188,12 +183,8 @@ _NEIGHBOUR = 15.0  # so near to a label without a place, others that say nothing
 
 
 class Settled(NamedTuple):
-    """Labels and leaders at their places.
-
-    clashing  which labels lie on something, or their leaders on labels
-    led       which labels stand on leaders; unclear: on such as do not tell what they name, or are long
-    places    from which they may look farther
-    """
+    """Labels and leaders at their places; clashing: labels that lie on something, or their leaders on labels; led: on
+    leaders; unclear: those that do not tell what they name, or are long; places: from which to look farther."""
 
     marks: list[Mark]
     clashing: Sequence[int]
@@ -254,8 +245,7 @@ def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[
 def _left_out(
     wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int], unclear: Collection[int], most: int
 ) -> list[int]:
-    """The spare ones, so far at most, of labels without a place or without a clear one, else those next to the former;
-    not two that are close together, of which one may find a place without the other, unless very many have none."""
+    """The spare ones, so far at most, of labels without a clear place, else those beside them; none close together."""
     places = [want.place for want in wanted]
 
     def close(label: int, others: Sequence[int]) -> bool:

@@ -46,8 +46,7 @@ class Layout:
     strip: Room
 
     def placed(self, plane: Plane, extent: Extent) -> tuple[Window, list[tuple[int, Place]]]:
-        """The figure with all its signs in the middle of what its blocks leave, under its heading; the number of each
-        block's shape, and its upper left corner."""
+        """The figure with its signs in the middle of what its blocks leave; each block's shape and its corner."""
         under, own, stands = self._standing(plane, extent)
         free = Room(*map(float, under[:, 0]))
         return stands.window(own, free, self.paper.times), stands.corners(free)
@@ -145,8 +144,7 @@ def _bare_values(field: Room, extents: tuple[tuple[Plane, Extent], ...]) -> tupl
 def _values(
     rooms: Mapping[Plane, Array], extents: Mapping[Plane, Extent], field: Room
 ) -> tuple[Array, dict[Plane, Array]]:
-    """The worth of many divisions, and the scales there: size of figures, room about their labels, paper used; less for
-    parts of the field that a mechanism has too much and figures too little of. Infinitely little: one has no room."""
+    """The worth of many divisions, and the scales there: size of figures, room about their labels, paper used."""
     value, inked, scales = np.asarray(0.0), np.asarray(0.0), dict[Plane, Array]()
     area = field.size.real * field.size.imag
     for plane, extent in extents.items():

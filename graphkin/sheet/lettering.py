@@ -193,6 +193,11 @@ def number(value: float, digits: int = 4) -> Label:
     return (Run("10" if mantissa == "1" else f"{mantissa}×10"), Run(power, place="sup"))
 
 
+def valued(name: Label, value: float, unit: str, digits: int = 4) -> Label:
+    """`ψ = 40.54°`: what is called so, with its value."""
+    return (*name, Run(" = "), *number(value, digits), *plain(unit))
+
+
 _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
 _LOW = r"(?:[^\s()（）/|²³·、。，；：:,;.]|[,.](?=\w))+"
 _SIGN = (
@@ -246,8 +251,7 @@ def points_label(text: str) -> Label:
 
 
 def _sign(match: re.Match[str]) -> list[Run]:
-    """A letter, its subscript, and its part or power above that. Names and letters of a subscript are in italics;
-    digits, Chinese and the words for least and greatest stand upright."""
+    """A letter, its subscript in italics (not so digits, Chinese, min and max), and its part or power above that."""
     letter, part, low, digits, power = match.group("letter", "part", "low", "digits", "power")
     low = low or digits  # points that bear the number of their link after a digit: `{B1_3,B1_2}`, as labels have it
     several = low.startswith("{") or ("_" in low and "," in low)

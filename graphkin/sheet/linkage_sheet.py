@@ -25,7 +25,7 @@ from graphkin.sheet import lettering, symbols
 from graphkin.sheet.drafting_figure import angle
 from graphkin.sheet.fixed_link import away_from, grounds
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LABEL, Label, Run, number, plain, point_label, points_label, quantity_label
+from graphkin.sheet.lettering import LABEL, Label, Run, number, plain, point_label, points_label, quantity_label, valued
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.page import Page, Sheet
@@ -43,12 +43,9 @@ _HEAD = 10.0  # room for the title of the family [mm]
 
 
 def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | None = None, title: str = "") -> Sheet:
-    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, at one scale. Raises
-    UnknownPaper.
-
-    paper   a key of `PAPERS`; A4 on its side where left out, A3 for three linkages and more
-    title   of the title block; the kind of the first where left out
-    """
+    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, at one scale; on A4 on its
+    side where no paper is given, A3 for three linkages and more; title: the kind of the first where left out. Raises
+    UnknownPaper."""
     chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
     several = len(reports) > 1
     tables = [found_sizes(one, "".join(one.linkage.names) if several else "") for one in reports]
@@ -167,8 +164,7 @@ def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
 
 
 def drawn_over(linkage: Linkage, positions: Row, window: Window, primes: bool = False, around: Row = ()) -> Figure:
-    """Ground first, then the thin positions, then the thick one; moving points lettered with numbers or primes; around:
-    further positions, of other figures, for which the ground is the same."""
+    """Ground, thin positions, the thick one; moving points by numbers or primes; around: those of other figures."""
     machine = linkage.mechanism()
     first, *others = (Skeleton(machine, posed(linkage, machine, position), window, {}) for position in positions)
     elsewhere = [Skeleton(machine, posed(linkage, machine, position), window, {}) for position in around]
@@ -219,12 +215,6 @@ def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> I
             yield LabelRequest(label, at, gap=symbols.HINGE + 0.4, away=at - window(centre))
 
 
-def _degrees(sign: str, angle: float, primes: int = 0) -> Label:
-    """`ψ = 40.54°`, `γ′ = 32.98°`: four digits, as on paper."""
-    index = (Run("′" * primes),) if primes else ()
-    return (Run(sign, True), *index, Run(" = "), *number(math.degrees(angle)), Run("°"))
-
-
 def _limit_angles(report: Report, window: Window) -> Iterator[Entry]:
     """psi or H between the limits, theta at the crank's pivot, and right angles."""
     yield from _theta(report, window)
@@ -245,7 +235,8 @@ def _psi(report: Report, window: Window) -> Iterator[Entry]:
     at, span = first[pivot], report.output_range
     share, least, most = _BESIDE_BLOCK if report.slide else _BESIDE_HINGE
     radius = min(max(share * abs(first[tip] - at), least), most)
-    yield from angle(at, cmath.rect(1, -span.low), -span.width, radius, _degrees("ψ", span.width))
+    label = valued(plain("ψ", True), math.degrees(span.width), "°")
+    yield from angle(at, cmath.rect(1, -span.low), -span.width, radius, label)
     for end in report.limits:
         along = window.turned(cmath.rect(1, end.output))
         arm = on_paper(end, window)[tip] - at
@@ -264,7 +255,8 @@ def _theta(report: Report, window: Window) -> Iterator[Entry]:
     if report.limits[0].how == "across" and report.theta > 1e-6:
         yield Stroke((at, at + end / abs(end) * (radius + 3)), "construction")
         yield Stroke((first[1], at + start / abs(start) * (radius + 3)), "construction")
-    yield from angle(at, start, cmath.phase(end / start), radius, _degrees("θ", report.theta))
+    label = valued(plain("θ", True), math.degrees(report.theta), "°")
+    yield from angle(at, start, cmath.phase(end / start), radius, label)
 
 
 def _stroke(report: Report, length: float, window: Window) -> Iterator[Entry]:
@@ -276,7 +268,7 @@ def _stroke(report: Report, length: float, window: Window) -> Iterator[Entry]:
     level = (one / side).real + _STROKE_OFF
     line, extensions, heads = symbols.dimension_line((one, other), side, level, clear=(4.5, 4.5))
     yield from (line, *extensions, *heads)
-    label: Label = (Run("H", True), Run(" = "), *number(length * 1e3), Run(" mm"))
+    label = valued(plain("H", True), length * 1e3, " mm")
     yield LabelRequest(label, line.places[0], line.places[1], gap=0.4, away=side, size=LABEL)
 
 
@@ -286,9 +278,9 @@ def _transmission_angles(report: Report, positions: Row, window: Window) -> Iter
         seen, gamma = report.linkage.seen(end), end.gamma or 0.0
         if not abs(seen.one) * abs(seen.other):  # points on one another
             continue
-        radius, label = 15.0, _degrees("γ", gamma, count)
-        if seen.pressure:
-            radius, label = 8.0 + 8.0 * count, _degrees("α", math.pi / 2 - gamma, count)
+        radius, letter = (8.0 + 8.0 * count, "α") if seen.pressure else (15.0, "γ")
+        value, name = math.pi / 2 - gamma if seen.pressure else gamma, (Run(letter, True), Run("′" * count))
+        label = valued(name, math.degrees(value), "°")
         at, one, other = window(seen.at), window.turned(seen.one), window.turned(seen.other)
         one = -one if (one.conjugate() * other).real < 0 else one  # the acute angle; what no link shows is drawn on
         yield from (Stroke((at, at + side / abs(side) * (radius + 3)), "construction") for side in (one, other))

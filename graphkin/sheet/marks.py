@@ -49,11 +49,8 @@ class Shows:
 
 @frozen
 class Stroke:
-    """A line through `places`; `closed` back to the first; `shows`: of lines of links.
-
-    accent  its colour where that is not its layer's
-    breaks  where another goes over it, the step in which that is drawn, and the half of the gap [mm]
-    """
+    """A line through `places`, `closed` back to the first; shows: of lines of links; accent: its colour where that is
+    not its layer's; breaks: where another goes over it, the step that draws that, and the half of the gap [mm]."""
 
     places: tuple[Place, ...]
     pen: PenName = "outline"

@@ -20,7 +20,7 @@ from graphkin.sheet.added_points import asked_centres, contacts, named_specials,
 from graphkin.sheet.fixed_link import drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
-from graphkin.sheet.marks import BREAK, Disc, Mark, Place, PointMark, Shows, Stroke
+from graphkin.sheet.marks import BREAK, Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line, off_stretch
 from graphkin.sheet.window import Figure, Window
@@ -82,8 +82,7 @@ def _bodies(skeleton: Skeleton) -> Figure:
 
 
 def _broken(skeleton: Skeleton, marks: Sequence[Mark]) -> Iterator[Mark]:
-    """Bars and guides, last ones first, broken where one goes over them that is of another link and no joint, and about
-    hinges that are none of theirs."""
+    """Bars and guides, last ones first, broken where others that are not joined to them go over, and about hinges."""
     racks = [(roll.track, gap) for roll in skeleton.mechanism.of(RollingContact)
              if (gap := wheels.toothed(skeleton, roll))]  # fmt: skip
     bars = {id(mark): mark for mark in reversed(marks) if isinstance(mark, Stroke) and mark.shows is not None
@@ -102,8 +101,7 @@ def _broken(skeleton: Skeleton, marks: Sequence[Mark]) -> Iterator[Mark]:
 
 
 def _gaps(skeleton: Skeleton, bars: Sequence[Stroke]) -> dict[int, list[tuple[Place, int | None, float]]]:
-    """The breaks of each bar (by identity) where another goes over it: the first of two over the other. Where that gap
-    would cut a crumb off an end the other has it, if no further line crosses that so near."""
+    """The breaks of each bar (by identity) where another goes over it: the first of two, unless that leaves a crumb."""
     gaps = {id(bar): list[tuple[Place, int | None, float]]() for bar in bars}
     crossed = {id(bar): list[Place]() for bar in bars}
     turned = list[tuple[Place, Stroke, Stroke]]()
@@ -149,19 +147,17 @@ def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
 
 def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:
     """A bar, or the outline of three and more points; points inside it hang on two corners."""
+
+    def line(through: Sequence[int], pen: PenName, closed: bool = False) -> Stroke:
+        shows = Shows(link, "bar", tuple(names[k] for k in through))
+        fill: Fill = "tint" if closed else "none"
+        return Stroke(tuple(places[k] for k in through), pen, closed, fill, shows, step)
+
     if (ends := in_line(places)) is not None:
-        shows = Shows(link, "bar", tuple(names[k] for k in ends))
-        return [Stroke(tuple(places[k] for k in ends), "visible", shows=shows, step=step)]
-    round_about = hull(places)
-    outline = Shows(link, "bar", tuple(names[k] for k in round_about))
-    corners = tuple(places[k] for k in round_about)
-    marks: list[Mark] = [Stroke(corners, "outline", closed=True, fill="tint", shows=outline, step=step)]
-    for k in range(len(places)):
-        if k not in round_about:
-            one, other = sorted(round_about, key=lambda c, k=k: abs(places[c] - places[k]))[:2]  # type: ignore[misc]
-            hung = Shows(link, "bar", (names[one], names[k], names[other]))
-            marks.append(Stroke((places[one], places[k], places[other]), "visible", shows=hung, step=step))
-    return marks
+        return [line(ends, "visible")]
+    around = hull(places)
+    hung = ((sorted(around, key=lambda c: abs(places[c] - at)), k) for k, at in enumerate(places) if k not in around)
+    return [line(around, "outline", closed=True), *(line((one, k, other), "visible") for (one, other, *_), k in hung)]
 
 
 def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
@@ -207,19 +203,16 @@ BEFORE_LINKS: Signs = {CircularSlot: wheels.circular_slot}  # those over which l
 
 def _through_bars(skeleton: Skeleton) -> Iterator[Mark]:
     """A bar that goes on past a hinge, but no block's, is drawn over its circle; other bars end at it."""
-    passed = dict[str, complex]()
-    for link in skeleton.mechanism.moving:
-        names = skeleton.named(link)
+    machine, done = skeleton.mechanism, {slide.point for slide in skeleton.mechanism.slides}
+    for names in map(skeleton.named, machine.moving):
         places = [skeleton.at(p) for p in names]
         if len(names) < 3 or (ends := in_line(places)) is None:
             continue
-        along = places[ends[1]] - places[ends[0]]
-        for k, point in enumerate(names):
-            if k not in ends and len(skeleton.mechanism.owners[point]) > 1:
-                passed.setdefault(point, symbols.HINGE * along / abs(along))
-    for point in passed.keys() - {slide.point for slide in skeleton.mechanism.slides}:
-        at, half = skeleton.at(point), passed[point]
-        yield Stroke((at - half, at + half), "visible", step=skeleton.step(point))
+        half = (places[ends[1]] - places[ends[0]]) / abs(places[ends[1]] - places[ends[0]]) * symbols.HINGE
+        for k, (point, at) in enumerate(zip(names, places, strict=True)):
+            if k not in ends and len(machine.owners[point]) > 1 and point not in done:
+                done.add(point)
+                yield Stroke((at - half, at + half), "visible", step=skeleton.step(point))
 
 
 def _hinges(skeleton: Skeleton) -> list[Mark]:

@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
+from functools import partial
 from itertools import combinations, islice, product
 
 from graphkin.base.value import frozen
@@ -20,7 +21,7 @@ from graphkin.sheet.dimension_lines import DimensionLines, angle_label, extensio
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, quantity_label
-from graphkin.sheet.marks import ArcMark, Form, Mark, Shows, Stroke, Text
+from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
@@ -31,7 +32,7 @@ _MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler, where n
 _AROUND = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
 _NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
 _TOLD = 5.0  # a shorter length is told by words alone [mm]
-_TRIED, _AT_ONCE = 12, 4  # so many places are tried for an arc whose letter finds no room beside it, and together
+_TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
@@ -42,11 +43,7 @@ Arc = tuple[tuple[str, ...], float, complex, bool]
 
 @frozen
 class MechanismNotes:
-    """Annotations of a mechanism with what the solution reads off it.
-
-    given   data of the problem
-    planes  of which results may be shown; none where only what is given is drawn
-    """
+    """Annotations of a mechanism as it is read, and what is given of it; planes: of which results may be shown."""
 
     skeleton: Skeleton
     reading: Reading
@@ -90,8 +87,7 @@ class MechanismNotes:
                 return
 
     def _arc(self, rotation: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
-        """An arc in the sense in which the link turns, across its bar, with its letter; drawn: by link the first, with
-        which a second one has its middle in common: heads that point alike mean one sense."""
+        """An arc in the sense in which the link turns, with its letter; drawn: by link the first, to stand beside."""
         (letter, plane), link = _LETTERS[rotation.word], rotation.link
         value = float((self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha)[link])
         driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
@@ -102,7 +98,7 @@ class MechanismNotes:
         form: Form = "omega" if plane == "velocity" else "alpha"
         for place in islice(self._places(link, free, drawn.get(link)), _TRIED):
             points, radius, middle, crossing = place
-            at, turn = sum(map(self.skeleton.at, points)) / len(points), cmath.rect(1, -sense * SWEEP / 2)
+            at, turn = self._middle(points), cmath.rect(1, -sense * SWEEP / 2)
             arc = spin(at, middle / turn, sense, radius, step, Shows(link, form, points))
             for away in (middle / turn, middle * turn) if crossing else (middle,):
                 want = LabelRequest(label, at + away * radius, gap=0.9, away=away, step=step)
@@ -115,18 +111,21 @@ class MechanismNotes:
         return []
 
     def _places(self, link: str, free: FreeRoom, beside: Arc | None) -> Iterator[Arc]:
-        """Places with room for such an arc: across a bar beside its pivot, or at the middle of a coupler; about a point
-        of a link that has no bar. Of a coupler about the middle of the one beside it, on the same side."""
+        """Places with room for such an arc: across a bar by its pivot, about a coupler's middle, or about a point."""
         own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
-        for wide, arcs in ((_APART, self._arcs(link, beside)), (_APART / 2, self._arcs(link, beside))):
-            while some := [*islice(arcs, _AT_ONCE)]:
-                rooms = list[list[Mark]]()
-                for points, radius, middle, crossing in some:
-                    at, half = sum(map(self.skeleton.at, points)) / len(points), SWEEP / 2
-                    cut, start = own / radius if crossing else -half, cmath.phase(middle)
-                    rooms.append([ArcMark(at, r, start + low, half - cut) for low in (-half, cut)[: 1 + crossing]
-                                  for r in dict.fromkeys((radius, radius - wide, radius + wide))])  # fmt: skip
-                yield from (some[number] for number in free.fitting([(room, ()) for room in rooms]))
+
+        def room(place: Arc, wide: float) -> tuple[list[Mark], tuple[()]]:
+            points, radius, middle, crossing = place
+            at, half, start = self._middle(points), SWEEP / 2, cmath.phase(middle)
+            cut = own / radius if crossing else -half
+            return [ArcMark(at, r, start + low, half - cut) for low in (-half, cut)[: 1 + crossing]
+                    for r in dict.fromkeys((radius, radius - wide, radius + wide))], ()  # fmt: skip
+
+        for wide in (_APART, _APART / 2):
+            yield from free.fitting(self._arcs(link, beside), partial(room, wide=wide))
+
+    def _middle(self, points: Sequence[str]) -> Place:
+        return sum(map(self.skeleton.at, points)) / len(points)
 
     def _arcs(self, link: str, beside: Arc | None) -> Iterator[Arc]:
         owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)

@@ -63,11 +63,12 @@ def mechanism_sheet(
     """
     if style == "given":
         drawing = Planes(method, plot, ("position",), style, lang)
-        return replace(_arranged(drawing, partial(_bare, tight=tight), paper).page.sheet(), given=True)
-    method, plot = shown(method, plot)
-    drawing = Planes(method, plot, _planes(only), style, lang, paths, breaks=upto is None)
-    best = _arranged(drawing, partial(_whole, tight=tight, equations=equations), paper)
-    return best.page.sheet() if upto is None else next(_staged(best, paper, [upto]))
+    else:
+        drawing = Planes(*shown(method, plot), _planes(only), style, lang, paths, breaks=upto is None)
+    best = _arranged(drawing, partial(_contents, tight=tight, equations=equations), paper)
+    if upto is not None and style != "given":
+        return next(_staged(best, paper, [upto]))
+    return replace(best.page.sheet(), given=style == "given")
 
 
 def mechanism_step_sheets(
@@ -75,17 +76,14 @@ def mechanism_step_sheets(
     only: Plane | Collection[Plane] | None = None, tight: bool = False,
 ) -> Iterator[Sheet]:  # fmt: skip
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    method, plot = shown(method, plot)
-    drawing = Planes(method, plot, _planes(only), "construction", lang)
-    yield from _staged(_arranged(drawing, partial(_whole, tight=tight), paper), paper)
+    drawing = Planes(*shown(method, plot), _planes(only), "construction", lang)
+    yield from _staged(_arranged(drawing, partial(_contents, tight=tight), paper), paper)
 
 
-def _bare(drawing: Planes, tight: bool) -> SheetContents:
-    """What is given, and nothing else."""
-    return SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
-
-
-def _whole(drawing: Planes, tight: bool = False, equations: bool = True) -> SheetContents:
+def _contents(drawing: Planes, tight: bool = False, equations: bool = True) -> SheetContents:
+    """What is given and nothing else, or all that is found."""
+    if drawing.style == "given":
+        return SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
     found = {} if tight else tables(drawing.method, drawing.plot, drawing.lang)
     return SheetContents(drawing, found, tight=tight, without=frozenset() if equations else frozenset({"equations"}))
 
@@ -98,7 +96,7 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 def scales_of(method: Method, plot: Plot, breaks: bool = True) -> Mapping[Plane, float]:
     """The scales of the sheet in every language, or of one on which no arrow is drawn broken."""
     drawing = Planes(*shown(method, plot), PLANES, "construction", "en", breaks=breaks)
-    return cheapest(_whole(drawing), None).layout.scales
+    return cheapest(_contents(drawing), None).layout.scales
 
 
 @frozen
@@ -110,8 +108,7 @@ class Arrangement:
 
     @classmethod
     def on(cls, contents: SheetContents, papers: Sequence[Paper]) -> Arrangement:
-        """On the smallest paper that holds all, with blocks in the strip for which figures leave no room. Raises
-        TooLargeForPaper."""
+        """On the smallest paper that holds all, some blocks in the strip if need be. Raises TooLargeForPaper."""
         try:
             return cls(*contents.laid_out(papers))
         except TooLargeForPaper as error:
@@ -120,7 +117,7 @@ class Arrangement:
     @property
     def cut(self) -> Arrangement:
         """Cut to its only figure, where it has but one."""
-        (plane, *others), extents = self.contents.planes, self.contents.extents
+        (plane, *others), extents = self.contents.drawing.planes, self.contents.extents
         return self if others else replace(self, layout=cut_to(self.layout, plane, extents[plane]))
 
     @property
@@ -130,8 +127,7 @@ class Arrangement:
 
     @cached_property
     def overfull(self) -> float:
-        """The part of its room for letters that the labels of the fullest figure take; above 1 some cannot
-        but lie on others, and no care helps."""
+        """The part of its room for letters that the labels of the fullest figure take; above 1 some lie on others."""
         rooms, extents = self.layout.rooms, self.contents.drawing.extents
         return max(extents[p].lettering / (CRAMMED * room.size.real * room.size.imag) for p, room in rooms.items())
 
@@ -143,27 +139,19 @@ class Arrangement:
             yield _LOST * sum(extent.labels for extent in self.contents.drawing.extents.values()) + self.overfull
             return
         yield (price := max(0.0, self.layout.strip.size.imag - FOOT) / _STRIP)
-        contents = self.contents
-        for plane in sorted(contents.planes, key=lambda plane: (plane not in contents.detailed, plane == "position")):
+        detailed, planes = self.contents.detailed, self.contents.drawing.planes
+        for plane in sorted(planes, key=lambda plane: (plane not in detailed, plane == "position")):
             panel = self.panel(plane)
             yield (price := round(price + _LOST * len(panel.near.clashing) + burden(panel.burdens), 6))
 
     @property
-    def polygons(self) -> dict[Plane, Panel]:
-        """The figures that may have details; none of an overfull one."""
-        planes = self.contents.planes if self.overfull <= 1 else ()
-        return {plane: self.panel(plane) for plane in planes if plane != "position"}
-
-    @property
-    def crowds(self) -> list[Plane]:
-        """Planes in which so many labels have no good place that no detail relieves them."""
-        return [plane for plane, panel in self.polygons.items() if (panel.burdens >= UNCLEAR).sum() > _CROWD]
-
-    @property
     def knotted(self) -> dict[Plane, DetailRoom]:
-        """Details that would relieve labels: small ones where little is to be seen in them."""
+        """Details that would relieve labels of polygons: small ones where little is to be seen in them; none of an
+        overfull figure, or of one in which more labels have no good place than a detail relieves."""
+        planes = [plane for plane in self.contents.drawing.planes if plane != "position" and self.overfull <= 1]
         return {plane: DetailRoom(DETAILS[burden(panel.burdens) > 2 * SAVED])
-                for plane, panel in self.polygons.items() if plane not in self.crowds and has_knot(panel)}  # fmt: skip
+                for plane, panel in zip(planes, map(self.panel, planes), strict=True)
+                if (panel.burdens >= UNCLEAR).sum() <= _CROWD and has_knot(panel)}  # fmt: skip
 
     @cached_property
     def panel(self) -> Callable[[Plane], Panel]:
@@ -173,13 +161,14 @@ class Arrangement:
     @property
     def page(self) -> Page:
         """All of it; of figures for another document no more paper than they need."""
-        page = self.contents.page(self.layout.paper, [*map(self.panel, self.contents.planes)])
+        drawing, strip = self.contents.drawing, self.contents.strip
+        panels, machine = [*map(self.panel, drawing.planes)], drawing.method.mechanism
+        page = Page(self.layout.paper, panels, machine, drawing.plot.facts.values, drawing.lang, strip)
         return page.trimmed if self.contents.tight else page
 
 
 def _arranged(drawing: Planes, contents: Callable[[Planes], SheetContents], paper: str | None) -> Arrangement:
-    """The cheapest arrangement of the English sheet; of another language in its rooms or, where its words are too wide
-    for these, with its scales and on its paper."""
+    """The cheapest arrangement of the English sheet; of another language in its rooms, or at least at its scales."""
     best = cheapest(contents(replace(drawing, lang="en")), paper)
     if drawing.lang == "en":
         return best
@@ -242,7 +231,7 @@ def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -
 
 def _spoken(stage: Arrangement) -> dict[Act, list[str]]:
     """The number and the sentence of each act, at the scales that are drawn. Raises TooLargeForPaper."""
-    drawing, planes = stage.contents.drawing, stage.contents.planes
+    drawing, planes = stage.contents.drawing, stage.contents.drawing.planes
     others = {} if planes == PLANES else scales_of(drawing.method, drawing.plot, breaks=False)
     reading = drawing.reading({**others, **stage.layout.scales})
     entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)

@@ -59,20 +59,14 @@ def mistake_sheets(
     own     the student's drawing, laid over with its pole on the pole
     answer  whether the right drawing may be shown: without it, the drawing with the mistakes alone
     """
-    return [
-        version.sheet(answer, lang) for plane in PLANES
-        for version in _versions(method, plot, plane, found, own or {}, answer)
-    ]  # fmt: skip
+    every = (_versions(method, plot, plane, found, own or {}, answer) for plane in PLANES)
+    return [version.sheet(answer, lang) for versions in every for version in versions]
 
 
 @frozen
 class Version:
-    """A plane as it is drawn by somebody.
-
-    name    its name in the catalogue, to be said under it
-    arrows, images   drawn otherwise, as in `DrawingComparison`
-    own     points that are laid over it, from the pole
-    """
+    """A plane as it is drawn by somebody; name: in the catalogue, to be said under it; arrows, images: drawn otherwise
+    (`DrawingComparison`); own: points that are laid over it, from the pole."""
 
     method: Method
     plane: Plane

@@ -31,8 +31,8 @@ from graphkin.say.catalogue import say
 from graphkin.sheet.boxes import xy
 from graphkin.sheet.fixed_link import drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import lay_out
-from graphkin.sheet.lettering import LABEL, Label, joined, number, plain, point_label, quantity_label, width
+from graphkin.sheet.layout import Layout, lay_out
+from graphkin.sheet.lettering import LABEL, Label, joined, plain, point_label, quantity_label, valued, width
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
@@ -79,8 +79,15 @@ def motion_frames(
              for t in _times(moved, count)]  # fmt: skip
     plots = [replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))) for t in times]
     back = bool(moved.path.stops) or not moved.angular
-    frames = MotionFigures(method, plots, (only,) if only else PLANES, lang, back, _running_values(moved, times))
-    return list(frames.sheets(paper))
+    papers = [one for one in papers_for(paper) if one.width > one.height or paper]  # as screens are
+    values = _running_values(moved, times)
+    figures = [MotionFigure(method, plots, plane, lang, back, values.get(plane, ()))
+               for plane in ((only,) if only else PLANES)]  # fmt: skip
+    extents = {figure.plane: figure.extent(figure.smaller) for figure in figures}
+    layout = lay_out(extents, Strip().height, papers, freely=True)
+    panels = zip(*(figure.panels(layout, extents[figure.plane]) for figure in figures), strict=True)
+    return [Page(layout.paper, each, method.mechanism, plot.facts.values, lang, Strip()).sheet()
+            for plot, each in zip(plots, panels, strict=True)]  # fmt: skip
 
 
 def _running_values(moved: Course, times: Sequence[float]) -> dict[Plane, list[list[Label]]]:
@@ -94,7 +101,7 @@ def _running_values(moved: Course, times: Sequence[float]) -> dict[Plane, list[l
         unit, values, letters = EDGE[series.unit], series.signed * EDGE[series.unit].factor, label_of(series.quantity)
         if [series.name] == names[:1] and turns:  # as the sheets have it
             letters, values = quantity_label("φ", machine.called(driver.link)), values % 360
-        row = [(*letters, *plain(" = "), *number(value), *plain(unit.after)) for value in values]
+        row = [valued(letters, value, unit.after) for value in values]
         rows.setdefault(_PLANE.get(series.unit, "position"), []).append(row)
     return {plane: every[:_ROWS] for plane, every in rows.items()}
 
@@ -112,136 +119,109 @@ def _times(moved: Course, count: int) -> list[float]:
 
 
 @frozen
-class MotionFigures:
-    """The positions and the planes that are drawn of each; any other position is drawn to suit them.
-
-    back    the mechanism goes there and back
-    values  by plane: rows of labels, one a position
-    """
+class MotionFigure:
+    """A plane at all positions; at any other one it is drawn to suit them. back: the mechanism goes there and back;
+    values: rows of labels, one a position."""
 
     method: Method
     plots: Sequence[Plot]
-    planes: tuple[Plane, ...]
-    lang: Lang
-    back: bool
-    values: Mapping[Plane, Sequence[Sequence[Label]]]
+    plane: Plane
+    lang: Lang = "en"
+    back: bool = False
+    values: Sequence[Sequence[Label]] = ()
 
-    def sheets(self, paper: str | None) -> Iterator[Sheet]:
-        papers = [one for one in papers_for(paper) if one.width > one.height or paper]  # as screens are
-        extents = {plane: self.extent(plane, self.smaller[plane]) for plane in self.planes}
-        layout = lay_out(extents, Strip().height, papers, freely=True)
-        placed = {plane: layout.placed(plane, extent) for plane, extent in extents.items()}
-        windows = {plane: [replace(window, scale=window.scale * self.smaller[plane].get(k, 1))
-                           for k in range(len(self.plots))] for plane, (window, _) in placed.items()}  # fmt: skip
-        at = {plane: dict(corners).get(0, 0j) for plane, (_, corners) in placed.items()}
-        rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
-        words: dict[Plane, list[tuple[Mark, ...]]] = {}
-        drawn: dict[Plane, list[list[Mark]]] = {}
-        for plane in self.planes:
-            words[plane] = [(*heading(HEADINGS[self.lang][plane], plane, window.printed, layout.rooms[plane]),
-                             *self._texts(plane, k, at[plane])) for k, window in enumerate(windows[plane])]  # fmt: skip
-            figures = [self.figure(plane, window, plot) if k in self.smaller[plane] else Figure()
-                       for k, (window, plot) in enumerate(zip(windows[plane], self.plots, strict=True))]  # fmt: skip
-            drawn[plane] = lettered(figures, rooms[plane], words[plane][0])
-        for k, plot in enumerate(self.plots):
-            panels = [Panel(Figure(drawn[plane][k]), windows[plane][k], rooms[plane], words[plane][k], plane)
-                      for plane in self.planes]  # fmt: skip
-            machine, values = self.method.mechanism, plot.facts.values
-            yield Page(layout.paper, panels, machine, values, self.lang, Strip()).sheet()
+    def panels(self, layout: Layout, extent: Extent) -> Iterator[Panel]:
+        """On paper at each position, with its heading, a note and the values."""
+        (window, corners), room = layout.placed(self.plane, extent), layout.rooms[self.plane]
+        windows = [replace(window, scale=window.scale * self.smaller.get(k, 1)) for k in range(len(self.plots))]
+        corner, name, inner = dict(corners).get(0, 0j), HEADINGS[self.lang][self.plane], room.inset(1, 1, 1)
+        before = [[*heading(name, self.plane, each.printed, room)] for each in windows]
+        for k, own in enumerate(before):
+            own += (Text(label, corner + 1j * PITCH * (row + 0.75), LABEL) for row, label in enumerate(self._words(k)))
+        figures = [self.figure(each, plot) if k in self.smaller else Figure()
+                   for k, (each, plot) in enumerate(zip(windows, self.plots, strict=True))]  # fmt: skip
+        for each, words, marks in zip(windows, before, lettered(figures, inner, before[0]), strict=True):
+            yield Panel(Figure(marks), each, inner, tuple(words), self.plane)
 
-    def _texts(self, plane: Plane, k: int, corner: Place) -> Iterator[Text]:
+    def _words(self, k: int) -> Iterator[Label]:
         """A note and the values of a position."""
-        for row, label in enumerate(self._words(plane, k)):
-            yield Text(label, corner + 1j * PITCH * (row + 0.75), LABEL)
-
-    def _words(self, plane: Plane, k: int) -> Iterator[Label]:
-        if (times := self.smaller[plane].get(k)) is None:
+        if (times := self.smaller.get(k)) is None:
             yield plain(say("sheet.too large", self.lang))
         elif times > 1:
             yield plain(say("sheet.smaller", self.lang, times=times))
-        elif plane == "position" and self.back:
+        elif self.plane == "position" and self.back:
             yield plain(say("sheet.there and back", self.lang))
-        yield from (row[k] for row in self.values.get(plane, ()))
+        yield from (row[k] for row in self.values)
 
     @cached_property
-    def _names(self) -> dict[Plane, list[str]]:
-        """The points of each polygon, the pole first."""
-        polygons = {plane: constructions(self.method)[plane] for plane in self.planes if plane != "position"}
-        return {plane: [name for name in dict.fromkeys((polygon.pole, *polygon.nodes))
-                        if name in self.plots[0].points(plane)] for plane, polygon in polygons.items()}  # fmt: skip
+    def _names(self) -> list[str]:
+        """The points of the polygon, the pole first."""
+        polygon, there = constructions(self.method)[self.plane], self.plots[0].points(self.plane)
+        return [name for name in dict.fromkeys((polygon.pole, *polygon.nodes)) if name in there]
 
-    def _places(self, plane: Plane, plot: Plot) -> list[complex]:
-        """The points a plane shows at a position, in SI units."""
-        if plane == "position":
+    def _places(self, plot: Plot) -> list[complex]:
+        """The points it shows at a position, in SI units."""
+        if self.plane == "position":
             return mechanism_places(self.method, plot)
-        points = plot.points(plane)
-        return [complex(points[name]) for name in self._names[plane]]
+        points = plot.points(self.plane)
+        return [complex(points[name]) for name in self._names]
 
-    def fits(self, plane: Plane, plot: Plot) -> bool:
-        """True where a plane is drawn at a position: it is not endless there."""
-        size = self.reach(plane, plot)
-        return bool(np.isfinite(size)) and size <= self._most[plane]
+    def fits(self, plot: Plot) -> bool:
+        """True where it is drawn at a position: it is not endless there."""
+        size = self._reach(plot)
+        return bool(np.isfinite(size)) and size <= self._most
 
-    def reach(self, plane: Plane, plot: Plot) -> float:
-        """The distance of the farthest point of a plane from its origin at a position [SI]."""
-        return max(map(abs, self._places(plane, plot)), default=0.0)
-
-    @cached_property
-    def smaller(self) -> dict[Plane, dict[int, int]]:
-        """How many times smaller than usual a plane is drawn at each position at which it is not endless."""
-        every: dict[Plane, dict[int, int]] = {}
-        for plane in self.planes:
-            sizes = {k: self.reach(plane, plot) for k, plot in enumerate(self.plots) if self.fits(plane, plot)}
-            usual = np.inf if plane == "position" else max(_USUAL * float(np.median([*sizes.values()])), sizes[0])
-            every[plane] = {k: next((times for times in _SMALLER if size <= times * usual), _SMALLER[-1])
-                            for k, size in sizes.items()}  # fmt: skip
-        return every
+    def _reach(self, plot: Plot) -> float:
+        """The distance of its farthest point from its origin at a position [SI]."""
+        return max(map(abs, self._places(plot)), default=0.0)
 
     @cached_property
-    def _most(self) -> dict[Plane, float]:
-        """By plane the size of the largest figure that is drawn [SI]."""
-        most: dict[Plane, float] = {}
-        for plane in self.planes:
-            sizes = np.array([self.reach(plane, plot) for plot in self.plots])
-            usual = float(np.median(sizes[np.isfinite(sizes)]))
-            large = np.inf if plane == "position" else usual * (_LARGE if self.back else _ENDLESS)
-            most[plane] = max(large, float(sizes[0]))
-        return most
+    def _most(self) -> float:
+        """The size of the largest figure that is drawn [SI]."""
+        sizes = np.array([self._reach(plot) for plot in self.plots])
+        usual = float(np.median(sizes[np.isfinite(sizes)]))
+        large = np.inf if self.plane == "position" else usual * (_LARGE if self.back else _ENDLESS)
+        return max(large, float(sizes[0]))
 
-    def extent(self, plane: Plane, smaller: Mapping[int, int]) -> Extent:
+    @cached_property
+    def smaller(self) -> dict[int, int]:
+        """How many times smaller than usual it is drawn at each position at which it is not endless."""
+        sizes = {k: self._reach(plot) for k, plot in enumerate(self.plots) if self.fits(plot)}
+        usual = np.inf if self.plane == "position" else max(_USUAL * float(np.median([*sizes.values()])), sizes[0])
+        return {k: next((times for times in _SMALLER if size <= times * usual), _SMALLER[-1])
+                for k, size in sizes.items()}  # fmt: skip
+
+    def extent(self, smaller: Mapping[int, int]) -> Extent:
         """Of positions, each drawn so many times smaller; with the reach of the signs at each quarter of the way."""
-        shown = [*smaller]
-        places = [value / times for k, times in smaller.items() for value in self._places(plane, self.plots[k])]
-        spread = shown[:: max(1, len(shown) // 8)]
+        places = [value / times for k, times in smaller.items() for value in self._places(self.plots[k])]
+        spread = [*smaller][:: max(1, len(smaller) // 8)]
 
         def drawn(window: Window) -> Figure:
-            figures = [self.figure(plane, replace(window, scale=window.scale * smaller[k]), self.plots[k])
-                       for k in spread]  # fmt: skip
+            figures = [self.figure(replace(window, scale=window.scale * smaller[k]), self.plots[k]) for k in spread]
             return Figure([mark for figure in figures for mark in figure.marks], figures[0].wanted)
 
-        words = [[*self._words(plane, k)] for k in range(len(self.plots))]
+        words = [[*self._words(k)] for k in range(len(self.plots))]
         wide = max((width(label, LABEL) for labels in words for label in labels), default=0.0)
         size = complex(wide, PITCH * max(map(len, words)))
-        extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
+        extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[self.plane]), letters=9.0)
         extent = replace(extent, blocks=(((size,), False),) if wide else ())
-        return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
+        return extent if self.plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
-    def figure(self, plane: Plane, window: Window, plot: Plot) -> Figure:
-        """A plane's figure at a position, and the letters it wants."""
-        born = births(self.method, plane)
-        if plane != "position":
-            construction = constructions(self.method)[plane]
-            polygon = PolygonFigure(self.method.mechanism, construction, plot, window, born)
+    def figure(self, window: Window, plot: Plot) -> Figure:
+        """At a position, and the letters it wants."""
+        born, machine = births(self.method, self.plane), self.method.mechanism
+        if self.plane != "position":
+            polygon = PolygonFigure(machine, constructions(self.method)[self.plane], plot, window, born)
             places, middle = polygon.named, sum(polygon.points.values()) / max(1, len(polygon.points))
-            named = [[name for name in group if name in places] for group in self.as_one[plane]]
+            named = [[name for name in group if name in places] for group in self.as_one]
             words = [[*map(point_label, group[:_NAMES]), *[plain("…")] * (len(group) > _NAMES)] for group in named]
             letters = [(joined(each), places[group[0]]) for each, group in zip(words, named, strict=True) if group]
             wanted = [LabelRequest(label, at, gap=0.5, away=at - middle) for label, at in letters]
             return Figure(polygon_figure(polygon).marks, wanted)
-        here, (first, ground) = Skeleton(self.method.mechanism, plot, window, born), self._ground(window)
-        owners, drivers = self.method.mechanism.owners, self.method.drivers  # arrows at the frame stand
-        stand = all(driver.vector is not None and FRAME in owners[driver.vector[0]] for driver in drivers)
-        return mechanism_figure(here, self.method, None, ground, drives(first if stand else here, self.method))
+        here, (first, ground), drivers = Skeleton(machine, plot, window, born), self._ground(window), machine.drivers
+        stand = all(driver.vector is not None and FRAME in machine.owners[driver.vector[0]] for driver in drivers)
+        driving = drives(first if stand else here, self.method)  # arrows at the frame stand
+        return mechanism_figure(here, self.method, None, ground, driving)
 
     @cached_property
     def _ground(self) -> Callable[[Window], tuple[Skeleton, Figure]]:
@@ -255,16 +235,13 @@ class MotionFigures:
         return cache(drawn)
 
     @cached_property
-    def as_one(self) -> dict[Plane, list[tuple[str, ...]]]:
-        """The points of each polygon; those that never part are one, the pole and what is fixed first."""
-        as_one: dict[Plane, list[tuple[str, ...]]] = {}
-        for plane, names in self._names.items():
-            every, groups = [self._places(plane, plot) for plot in self.plots], dict[bytes, list[str]]()
-            paths = np.nan_to_num(np.array(every).T)
-            for name, path in zip(names, np.round(paths / (abs(paths).max(initial=0.0) or 1.0), _ONE), strict=True):
-                groups.setdefault((path + 0.0).tobytes(), []).append(name)  # 0 for -0
-            as_one[plane] = [*map(tuple, groups.values())]
-        return as_one
+    def as_one(self) -> list[tuple[str, ...]]:
+        """The points of the polygon; those that never part are one, the pole and what is fixed first."""
+        paths, groups = np.nan_to_num(np.array([self._places(plot) for plot in self.plots]).T), dict[bytes, list[str]]()
+        size = abs(paths).max(initial=0.0) or 1.0
+        for name, path in zip(self._names, np.round(paths / size, _ONE), strict=True):
+            groups.setdefault((path + 0.0).tobytes(), []).append(name)  # 0 for -0
+        return [*map(tuple, groups.values())]
 
 
 # --- letters that go along without hopping ----------------------------------------------------------------------------
@@ -320,10 +297,7 @@ def _on_others(middles: Array, half: complex, letters: Sequence[Place], halves: 
 
 
 def _gliding(sides: Sequence[Array], costs: Sequence[Array]) -> list[int]:
-    """The place a letter takes on each figure, round and round: cheap ones, with little way from each to the next.
-
-    sides  of its places from what it names (n,), complex [mm]
-    """
+    """The place of a letter on each figure, round and round: cheap, with little way to the next; sides: (n,) [mm]."""
     rounds = [*range(len(costs))] * 2
     total, before = costs[0], list[Array]()
     for last, k in pairwise(rounds):

@@ -15,19 +15,15 @@ from graphkin.sheet.boxes import beyond, meet, xy
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
-_TIP, _TIP_HALF = 2.8, 0.5
-"""Length and half width of an arrow head [mm]."""
+_TIP, _TIP_HALF = 2.8, 0.5  # length and half width of an arrow head [mm]
 _LETTER = 2.0  # no letter is much narrower [mm]
 _AT_ONCE = 128  # so many boxes are held against lines at once
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 
 class Obstacles:
-    """Line segments by place.
-
-    _across  what a millimetre to the right and one down count across each, to its left as it goes down: one together;
-             of one without a length, as if it went down (2, n)
-    """
+    """Line segments by place; _across: what a millimetre to the right and one down count across each, to its left as it
+    goes down: one together; of one without a length, as if it went down (2, n)."""
 
     def __init__(self, start: Array, end: Array) -> None:
         """start, end: of the segments (2, n)."""
@@ -44,8 +40,7 @@ class Obstacles:
         return both
 
     def _beside(self, low: Array, high: Array) -> Iterator[tuple[Array, Array]]:
-        """Pairs of boxes low..high (2, n) and of lines whose surroundings touch them, by their numbers; of some boxes
-        at once, which mostly lie close together, and of the lines that lie there."""
+        """Pairs of boxes low..high (2, n) and of lines whose surroundings touch them, by their numbers."""
         for first in range(0, low.shape[1], _AT_ONCE):
             least, most = low[:, first : first + _AT_ONCE], high[:, first : first + _AT_ONCE]
             there = (self._low <= most.max(axis=1)[:, None]) & (self._high >= least.min(axis=1)[:, None])

@@ -171,12 +171,8 @@ class Panel:
 
 @frozen
 class Page:
-    """All that one paper holds, without labels.
-
-    drivers  their values [rad, m]; those of the file where left out
-    strip    what stands at its foot; a page without one has no frame either
-    title    the mechanism's own where left out
-    """
+    """All that one paper holds, without labels; strip: what stands at its foot, a page without one has no frame either;
+    drivers, title: those of the file where left out [rad, m]."""
 
     paper: Paper
     panels: Sequence[Panel]

@@ -16,7 +16,7 @@ from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import UnknownPaper
-from graphkin.sheet.lettering import Label, Run, number, quantity_label
+from graphkin.sheet.lettering import Label, quantity_label, valued
 
 
 @frozen
@@ -118,16 +118,12 @@ class Paper:
 
 
 PAPERS: Mapping[str, Paper] = {
-    paper.name: paper
-    for paper in (
-        Paper("A4", 210.0, 297.0),
-        Paper("A4-landscape", 297.0, 210.0),
-        Paper("A3-landscape", 420.0, 297.0),
-        Paper("A3", 297.0, 420.0),
-        Paper("letter", 215.9, 279.4),
-        Paper("letter-landscape", 279.4, 215.9),
+    name: Paper(name, wide, high)
+    for name, wide, high in (
+        ("A4", 210.0, 297.0), ("A4-landscape", 297.0, 210.0), ("A3-landscape", 420.0, 297.0), ("A3", 297.0, 420.0),
+        ("letter", 215.9, 279.4), ("letter-landscape", 279.4, 215.9),
     )
-}
+}  # fmt: skip
 USUAL = tuple(PAPERS.values())[:4]
 """In the order in which they are tried: the smallest that fits is taken. Letter paper has to be asked for."""
 
@@ -179,11 +175,8 @@ def papers_for(name: str | None) -> list[Paper]:
 
 
 def finest(size: complex, room: complex) -> float:
-    """The finest scale of the series at which a figure of this width and height fits its room.
-
-    size  width + i height in SI units; room  the same in mm. A figure of no size takes 1 per mm of its room's
-    hundredth, so that a mechanism at rest has a scale too.
-    """
+    """The finest scale of the series at which a figure [SI] fits its room [mm], both width + i height. One of no size
+    takes 0.01, so that a mechanism at rest has a scale too."""
     return float(finest_each(np.array([max(size.real / room.real, size.imag / room.imag)]))[0])
 
 
@@ -201,4 +194,4 @@ def finer(scale: float) -> float:
 
 def written(plane: Plane, scale: float) -> Label:
     """`μ_l = 0.001 m/mm`."""
-    return (*quantity_label("μ", LETTERS[plane]), Run(" = "), *number(scale), Run(f" {UNITS[plane]}"))
+    return valued(quantity_label("μ", LETTERS[plane]), scale, f" {UNITS[plane]}")

@@ -18,14 +18,13 @@ from graphkin.sheet.lettering import LEAST, Label, formula, number, plain
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName, Room, finest
 from graphkin.sheet.symbols import arrow
-from graphkin.sheet.window import Entry, Figure, Window
+from graphkin.sheet.window import Entry, Figure, Window, corners
 
 if TYPE_CHECKING:
     from graphkin.studies.sweeps import PointPath
 
 _FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
-_TICK, _NUMBERED = 0.9, 1.5
-"""Half of a tick [mm]."""
+_TICK, _NUMBERED = 0.9, 1.5  # half of a tick [mm]
 _LONGEST = 16.0  # the longest velocity [mm]
 
 
@@ -63,10 +62,7 @@ class Paths:
     @property
     def places(self) -> list[complex]:
         """Two corners of each [m]."""
-        corners = []
-        for places in (curve.places for curve in self.curves):
-            corners += [complex(places.real.min(), places.imag.min()), complex(places.real.max(), places.imag.max())]
-        return corners
+        return [corner for curve in self.curves for corner in corners(curve.places.tolist())]
 
     @property
     def scale(self) -> float:
@@ -103,14 +99,13 @@ class Paths:
     def lines(self) -> list[Label]:
         """From tick to tick, and the scale of the velocities."""
         lines: list[Label] = []
-        if self.curves:
-            one = self.curves[0]
+        for one in self.curves[:1]:
             driver, step = one.course.driver.name, one.shown(one.step)
             lines.append(formula(say("sheet.ticks", self.lang, step=step, driver=driver)))
-        if self.arrows:
-            lines.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
-        if self.arrows and self.curves[0].seconds is not None:
-            lines.append((*plain(say("sheet.every", self.lang)), *number(self.curves[0].seconds), *plain(" s")))
+            if self.arrows:
+                lines.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
+            if self.arrows and one.seconds is not None:
+                lines.append((*plain(say("sheet.every", self.lang)), *number(one.seconds), *plain(" s")))
         return lines
 
 

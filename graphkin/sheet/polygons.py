@@ -79,11 +79,8 @@ _EXACT = 5  # arrows whose ends are the same to so many digits of a millimetre a
 
 @frozen
 class Arrow:
-    """An arrow between two points of a polygon, wherever these lie.
-
-    sites  of the motion, and from which it is seen; part, size: as in `Term`
-    of_equation  whether it is a term of the construction's; else an absolute motion that none of them is
-    """
+    """An arrow between two points of a polygon; part, size: as in `Term`; sites: of the motion, and seen from which;
+    of_equation: whether it is a term of the construction's, else an absolute motion that none of them is."""
 
     name: str
     tail: str

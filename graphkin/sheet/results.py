@@ -12,7 +12,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.model import quantities as asked
-from graphkin.model.mechanism import FRAME, Usual
+from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities.reading import read
 from graphkin.model.units import EDGE
 from graphkin.planning import Method
@@ -38,7 +38,7 @@ _WIDE = 62.0  # lines of what is given are no longer [mm]
 
 def tables(method: Method, plot: Plot, lang: Lang) -> dict[Plane, list[TableBlock]]:
     """Links, points, coincident points, slides, as each plane gives of them, in all shapes; empty ones left out."""
-    results = _TablesInMaking(method, plot, lang, method.mechanism.usual)
+    results = _TablesInMaking(method, plot, lang)
     every = (results.links(), results.points(), results.coincident_points(), results.slides(), results.answers())
     parts = {plane: [part for table in every if (part := table.of(plane))] for plane in PLANES}
     return {plane: TableBlock.shapes(own) for plane, own in parts.items() if own}
@@ -49,7 +49,6 @@ class _TablesInMaking:
     method: Method
     plot: Plot
     lang: Lang
-    usual: Usual
 
     @cached_property
     def questions(self) -> dict[_Key, asked.Quantity]:
@@ -88,20 +87,17 @@ class _TablesInMaking:
 
     def size(self, value: float, plane: Plane) -> Label:
         """A speed or an acceleration as a figure."""
-        return number(real(self.usual.motion(value, plane)))
+        return number(real(self.method.mechanism.usual.motion(value, plane)))
 
     def links(self) -> Table:
         """Angular velocities and accelerations, and their sense in a column of its own."""
         machine, plot = self.method.mechanism, self.plot
-        head = (
-            plain({"en": "link", "zh": "构件"}[self.lang]), _unit(quantity_label("ω", ""), "rad/s"), (),
-            _unit(quantity_label("α", ""), "rad/s²"), (),
-        )  # fmt: skip
+        head = (plain({"en": "link", "zh": "构件"}[self.lang]), _column("ω", "rad/s"), (), _column("α", "rad/s²"), ())
         rows = []
         for name in (name for name in machine.moving if name in plot.omega):
             row = [self.title(lettering.link_label(machine.called(name)), [name], "omega", "alpha", "theta")]
-            turns = (("omega", self.usual.rate(plot.omega[name], "velocity")),
-                     ("alpha", self.usual.rate(plot.alpha[name], "acceleration")))  # fmt: skip
+            turns = (("omega", self.method.mechanism.usual.rate(plot.omega[name], "velocity")),
+                     ("alpha", self.method.mechanism.usual.rate(plot.alpha[name], "acceleration")))  # fmt: skip
             for kind, value in ((kind, real(rate)) for kind, rate in turns):
                 label, sense = (number(abs(value)), plain(_SENSE[self.lang][value < 0])) if value else (plain("0"), ())
                 row += [self.value(label, [name], kind), self.value(sense, [name], kind)]
@@ -110,8 +106,7 @@ class _TablesInMaking:
 
     def points(self) -> Table:
         """Speeds and accelerations of the named points of moving links."""
-        word = {"en": "point", "zh": "点"}[self.lang]
-        head = (plain(word), _unit(quantity_label("v", ""), "m/s"), _unit(quantity_label("a", ""), "m/s²"))
+        head = (plain({"en": "point", "zh": "点"}[self.lang]), _column("v", "m/s"), _column("a", "m/s²"))
         method, plot = self.method, self.plot
         primed = {node.of: name for name, node in method.acceleration.nodes.items() if node.site is not None}
         rows = []
@@ -128,10 +123,7 @@ class _TablesInMaking:
 
     def coincident_points(self) -> Table:
         """Relative motions of coincident points: velocity, Coriolis and relative acceleration."""
-        head = (
-            plain(""), _unit(quantity_label("v", "", "r"), "m/s"), _unit(quantity_label("a", "", "k"), "m/s²"),
-            _unit(quantity_label("a", "", "r"), "m/s²"),
-        )  # fmt: skip
+        head = ((), _column("v", "m/s", "r"), _column("a", "m/s²", "k"), _column("a", "m/s²", "r"))
         rows: list[tuple[Label, ...]] = []
         arrows, velocity, acceleration = self.method.acceleration.vectors(), self.plot.velocity, self.plot.acceleration
         for name, term in self.method.velocity.vectors().items():
@@ -153,10 +145,7 @@ class _TablesInMaking:
 
     def slides(self) -> Table:
         """Displacements that have a name and are not given, with their rates; a name of the file in italics."""
-        head = (
-            plain(""), _unit(plain("s", True), "mm"), _unit(plain("ds/dt", True), "m/s"),
-            _unit(plain("d²s/dt²", True), "m/s²"),
-        )  # fmt: skip
+        head = ((), _column("s", "mm"), _column("ds/dt", "m/s"), _column("d²s/dt²", "m/s²"))
         machine, plot, rows = self.method.mechanism, self.plot, list[tuple[Label, ...]]()
         given = {pose.link for pose in machine.poses} | {one.link for one in machine.drivers if one.value is not None}
         for name in (slide.name for slide in machine.slides if slide.named and slide.name in plot.s):
@@ -191,6 +180,11 @@ class _TablesInMaking:
 
 def _unit(label: Label, unit: str) -> Label:
     return (*label, Run(f" [{unit}]"))
+
+
+def _column(letter: str, unit: str, part: str = "") -> Label:
+    """The head of a column of values."""
+    return _unit(quantity_label(letter, "", part), unit)
 
 
 # --- what a problem gives and asks, of a sheet that shows nothing else ------------------------------------------------

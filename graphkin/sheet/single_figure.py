@@ -68,8 +68,7 @@ def place_for(
 
 
 def problem_picture(method: Method, plot: Plot, size: complex, lang: Lang) -> Sheet:
-    """The figure of a problem: the mechanism with its letters, and nothing that is found, on a paper no larger than
-    this [mm] with nothing around it."""
+    """The figure of a problem, with letters and nothing that is found, on a paper of at most this size [mm]."""
     drawing = Planes(method, plot, ("position",), "given", lang)
 
     def draw(window: Window) -> Figure:

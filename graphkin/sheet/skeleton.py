@@ -7,35 +7,28 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache, cached_property
 from itertools import pairwise
-from typing import Protocol
+from typing import TYPE_CHECKING
 
-from graphkin.base.geometry import Value, number, place
+from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
+from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Line, Slide
 from graphkin.sheet.marks import Place
 from graphkin.sheet.window import Window
 
+if TYPE_CHECKING:
+    from graphkin.studies.linkages.assembled import Placement
+
 OVERRUN = 9.0  # how far a bar goes on beyond its block [mm]
-
-
-class PlacedMechanism(Protocol):
-    """Places of a mechanism's points [m] and directions of its links [rad]: a replayed plot, or another position."""
-
-    @property
-    def position(self) -> Mapping[str, Value]: ...
-
-    @property
-    def theta(self) -> Mapping[str, Value]: ...
 
 
 @frozen
 class Skeleton:
-    """A mechanism at one position, through a window; a point that has no place is not drawn; born: the step in which
-    each point is found."""
+    """A mechanism at one position, through a window; born: the step in which each of its points is found."""
 
     mechanism: Mechanism
-    plot: PlacedMechanism
+    plot: Plot | Placement
     window: Window
     born: Mapping[str, int]
 
@@ -87,7 +80,7 @@ class Skeleton:
 
     def is_welded(self, slide: Slide) -> bool:
         """True for a guide whose line is a bar of its own, joined to the rest of the link at its origin."""
-        return len([*self._on_line(slide)]) < len(self.named(slide.guide))
+        return len(self._on_line(slide)) < len(self.named(slide.guide))
 
     def guide_bar(self, slide: Slide) -> tuple[Place, Place]:
         """A moving guide's line as far as it is drawn: past its points and past the block."""
@@ -97,11 +90,9 @@ class Skeleton:
         low, high = min(0.0, *stops, t - OVERRUN), max(0.0, *stops, t + OVERRUN)
         return foot + along * low, foot + along * high
 
-    def _on_line(self, slide: Slide) -> Iterator[str]:
+    def _on_line(self, slide: Slide) -> list[str]:
         along, foot = self.direction(slide.line), self.at(slide.line.origin)
-        for point in self.named(slide.guide):
-            if abs((along.conjugate() * (self.at(point) - foot)).imag) < 0.05:
-                yield point
+        return [p for p in self.named(slide.guide) if abs((along.conjugate() * (self.at(p) - foot)).imag) < 0.05]
 
     @cached_property
     def segments(self) -> list[tuple[Place, Place]]:

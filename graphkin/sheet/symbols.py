@@ -13,8 +13,7 @@ from dataclasses import replace
 from graphkin.construction import Plane
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows, Stroke
 
-_SQUARE, _SQUARE_DEG = 2.3, 1e-6
-"""Side of the square in a right angle [mm]; its cosine is no larger."""
+_SQUARE, _SQUARE_DEG = 2.3, 1e-6  # side of the square in a right angle [mm]; its cosine is no larger
 HINGE = 1.3  # radius of a hinge [mm]
 PIVOT_DEPTH = 4.6  # from a pivot's centre to the ground [mm]
 BLOCK = complex(10.0, 5.6)  # length and height of a block [mm]
@@ -120,8 +119,7 @@ def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], ste
 def spin(
     at: Place, towards: complex, sense: float, radius: float, step: int | None = None, shows: Shows | None = None
 ) -> list[Mark]:
-    """An arc with an arrow about a pivot, from the direction `towards` on; sense +1 is counter-clockwise, a negative
-    sweep on paper, whose y is down."""
+    """An arc with an arrow about a pivot, from the direction `towards` on; sense +1 is counter-clockwise."""
     start, turn = cmath.phase(towards), -sense * SWEEP
     shaft = turn + sense * 0.8 * _HEAD / radius
     head = _arc_head(at, cmath.rect(radius, start + turn), -sense, step, _HEAD)
@@ -131,8 +129,7 @@ def spin(
 def arrow(
     start: Place, tip: Place, accent: Plane | None = None, shows: Shows | None = None, step: int | None = None
 ) -> list[Mark]:
-    """An arrow of any length, as large as others of a mechanism where it shows something; nothing for one that could
-    not be seen."""
+    """An arrow of any length, as large as others where it shows something; nothing if too short to be seen."""
     length = abs(tip - start)
     if length < 0.3:
         return []
@@ -176,10 +173,7 @@ def dimension_line(
     clear: tuple[float, float] = (2 * HINGE, 2 * HINGE),
 ) -> tuple[Stroke, list[Stroke], list[Stroke]]:  # fmt: skip
     """The line, extension lines from what it measures, and heads (ISO 129); heads of a short one point inwards, and the
-    line goes on `past` its second end [mm].
-
-    level  how far the line lies in the direction `across`; clear: what stays free at each of the places [mm]
-    """
+    line goes on `past` its second end; level: how far it lies `across`; clear: what stays free at each place [mm]."""
     ways = [level - (end / across).real for end in ends]
     one, other = (end + across * way for end, way in zip(ends, ways, strict=True))
     along = (other - one) / abs(other - one)

@@ -9,7 +9,6 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise, repeat
-from typing import Protocol
 
 from graphkin.base.value import frozen
 from graphkin.construction import Image, Plane
@@ -18,18 +17,6 @@ from graphkin.planning.needed import acts_of_equations
 from graphkin.say.entry import Entry, Sentence, VectorEquation
 from graphkin.sheet.lettering import LABEL, LEAST, Label, box, formula, joined, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
-
-
-class Block(Protocol):
-    """What may stand beside a figure."""
-
-    @property
-    def size(self) -> complex:
-        """Width and height [mm]."""
-
-    def marks(self, corner: Place) -> Iterable[Mark]:
-        """From its upper left corner."""
-
 
 LINE = 1.4  # from base line to base line, as a part of the letters' size
 _INDENT = 2.5  # the indent of the further lines of a sentence [mm]
@@ -128,11 +115,8 @@ _HIGH, _ON, _GAP = 3.8 * LABEL, 3.6 * LABEL, 2.2
 
 @frozen
 class EquationBlock:
-    """One equation with its rows, or what follows on its first line.
-
-    numbers  of its steps, in front; page: the first act that draws it
-    into     how far it stands in behind the words before its rows; high: to the next [mm]
-    """
+    """One equation with its rows, or what follows on its first line; numbers: of its steps; page: the first act that
+    draws it; into: how far it stands in behind the words before its rows; high: to the next [mm]."""
 
     columns: tuple[tuple[Label, Label, Label], ...]
     page: int | None = None

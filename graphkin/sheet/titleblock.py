@@ -82,19 +82,15 @@ def _whole(cell: Label) -> float | None:
     return width((first._replace(text=whole[0]),), LABEL) if whole is not None and not first.italic else None
 
 
-def arranged(tables: list[Table], room: float) -> list[list[Table]]:
-    """Tables side by side in `room` mm, in one or two tiers, whichever is lower; long ones cut. What has no room even
-    so is left out, the last asked first."""
+def arranged(tables: Sequence[Table], room: float) -> TableBlock:
+    """Tables side by side in `room` mm, in one or two tiers, whichever is lower; what has no room is left out."""
     rows = sum(len(table.rows) for table in tables)
-
-    def cost(tiers: list[list[Table]]) -> float:
-        return height_of(tiers) + 20 * (rows - sum(len(table.rows) for tier in tiers for table in tier))
-
     splits = [(tables[:split], tables[split:]) for split in range(1, len(tables) + 1)]
-    return min(([_cut(tier, room) for tier in tiers if tier] for tiers in splits), key=cost, default=[])
+    blocks = (TableBlock([_cut(tier, room) for tier in tiers if tier]) for tiers in splits)
+    return min(blocks, key=lambda block: block.size.imag + 20 * (rows - block.rows), default=TableBlock([]))
 
 
-def _cut(tier: list[Table], room: float) -> list[Table]:
+def _cut(tier: Sequence[Table], room: float) -> list[Table]:
     """Tables cut to as few rows as their room allows."""
     for rows in range(_WHOLE, _MOST_ROWS + 1):
         parts = [part for table in tier for part in table.cut(rows)]
@@ -125,11 +121,10 @@ class TableBlock:
 
     @classmethod
     def shapes(cls, tables: Sequence[Table]) -> list[TableBlock]:
-        """All of them in one tier or two, each in a tier of its own, and cut to some widths; none that takes more room
-        both ways than another."""
+        """In one tier or two, each in its own, cut to some widths; none that takes more room both ways than another."""
         own = [*tables]
         tiers = [[own], *([own[:k], own[k:]] for k in range(1, len(own))), [[table] for table in own]]
-        blocks = [cls(each) for each in (*tiers, *(arranged(own, wide) for wide in _WIDTHS))]
+        blocks = [*map(cls, tiers), *(arranged(own, wide) for wide in _WIDTHS)]
         sizes = {block.size: block for block in blocks if block.rows == blocks[0].rows}
         least = [size for size in sizes
                  if not any(s != size and s.real <= size.real and s.imag <= size.imag for s in sizes)]  # fmt: skip
@@ -173,12 +168,9 @@ _RULER, _NAME = 100.0, "graphkin"
 
 @frozen
 class Strip:
-    """What stands at the foot of a sheet over title, source and scales.
-
-    found   tables; told: sentences under them; equations: those that have no room with their polygons
-    notes   words beside a plane's scale; further: scales that no figure tells
-    least   room for all that stands over the footer, at least [mm]
-    """
+    """What stands at the foot of a sheet over title, source and scales: tables that were found, sentences under them,
+    equations that have no room with their polygons, notes beside a plane's scale, further scales that no figure tells.
+    least: room for all that stands over the footer, at least [mm]."""
 
     found: Sequence[Table] = ()
     told: Sequence[str] = ()
@@ -191,7 +183,7 @@ class Strip:
         """What stands over the footer, one under the other."""
         wide = tables_room(paper)
         words = WrittenLines.sentences(self.told, wide, LABEL)
-        return [TableBlock(arranged([*self.found], wide)), words, *(each.within(wide) for each in self.equations)]
+        return [arranged(self.found, wide), words, *(each.within(wide) for each in self.equations)]
 
     def height(self, paper: Paper) -> float:
         """All that it needs on a paper [mm]."""

@@ -23,8 +23,7 @@ _RIM = 3.0  # thickness of a ring's rim [mm]
 _TOOTH, _DEPTH = 2.7, 0.85  # from tooth to tooth of those that are shown, and half as high as they are [mm]
 _SMALL = 9.0  # in a wheel of less radius there is no room for its number [mm]
 _REACH = 14.0  # how far a slot of the equivalent goes to both sides of its block [mm]
-_ROD, _BUSH = 34.0, (15.0, 27.0)
-"""A follower's rod from its tip, and where it is guided [mm]."""
+_ROD, _BUSH = 34.0, (15.0, 27.0)  # a follower's rod from its tip, and where it is guided [mm]
 _STEEP = 0.2  # a face and the guide of its follower make an angle of more than this sine
 _ARC = 15.0  # how far a slot goes on to both sides of its pin, along the arc [mm]
 _FREE = 4.0  # farther from another link nothing looks like a joint with it [mm]
@@ -137,8 +136,7 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
 
 
 def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float, step: int | None) -> Stroke:
-    """The line of a link in the roll or cam `name`, `reach` mm to both sides of the foot of a point on it, as far as
-    the link's points on it."""
+    """The line of a link in the roll or cam `name`, `reach` mm to both sides of a point, within the link's points."""
     along, foot = skeleton.direction(line), skeleton.at(line.origin)
     t = (along.conjugate() * (skeleton.at(near) - foot)).real
     low, high = t - reach, t + reach
@@ -181,8 +179,7 @@ def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
 
 
 def equivalents(skeleton: Skeleton) -> Figure:
-    """In dashes: the link between two centres with its letter, which equations use, or the slot through a centre at a
-    face's distance."""
+    """In dashes: the link between two centres with its letter, or the slot through a centre at a face's distance."""
     figure = Figure()
     for pair in (pair for pair in skeleton.mechanism.pairs if pair.rolling is None):
         match pair.equivalent:

@@ -23,10 +23,8 @@ PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 @frozen
 class Window:
-    """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns.
-
-    times  the finished drawing is enlarged so many times
-    """
+    """A plane on paper: its origin [mm, y down] and its scale [SI unit per mm]. The one place where y turns. times: the
+    finished drawing is enlarged so many times."""
 
     origin: Place
     scale: float
@@ -56,13 +54,9 @@ class Figure:
     @classmethod
     def of(cls, entries: Iterable[Entry]) -> Figure:
         """Marks and labels in any order."""
-        figure = cls()
-        for entry in entries:
-            if isinstance(entry, LabelRequest):
-                figure.wanted.append(entry)
-            else:
-                figure.marks.append(entry)
-        return figure
+        every = [*entries]
+        marks = [entry for entry in every if not isinstance(entry, LabelRequest)]
+        return cls(marks, [entry for entry in every if isinstance(entry, LabelRequest)])
 
     def __add__(self, other: Figure) -> Figure:
         """The other painted over this one."""
