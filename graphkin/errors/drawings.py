@@ -65,8 +65,11 @@ class BadDrawing(LocatedError):
 
     reason: str
     what: str = ""
-    en = "{where}: this is not a drawing that graphkin can measure: {reason}. Draw it anew with `graphkin draw`."
-    zh = "{where}：这不是 graphkin 能测量的图：{reason}。请用 `graphkin draw` 重新作图。"
+    en = (
+        "{where}: this is not a drawing that graphkin can measure: {reason}. Draw the mechanism with `graphkin draw`, and "
+        "check that SVG."
+    )
+    zh = "{where}：这不是 graphkin 能测量的图：{reason}。请用 `graphkin draw` 画出机构，再检查所得的 SVG。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"reason": REASONS[self.reason][lang].format(what=self.what)}
@@ -75,7 +78,7 @@ class BadDrawing(LocatedError):
 REASONS: dict[str, dict[Lang, str]] = {
     "large": {"en": "it is larger than any sheet", "zh": "文件过大"},
     "unreadable": {"en": "it cannot be read ({what})", "zh": "无法读取（{what}）"},
-    "xml": {"en": "it is not sound XML", "zh": "不是完好的 XML"},
+    "xml": {"en": "it is no SVG, or a broken one", "zh": "不是 SVG，或已损坏"},
     "svg": {"en": "it is not an SVG", "zh": "不是 SVG 图形"},
     "json": {"en": "what it says of itself cannot be read", "zh": "图中的说明数据无法读取"},
     "metadata": {"en": "it does not come from graphkin", "zh": "不是 graphkin 画的图"},

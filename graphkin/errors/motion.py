@@ -5,8 +5,8 @@ from __future__ import annotations
 from graphkin.errors.base import AboutLink, AboutLinks, Lang, LocatedError, Where, listed
 
 __all__ = [
-    "AlongOwnAxis", "AmbiguousSketch", "CannotAssemble", "DeadPoint", "FarFromSketch", "GearsApart", "HigherClass",
-    "NoAssembly", "NotJoined", "NotPlaced", "NotReached", "NotRepeated", "OffTrack", "OtherSide", "PosesDiffer",
+    "AlongOwnAxis", "AmbiguousDirection", "AmbiguousSketch", "CannotAssemble", "DeadPoint", "FarFromSketch",
+    "GearsApart", "HigherClass", "NoAssembly", "NotJoined", "NotPlaced", "NotReached", "NotRepeated", "OffTrack", "OtherSide", "PosesDiffer",
     "RoadsDiffer", "SingularPosition", "TooFar", "UnevenLengths", "called_pair",
 ]  # fmt: skip
 
@@ -222,6 +222,18 @@ class AmbiguousSketch(LocatedError):
         "is: near {first} or near {second} (mm)."
     )
     zh = "{where}：草图与两种装配形式同样接近，二者的区别在于 {points}。请在 [sketch] 中写明 {point} 的大致位置：靠近 {first} 还是 {second}（mm）。"
+
+
+class AmbiguousDirection(LocatedError):
+    link: str
+    en = (
+        "{where}: two assemblies are possible, and no point of the file tells them apart: link {link} stands in one of "
+        "two directions. Give it a second point, with a length, and say in [sketch] roughly where that is."
+    )
+    zh = (
+        "{where}：有两种装配形式，而文件中没有任何点能区分它们：构件 {link} 可取两个方向。请给它加第二个点（写明长度），"
+        "并在 [sketch] 中写明该点的大致位置。"
+    )
 
 
 class SingularPosition(LocatedError):

@@ -14,7 +14,7 @@ import numpy as np
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Equation, Facts, Meet, Plot, Step, Swing, slide_key
-from graphkin.errors import AmbiguousSketch
+from graphkin.errors import AmbiguousDirection, AmbiguousSketch
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, at, branches, slides_of_file
 from graphkin.planning.fit_starts import Branches
 from graphkin.planning.refusals import dead_end
@@ -87,12 +87,19 @@ def _size(plot: Plot, k: int) -> float:
     return max(abs(value - values[0]) for value in values) or 1.0
 
 
-def _ambiguous(structure: Topology, plot: Plot, first: int, second: int) -> AmbiguousSketch:
-    """The points that would tell the two assemblies apart, each with its two places."""
+def _ambiguous(
+    structure: Topology, plot: Plot, first: int, second: int
+) -> AmbiguousSketch | AmbiguousDirection:  # fmt: skip
+    """The points that would tell the two assemblies apart, each with its two places; else the link."""
     mechanism, size = structure.mechanism, _size(plot, first)
     places = {point: (at(value, first), at(value, second)) for point, value in plot.position.items()
               if point in mechanism.points and abs(at(value, first) - at(value, second)) > 1e-9 * size}  # fmt: skip
-    point, (one, two) = next(iter(places.items()), ("", (0j, 0j)))
+    if not places:
+        turned = {link: abs(np.exp(1j * at(value, first)) - np.exp(1j * at(value, second)))
+                  for link, value in plot.theta.items() if link in mechanism.links}  # fmt: skip
+        link = max(turned, key=turned.__getitem__)
+        return AmbiguousDirection(mechanism.where("links", link), link)
+    point, (one, two) = next(iter(places.items()))
     where = mechanism.where("sketch", point)
     return AmbiguousSketch(where, tuple(places), point, _millimetres(one, size), _millimetres(two, size))
 

@@ -225,6 +225,24 @@ def test_a_slide_driven_at_a_dead_centre_is_told_so(at: str) -> None:
     assert "the sketch fits two assemblies equally well" in run("solve", "mine.toml", "--lang", "en").stderr
 
 
+FACE = """frame = { A = [0, 0], D = [110, 30] }
+links = { 2.AB = 22, 3 = { points = ["D"] } }
+cam = [{ links = ["2", "3"], profiles = [{ centre = "B", radius = 45 }, { through = "D", side = "left" }] }]
+driver = [{ vector = "AB", angle = 50, omega = 10 }]
+"""
+"""A face that touches a circle from either side of its pivot, without a point that tells which."""
+
+
+def test_a_link_that_may_stand_in_two_directions_is_named() -> None:
+    Path("mine.toml").write_text(FACE, encoding="utf-8")
+    result = run("solve", "mine.toml", "--lang", "en")
+    assert (result.exit_code, result.stderr[:44]) == (3, "mine.toml:2, links.3: two assemblies are pos")
+    assert "link 3 stands in one of two directions" in result.stderr
+    with_point = FACE.replace('3 = { points = ["D"] }', "3.DE = 80").replace('side = "left"', 'toward = "E"')
+    Path("mine.toml").write_text(with_point + "sketch = { E = [50, 80] }\n", encoding="utf-8")
+    assert run("solve", "mine.toml").exit_code == 0
+
+
 @pytest.mark.parametrize(("text", "line"), [(RAM.replace("110", "100"), 2), (library.text("ex3-1"), 13)])
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_a_length_beside_which_others_have_no_digits_is_named(text: str, line: int, lang: str) -> None:
