@@ -27,7 +27,6 @@ FITS = 4.5  # a value that is off by more standard deviations is not explained
 _REACH = 5.0  # random numbers are of any size from the right one divided by this to it multiplied by this
 LEFT = 0.7  # of a scatter at least so large a part is left, whatever else is known: its own reading and rounding
 _TURN = 2 * np.pi
-_PRODUCT = 1 << 18  # products of a matrix of so many are left to one thread: more cost more than they give
 
 
 @frozen
@@ -301,7 +300,6 @@ class _NormalRows:
         squares = np.empty((len(near), 1 + len(_COMMON)))
         squares[:, 0] = near
         ends = np.flatnonzero(np.diff(row, append=-1)) + 1
-        ends = np.union1d(ends, np.arange(0, len(row), _PRODUCT // z.shape[1] ** 2 + 1)[1:])
         for start, end in zip((0, *ends), ends, strict=False):
             axes, _, sharp, sizes = self._apart(int(row[start]))
             squares[start:end, 1:] = (z[start:end] @ axes) ** 2 @ sharp + sizes

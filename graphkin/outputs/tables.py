@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 FORMATS = (".csv", ".json", ".jsonl", ".parquet")
 MARKS = (b" [deg]", b" [mm]", b' [rad]": ', b' [m]": ', b'"format": 1', b"graphkin")
 _SI = {name: Unit("" if name == "1" else name, name) for name in EDGE}
-_LINES = 4096  # so many lines are made at once
 _SHOWN = 8  # rows at either end of a table in a notebook
 Seen = Callable[[Sweep], None]  # a function that sees each part that is done
 
@@ -110,11 +109,10 @@ def json_lines(course: Course, parts: Iterator[Sweep]) -> Iterator[str]:
         rows = np.column_stack(list(table.values())) + 0.0
         heads = (json.dumps(head, ensure_ascii=False).replace("%", "%%") for head in table)
         line = "{" + ", ".join(f"{head}: %s" for head in heads) + "}\n"
-        for some in np.array_split(rows, 1 + len(rows) // _LINES):
-            numbers: Sequence[float | str] = some.ravel().tolist()
-            if not np.isfinite(some).all():
-                numbers = [value if math.isfinite(value) else "null" for value in some.ravel().tolist()]
-            yield (line * len(some)) % tuple(numbers)
+        numbers: Sequence[float | str] = rows.ravel().tolist()
+        if not np.isfinite(rows).all():
+            numbers = [value if math.isfinite(value) else "null" for value in rows.ravel().tolist()]
+        yield (line * len(rows)) % tuple(numbers)
 
 
 def json_text(course: Course, parts: Iterator[Sweep]) -> str:
