@@ -15,7 +15,7 @@ from typing import Any, get_args
 from graphkin.base.plain import Plain, built, plain
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, Lang, UnsureDrawing
-from graphkin.marking.records import Graded, Marked
+from graphkin.marking.records import Graded, Judged, Marked
 from graphkin.outputs.files import beside
 from graphkin.photo.sheets import Unsure
 from graphkin.submissions.board import work_data
@@ -48,15 +48,7 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
         whole |= {"status": "not marked", "reason": reason, "score": None}
     else:
         whole |= {"status": "marked", "score": None if marked.score is None else _rounded(marked.score)}
-    quantities: Json = {}
-    for one in () if marked is None else marked.judged:
-        own: Json = {name: getattr(one, name) for name in _QUANTITY}
-        quantities[one.text] = own | {
-            "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
-            "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
-            **({"written": one.written} if one.written else {}),
-            **({"of_mistake": True} if one.of_mistake else {}),
-        }  # fmt: skip
+    quantities: Json = {one.text: _quantity(one) for one in (() if marked is None else marked.judged)}
     mistakes: list[Plain] = []
     for each in () if marked is None else marked.diagnosis.explanations:
         sites = [[dict(zip(("id", "way", "of", "form"), name, strict=True)) for name in names] for names in each.names]
@@ -83,6 +75,16 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
     if graded.measured is not None:
         whole |= measured_data(graded.measured)
     return whole | ({"fingerprints": list(graded.prints)} if graded.prints else {})
+
+
+def _quantity(one: Judged) -> Json:
+    """All of one quantity; of what few have, only what is so."""
+    rare: Json = {"measured": one.measured, "written": one.written, "of_mistake": one.of_mistake}
+    return {
+        **{name: getattr(one, name) for name in _QUANTITY},
+        "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
+        "points": one.points, "credit": one.credit, **{name: value for name, value in rare.items() if value},
+    }  # fmt: skip
 
 
 def measured_data(measured: MeasuredDrawing) -> Json:
