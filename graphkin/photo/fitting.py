@@ -20,7 +20,7 @@ from graphkin.photo.searching import Candidate, drawn_strokes
 
 _REACHES = (2.0, 1.2, 0.8)  # a line is sought so far from where it is expected, closer each time [mm]
 _TELLS = 20.0  # lines that are longer tell how the hand wobbles [mm]
-_ONE = 0.15  # corners so near each other are one [mm]
+ONE = 0.15  # corners so near each other are one [mm]
 _BESIDE = 0.9  # strokes that are no farther from each other are seen as one [mm]
 _ASTRAY = 0.1  # a line that need not be drawn is another one so much farther off than half of where it is sought [mm]
 _ASIDE, _SHORT = 0.35, 4.0  # a line that is not short passes no farther beside its corners [mm]
@@ -72,11 +72,11 @@ class Fit:
         spread = float(np.quantile(long, 0.3)) if long else np.inf
         self.lines = {}
         for stroke in self._apart(drawn_strokes(self.way, self.at)):
-            line = line_near(self.ink, (self.at[stroke.tail], self.at[stroke.head]), reach, spread, stroke.goes_on)
             ends = self.at[[stroke.tail, stroke.head]]
+            line = line_near(self.ink, ends, reach, spread, stroke.goes_on)
             if line.covered < _DRAWN and self.ink.is_printed(ends).all():
                 line = Line.printed(ends, self.ink.printed)
-            astray = max(abs(line.beside(self.at[k])) for k in (stroke.tail, stroke.head)) > reach / 2 + _ASTRAY
+            astray = max(abs(line.beside(end)) for end in ends) > reach / 2 + _ASTRAY
             if stroke.needed or (line.covered > 0.95 and not astray):
                 self.lines[stroke] = line
         long = [line.scatter for line in self.lines.values() if line.length > _TELLS]
@@ -99,7 +99,7 @@ class Fit:
             own = (places - line.middle) * np.conj(line.along)
             aside = np.abs(own.imag[(np.abs(own.real) < line.length / 2) & (np.abs(own.imag) < _CLOSE)])
             if aside.size * STEP**2 / self.ink.pencil > _LEFT / 2:
-                self.lines[stroke] = line.off_by(float(np.median(aside)))
+                self.lines[stroke] = line.known(float(np.hypot(line.off, np.median(aside))))
 
     def _beside_others(self, stroke: Stroke) -> float:
         """The part of a stroke along which another one runs, so that the ink of both is one."""
@@ -119,7 +119,7 @@ class Fit:
         for one in sorted(strokes, key=lambda each: not each.needed):
             ends = self.at[[one.tail, one.head]]
             others = (self.at[[other.tail, other.head]] for other in found)
-            if all(min(np.abs(ends - there).max(), np.abs(ends - there[::-1]).max()) > _ONE for there in others):
+            if all(min(np.abs(ends - there).max(), np.abs(ends - there[::-1]).max()) > ONE for there in others):
                 found.append(one)
         return found
 
@@ -142,7 +142,7 @@ class Fit:
         off[np.abs(there - self.at) > far_off] = np.inf
         self.at = np.where(np.isfinite(off), there, self.at)
         for k in free:  # those on one place are known alike
-            off[k] = off[np.abs(self.at - self.at[k]) < _ONE].max()
+            off[k] = off[np.abs(self.at - self.at[k]) < ONE].max()
         far, gap, count = far[: len(seen)], found - expected, max(1, len(seen))  # where one ends may be misread
         self.strain = float(np.clip(far - _ODD, 0.0, 10.0).sum())
         self.departs = float((weight[: len(seen)] @ far**2 + gap @ prior @ gap - count) / np.sqrt(2 * count))
@@ -172,7 +172,7 @@ class Fit:
         for stroke in (s for s in drawn_strokes(self.way, self.at) if s.needed or s in self.lines):
             along = complex(unit(self.at[stroke.head] - self.at[stroke.tail]))
             for there, way in ((stroke.tail, along), (stroke.head, -along)):
-                for k in map(int, np.flatnonzero(np.abs(self.at - self.at[there]) < _ONE)):
+                for k in map(int, np.flatnonzero(np.abs(self.at - self.at[there]) < ONE)):
                     away.setdefault(k, []).extend([way, -way] if stroke.goes_on else [way])
         for stroke, line in self.lines.items():
             if stroke.goes_on or line.covered <= _DRAWN:

@@ -58,13 +58,9 @@ class Line:
         """As it is known when the hand wobbles by so much [mm], which tilts a short line unseen, and when another one
         runs beside this part of it."""
         tilted = wobble / np.sqrt(max(1.0, self.length / _WOBBLES))
-        return self._known(max(self.off, tilted, _LEAST * (1 + _SPOILT * beside)))
+        return self.known(max(self.off, tilted, _LEAST * (1 + _SPOILT * beside)))
 
-    def off_by(self, more: float) -> Line:
-        """As it is known when it may be so much farther off [mm]."""
-        return self._known(float(np.hypot(self.off, more)))
-
-    def _known(self, off: float) -> Line:
+    def known(self, off: float) -> Line:
         """With another standard deviation, and what follows for its direction [mm]."""
         return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
 
@@ -77,10 +73,7 @@ class Line:
         return ((place - self.middle) * self.along.conjugate()).imag
 
 
-Ends = tuple[complex, complex]
-
-
-def line_near(ink: Ink, ends: Ends, reach: float, spread: float = np.inf, goes_on: bool = False) -> Line:
+def line_near(ink: Ink, ends: np.ndarray, reach: float, spread: float = np.inf, goes_on: bool = False) -> Line:
     """The line with most ink whose ends are no farther than `reach` mm from two places.
 
     spread   of usual strokes: where it is wider another one runs beside it, and nothing is measured

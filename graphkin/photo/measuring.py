@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.photo.fitting import Fit
+from graphkin.photo.fitting import ONE, Fit
 from graphkin.photo.ink import STRANGE, Ink, Page
 from graphkin.photo.predicted import Way
 from graphkin.photo.searching import MISSING, SLIP, Candidate, candidates
@@ -20,7 +20,6 @@ _NOWHERE = 5.0  # where the standard deviation is larger nothing is known [mm]
 _OFF = 0.2  # corners with a larger standard deviation are not sure [mm]
 _ALIKE, _APART = 6.0, 0.4  # constructions that score so alike and lie so far apart are not told apart [mm]
 _CLOSE = 0.6  # ink belongs to a refined line when it is no farther off [mm]
-_ONE = 0.15  # corners so near each other are one [mm]
 _FAR = 2.0  # where a single line ends no farther from where a construction has it, it ends on purpose [mm]
 _STRAIN = 2.0  # what contradicts counts so much [mm a standard deviation]
 _STILL = 0.03  # what moves corners less is not told [mm]
@@ -131,7 +130,7 @@ class _Fit(Fit):
                 yield Unsure("no ink", tuple(key[k] for k in (stroke.tail, stroke.head) if k != self.pole))
         for k, letter in enumerate(key):
             drawn = [line for s, line in self.lines.items() if k in (s.tail, s.head) and line.covered > 0.5]
-            alone = np.abs(np.delete(self.at, k) - self.at[k]).min(initial=np.inf) > _ONE
+            alone = np.abs(np.delete(self.at, k) - self.at[k]).min(initial=np.inf) > ONE
             if self.off[k] > _OFF or (k != self.pole and not drawn and alone) or k in self.odd:
                 short = any(line.length < _SHORT for line in drawn)
                 off = 0.0 if k in self.odd or not drawn else _known(self.off[k])
@@ -142,13 +141,10 @@ class _Fit(Fit):
             if is_far or not self.ink.inside(around).all():
                 yield Unsure("far", (key[k],))
         free = self.way.is_loose and self.candidate.factors  # own velocities would have drawn something else
-        if free or self._strange() > STRANGE or not self.is_likely:
-            yield Unsure("unexplained")
-
-    def _strange(self) -> float:
-        """The longest extent of ink that no line explains, on construction lines beyond the arrows neither [mm]."""
         ends = [(self.at[s.tail], self.at[s.head]) for s, line in self.lines.items() if line.covered > 0.5]
-        return self.ink.strange([*self.drawn(), *ends])
+        strange = self.ink.strange([*self.drawn(), *ends])  # on construction lines beyond the arrows nothing is
+        if free or strange > STRANGE or not self.is_likely:
+            yield Unsure("unexplained")
 
 
 def _known(off: float) -> float:

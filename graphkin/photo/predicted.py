@@ -24,8 +24,6 @@ from graphkin.photo.readings import RoomReading
 from graphkin.photo.sheets import SheetRoom
 from graphkin.planning import Method
 
-_NOTHING = 0.3  # shorter arrows are points [mm]
-_SAME = 0.02  # drawings that differ by less are one [mm]
 _LENGTH, _ANGLE, _PART = 0.3, np.radians(0.4), 0.003
 """A hand errs by so much where it lays off [mm], in a direction [rad], and by this part of what was drawn before."""
 _HANDS = 200  # that draw the same
@@ -82,7 +80,7 @@ class Way:
     @cached_property
     def corners(self) -> np.ndarray:
         """Of each column (columns, letters) [mm from the pole, y up]."""
-        return self._on_paper(_OwnHand(self.columns, {}, self.own).drawn(self.method, self.plot))
+        return self._drawn(_Own(self.columns), {}, self.plot)
 
     @property
     def pole(self) -> int:
@@ -121,8 +119,7 @@ class Way:
     def altered(self, column: int, factors: Factors) -> np.ndarray:
         """Corners (n, letters) of a column with arrows, directions and figures that are otherwise, by arrays (n,)."""
         count = max(len(each) for each in factors.values())
-        hand = _OwnHand([self.columns[column]] * count, factors, self.own)
-        return self._on_paper(hand.drawn(self.method, self.plot))
+        return self._drawn(_Own([self.columns[column]] * count), factors, self.plot)
 
     def hands(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
         """Corners (n, letters) as many hands draw those of a column, each with its own errors [mm]; those alone that
@@ -133,11 +130,8 @@ class Way:
         pencil = Pencil(lengths | {plane: _LENGTH * self.scale}, _ANGLE)
         slips = Slips(1, _HANDS)
         hand = _OwnPencil(pencil, slips, self.method.facts(), [self.columns[column]])
-        hand.factors, hand.own = factors, self.own
-        points = hand.drawn(self.method, drawn_positions(self.method, pencil, slips)).points(plane)
-        every = [np.broadcast_to(np.asarray(points[name], dtype=complex), hand.shape)[0] for name in self.letters]
-        drawn = np.stack(every, axis=1) / self.scale
-        return drawn[np.isfinite(drawn).all(axis=1)]
+        drawn = self._drawn(hand, factors, drawn_positions(self.method, pencil, slips))[0]
+        return np.asarray(drawn[np.isfinite(drawn).all(axis=1)])
 
     def spread(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
         """How corners of a column vary with the hand that draws it: the covariance (2 letters, 2 letters) [mm^2] of
@@ -147,10 +141,12 @@ class Way:
             return every * _ASTRAY**2
         return np.asarray(np.cov(np.hstack([drawn.real, drawn.imag]).T)) + every * _POINT**2
 
-    def _on_paper(self, plot: Redrawing) -> np.ndarray:
-        points, count = plot.points(self.construction.plane), len(plot.by_hand.columns)  # type: ignore[attr-defined]
-        every = [np.broadcast_to(np.asarray(points[name], dtype=complex), (count,)) for name in self.letters]
-        return np.stack(every, axis=1) / self.scale
+    def _drawn(self, hand: _Own, factors: Mapping[Spot, np.ndarray | complex], right: Plot) -> np.ndarray:
+        """Corners as a hand draws them (*shape, letters) [mm]."""
+        hand.factors, hand.own = factors, self.own
+        points = hand.drawn(self.method, right).points(self.construction.plane)
+        every = [np.broadcast_to(np.asarray(points[name], dtype=complex), hand.shape) for name in self.letters]
+        return np.stack(every, axis=-1) / self.scale
 
 
 def predicted(
@@ -226,7 +222,7 @@ def _strokes(construction: Construction, letters: Sequence[str], resting: set[st
 
 
 class _Own(Mistaken):
-    """With factors at some places; corners that are measured lie where they do.
+    """Draws columns of mistakes with factors at some places; corners that are measured lie where they do.
 
     own  of the velocity plane by letter, SI
     """
@@ -264,14 +260,6 @@ class _Own(Mistaken):
         right = super().corner(plot, plane, step, right)
         right = self._from(("image", plane, step.point), plot.points(plane)[step.base[0]], right)
         return self._there(plane, step.point, right)
-
-
-class _OwnHand(_Own):
-    """Draws columns of mistakes exactly."""
-
-    def __init__(self, columns: Sequence[Sequence[Rewrite]], factors: Factors, own: Mapping[str, Corner]) -> None:
-        super().__init__(columns)
-        self.columns, self.factors, self.own = columns, factors, own
 
 
 class _OwnPencil(_Own, PencilHand):

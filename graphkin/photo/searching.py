@@ -45,10 +45,6 @@ class Candidate:
     missing: float
     factors: Mapping[Spot, complex] = field(default_factory=dict)
 
-    @property
-    def strokes(self) -> list[Stroke]:
-        return drawn_strokes(self.way, self.corners)
-
 
 def drawn_strokes(way: Way, corners: np.ndarray) -> list[Stroke]:
     """The strokes of a way that are any length."""
@@ -79,7 +75,7 @@ def candidates(ink: Ink, ways: Sequence[Way]) -> list[Candidate]:
 
 def _is_complete(ink: Ink, one: Candidate) -> bool:
     """True where all needed strokes have ink, and no long ink is left."""
-    ends = {s: (one.corners[s.tail], one.corners[s.head]) for s in one.strokes}
+    ends = {s: (one.corners[s.tail], one.corners[s.head]) for s in drawn_strokes(one.way, one.corners)}
     needed = sum(abs(head - tail) for stroke, (tail, head) in ends.items() if stroke.needed)
     return one.missing <= _COMPLETE * needed and ink.strange(ends.values()) < STRANGE
 
