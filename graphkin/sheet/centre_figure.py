@@ -51,15 +51,13 @@ class Spot:
     direction: complex = 0j
 
 
-def spots(found: Centres) -> list[Spot]:
+def spots(found: Centres) -> Iterator[Spot]:
     """All centres in the order in which they are found."""
-    every = []
     for step, stage in enumerate(found.centring.stages, start=1):
         name, place = stage.last.name, geometry.place(found.board.at(stage.last.name))
         finite = cmath.isfinite(place)
         direction = 0j if finite else cmath.rect(1, geometry.number(found.board.direction(name)))
-        every.append(Spot(name, step, stage, place if finite else None, direction))
-    return every
+        yield Spot(name, step, stage, place if finite else None, direction)
 
 
 def centre_label(name: str) -> Label:
@@ -93,7 +91,7 @@ class OnPaper:
 
     @cached_property
     def spots(self) -> list[Spot]:
-        return spots(self.found)
+        return [*spots(self.found)]
 
     def at(self, spot: Spot) -> Place:
         """The place of a centre that is not at infinity, on the paper or beyond it."""

@@ -74,7 +74,7 @@ class Planes:
         return values + [corner for image in self.gears(plane) for corner in image.corners]
 
     def gears(self, plane: Plane) -> list[GearImage]:
-        return gear_images(self.method, self.plot) if plane == "velocity" else []
+        return [*gear_images(self.method, self.plot)] if plane == "velocity" else []
 
     @cached_property
     def figure(self) -> Callable[[Plane, Window], Figure]:
@@ -176,9 +176,10 @@ class Planes:
 
 @frozen
 class DetailRoom:
-    """The room for a detail, which finds its place in it when all is lettered."""
+    """The room for a detail, which finds its place in it when all is lettered; parts: that another language shows."""
 
     size: complex
+    parts: tuple[tuple[complex, float], ...] = ()
 
     def marks(self, corner: Place) -> Iterator[Mark]:
         yield from ()
@@ -302,7 +303,7 @@ class SheetContents:
         if place not in panels:
             panel = self._plain_panel(layout, plane, window, corners)
             if plane in self.detailed:
-                panel = detailed(panel, partial(self.drawing.figure, plane), plane)
+                panel = detailed(panel, partial(self.drawing.figure, plane), plane, self.detailed[plane].parts)
             panels[place] = panel
         return panels[place]
 

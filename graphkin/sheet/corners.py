@@ -98,13 +98,9 @@ class Standing(NamedTuple):
 
     def corners(self, room: Room) -> list[tuple[int, Place]]:
         """Of the first room: the number of each block's shape, and its upper left corner."""
-        placed = []
-        for size, side, shape in self.blocks:
-            x, y = side[:, 0]
-            left = room.right - float(size[0, 0]) if x else room.left + _EDGE
-            top = room.bottom - float(size[1, 0]) if y else room.top
-            placed.append((int(shape[0]), complex(left, top)))
-        return placed
+        first = ((*map(float, size[:, 0]), *side[:, 0], int(shape[0])) for size, side, shape in self.blocks)
+        return [(shape, complex(room.right - wide if x else room.left + _EDGE, room.bottom - high if y else room.top))
+                for wide, high, x, y, shape in first]  # fmt: skip
 
 
 def standing(rooms: Array, extent: Extent) -> Standing:

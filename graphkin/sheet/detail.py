@@ -80,10 +80,17 @@ class _View:
     window: Window
 
 
-def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Panel:
-    """The panel with details, where they relieve it; `draw`: its figure through any window. A panel without a knot, or
-    without room for a detail, is handed back as it is."""
+def detailed(
+    panel: Panel, draw: Callable[[Window], Figure], plane: Plane, parts: Sequence[tuple[complex, float]] = ()
+) -> Panel:
+    """The panel with details of some parts (centre and radius [SI]), and of more where they relieve it; `draw`: its
+    figure through any window. A panel without a knot, or without room for a detail, is handed back as it is."""
     drawing = _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens)
+    for place, radius in parts:  # of a detail that shows all of one already
+        windows = [view.window for view in drawing.views
+                   if abs(view.window(place) - view.shown.centre) + radius / view.window.scale < view.shown.radius]
+        seen = [panel.window, *windows][-1]
+        drawing = drawing.showing(_DetailCircle(seen(place), radius / seen.scale))
     while len(drawing.views) < len(_NUMERALS) and (more := drawing.relieved()) is not None:
         drawing = more
     return drawing.panel
@@ -91,9 +98,7 @@ def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Pa
 
 def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Sequence[Place]) -> Panel:
     """The panel with a detail of the part that holds these places; as it is where it has no room for one."""
-    drawing = _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens)
-    view = drawing._view(_about(about), FreeRoom(panel.scene))
-    return drawing._with(view).panel if view is not None else panel
+    return _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens).showing(_about(about)).panel
 
 
 def has_knot(panel: Panel) -> bool:
@@ -123,6 +128,11 @@ class _DetailDrawing:
                 if min(own) >= _OWN and burden(other.burdens) < least:
                     best, least = other, burden(other.burdens)  # no detail loses its own letters to another
         return best
+
+    def showing(self, part: _DetailCircle) -> _DetailDrawing:
+        """With a detail of a part, where there is room for one."""
+        view = self._view(part, FreeRoom(self.panel.scene))
+        return self if view is None else self._with(view)
 
     def _view(self, knot: _DetailCircle, free: FreeRoom) -> _View | None:
         """A part of the figure, or of a detail, as large as there is room for; None where there is none."""
@@ -161,7 +171,9 @@ class _DetailDrawing:
         inside = alone.burdens + _LED * np.bincount(alone.near.led, minlength=len(named))
         burdens = np.concatenate([self.burdens[stay], inside, [0.0]])
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
-        return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), burdens=burdens)
+        magnified = *self.panel.magnified, (view.window.value(at), view.shown.radius * view.window.scale)
+        panel = replace(self.panel, figure=drawn, magnified=magnified)
+        return replace(self, panel=panel, views=(*self.views, view), burdens=burdens)
 
 
 def _alone(want: LabelRequest) -> LabelRequest:

@@ -38,13 +38,8 @@ _SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
 _CLEAR = 2.2  # between an arc and what else there is [mm]
 
 
-@frozen
-class _Trial:
-    """One way to draw a datum."""
-
-    free: Sequence[Mark]
-    crossing: Sequence[Mark] = ()
-    touching: Sequence[Mark] = ()
+_Trial = tuple[Sequence[Mark], Sequence[Mark], Sequence[Mark]]
+"""One way to draw a datum: what touches nothing, what may cross lines, what may touch anything."""
 
 
 @frozen
@@ -70,9 +65,9 @@ class DimensionLines:
 
     def draw(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""
-        for trial in self.free.fitting(self._trials(size), lambda trial: (trial.free, trial.crossing)):
+        for free, crossing, touching in self.free.fitting(self._trials(size), lambda trial: trial[:2]):
             marks = [replace(mark, accent="grey") if size.derived and isinstance(mark, Stroke | Text) else mark
-                     for mark in (*trial.touching, *trial.crossing, *trial.free)]  # fmt: skip
+                     for mark in (*touching, *crossing, *free)]  # fmt: skip
             self.free.add(marks)
             return marks
         return []
@@ -146,7 +141,7 @@ class DimensionLines:
             pieces = self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
         lines = [Stroke(piece, "measured", step=step) for piece in pieces]
         for gap, t, side in product(_GAPS, _ALONG, (1, -1)):
-            yield _Trial([self._text(label, start + (end - start) * t, along, side * gap, step)], touching=lines)
+            yield [self._text(label, start + (end - start) * t, along, side * gap, step)], (), lines
 
     def _dimension(self, start: Place, end: Place, along: complex, label: Label, step: int | None) -> Iterator[_Trial]:
         """A dimension line with two heads between extension lines, beyond what it measures or between its ends."""
@@ -176,9 +171,9 @@ class DimensionLines:
             text = self._text(label, middle, along, 0.8, step)
             if crossing == 2:  # extension lines, broken at letters
                 pieces = [Stroke(piece, "thin", step=step) for each in both for piece in self.free.pieces(*each.places)]
-                yield _Trial([line, text], heads, pieces)
+                yield [line, text], heads, pieces
             else:
-                yield _Trial([line, text], both, heads) if crossing else _Trial([line, text, *both], (), heads)
+                yield ([line, text], both, heads) if crossing else ([line, text, *both], (), heads)
 
     def _radius(self, span: Span, label: Label) -> Iterator[_Trial]:
         """A line from a centre to its rim, with letters along it, inside or beyond."""
@@ -192,12 +187,12 @@ class DimensionLines:
             if radius > wide + 2 * HINGE + THIN_HEAD + 1:
                 middle = (inner + from_rim) / 2
                 text = self._text(label, middle, way, side * 0.8, step)
-                yield _Trial([Stroke((inner, from_rim), "thin", step=step), text], touching=[head])
+                yield [Stroke((inner, from_rim), "thin", step=step), text], (), [head]
             else:
                 far = tip + way * (wide + 3)
                 text = self._text(label, tip + way * (wide / 2 + 2), way, side * 0.8, step)
                 line = Stroke((tip + way, far), "thin", step=step)
-                yield _Trial([line, text], [Stroke((inner, tip - way), "thin", step=step)], [head])
+                yield [line, text], [Stroke((inner, tip - way), "thin", step=step)], [head]
 
 
 def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke]:

@@ -173,7 +173,8 @@ def _arranged(drawing: Planes, contents: Callable[[Planes], SheetContents], pape
     if drawing.lang == "en":
         return best
     own, english, layout = contents(drawing), best.contents, best.layout
-    kept = replace(own, low=english.low, without=english.without, detailed=english.detailed, scales=layout.scales)
+    details = {plane: replace(room, parts=best.panel(plane).magnified) for plane, room in english.detailed.items()}
+    kept = replace(own, low=english.low, without=english.without, detailed=details, scales=layout.scales)
     if layout.holds(kept.extents, kept.height(layout.paper)):
         return Arrangement(kept, layout)
     larger = (other for other in papers_for(paper) if other.area > best.sold.area)

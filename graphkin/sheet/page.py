@@ -120,6 +120,7 @@ class Panel:
     beside         what stands with it, and the rooms that this takes up, which labels keep off
     more           what is drawn last, where figure and labels have left room; labels keep off its lines if they can
     plane          whose origin and scale the sheet tells; None for a figure whose scale it does not
+    magnified      centre and radius of the parts that are drawn once more in details [SI]
     """
 
     figure: Figure
@@ -129,6 +130,7 @@ class Panel:
     plane: Plane | None = "position"
     more: Last | None = None
     beside: tuple[tuple[Room, tuple[Mark, ...]], ...] = ()
+    magnified: tuple[tuple[complex, float], ...] = ()
 
     @property
     def drawn(self) -> list[Mark]:

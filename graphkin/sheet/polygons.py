@@ -44,16 +44,14 @@ class GearImage:
         return self.at + self.radius * (1 + 1j), self.at - self.radius * (1 + 1j)
 
 
-def gear_images(method: Method, plot: Plot) -> list[GearImage]:
+def gear_images(method: Method, plot: Plot) -> Iterator[GearImage]:
     """Every gear that the polygon shows, once."""
     start = next((act.page for act in method.acts if act.plane == "velocity"), None)
-    images: list[GearImage] = []
     for wheel, name, centre in imaged_gears(method):
         if centre in plot.velocity:
             radius, at = abs(geometry.number(plot.omega[wheel.link])) * wheel.radius, plot.velocity[centre]
             step = rate_found(method, "velocity", wheel.link) or start
-            images.append(GearImage(point_label(name), geometry.place(at), radius, centre, step))
-    return images
+            yield GearImage(point_label(name), geometry.place(at), radius, centre, step)
 
 
 def gear_circles(images: Sequence[GearImage], window: Window, others: Sequence[tuple[Place, Place]]) -> Figure:
@@ -219,11 +217,6 @@ class PolygonFigure:
         plane, term = self.construction.plane, self.construction.vectors().get(name) if self.held else None
         return relabelled(term, plane, self.held).name(plane) if term is not None else name
 
-    def site(self, name: str) -> str:
-        """A point of the polygon as the point of a link; nothing for the pole and for corners between arrows."""
-        node = self.construction.nodes.get(name)
-        return named_site(node.site) if node is not None and node.site is not None else ""
-
     def images(self) -> Iterator[tuple[str, list[str]]]:
         """Points of the polygon that are the image of a link of three or more points."""
         pole = self.construction.pole
@@ -249,8 +242,10 @@ def polygon_figure(polygon: PolygonFigure) -> Figure:
     ends = [*((vector.start, vector.end) for vector in vectors), *((at, at) for at in polygon.named.values())]
     rims = gear_circles(polygon.gears, polygon.window, ends)
     marks = [*_image_lines(polygon, vectors), *rims.marks, *vectors]
-    for name, at in polygon.named.items():
-        marks.append(PointMark(plane, name, polygon.of(name), at, step=polygon.step(name), site=polygon.site(name)))
+    sites = {name: named_site(node.site) for name, node in polygon.construction.nodes.items() if node.site is not None}
+    for name, at in polygon.named.items():  # no site has the pole, or a corner between arrows
+        of, step = polygon.of(name), polygon.step(name)
+        marks.append(PointMark(plane, name, of, at, step=step, site=sites.get(name, "")))
     return Figure(marks, _point_names(polygon) + _vector_names(polygon, vectors) + rims.wanted)
 
 

@@ -114,11 +114,9 @@ def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
 def disc(skeleton: Skeleton, link: str) -> str:
     """The centre of the wheel within whose rim all points of a link lie; "" of other links."""
     places = [skeleton.at(point) for point in skeleton.named(link)]
-    for wheel in wheels_of(skeleton.mechanism):
-        at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale + 0.1
-        if wheel.link == link and not wheel.ring and all(abs(place - at) <= radius for place in places):
-            return wheel.centre
-    return ""
+    own = [wheel for wheel in wheels_of(skeleton.mechanism) if wheel.link == link and not wheel.ring]
+    rims = ((wheel.centre, skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale + 0.1) for wheel in own)
+    return next((name for name, at, radius in rims if all(abs(place - at) <= radius for place in places)), "")
 
 
 def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:

@@ -38,6 +38,10 @@ class Window:
         """The scale of the finished drawing."""
         return self.scale / self.times
 
+    def value(self, place: Place) -> complex:
+        """What is seen at a place [SI]."""
+        return ((place - self.origin) * self.scale).conjugate()
+
     @staticmethod
     def turned(direction: complex) -> complex:
         """A direction of the plane, on paper."""

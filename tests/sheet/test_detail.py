@@ -10,6 +10,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from graphkin import Drawing
+from graphkin.files import library
 from graphkin.sheet.arrows import side_by_side
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.label_candidates import Arrows
@@ -104,6 +106,15 @@ def test_several_points_close_together_are_a_knot() -> None:
 def on_one_line(*ends: tuple[complex, complex]) -> Figure:
     arrows = [VectorMark("velocity", f"v_{k}", "p", f"{k}", *each) for k, each in enumerate(ends)]
     return side_by_side(Figure([*arrows], [LabelRequest(plain(v.name), v.start, v.end, of=v.name) for v in arrows]))
+
+
+def test_every_language_magnifies_the_same_parts() -> None:
+    sheets = [Drawing.of(library.load("p3-20")).sheet(lang=lang) for lang in ("en", "zh")]
+    circles = [[mark.radius for mark in sheet.marks if isinstance(mark, Disc) and mark.pen == "centre"]
+               for sheet in sheets]  # fmt: skip
+    english, chinese = (sorted(radii)[: len(radii) // 2] for radii in circles)  # the smaller ones are about the parts
+    assert len(english) == 2
+    assert chinese == pytest.approx(english)
 
 
 @pytest.mark.parametrize("turn", [1, -1j, cmath.rect(1, 2.5)])
