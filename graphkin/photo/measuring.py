@@ -100,10 +100,12 @@ class _Fit(Fit):
         return {name: own[other] for name, other in pairs if other in own}
 
     def apart(self, others: Iterable[_Fit]) -> Iterator[dict[str, complex]]:
-        """From its corners to those of each that fits as well, where these do not lie beside their own lines."""
+        """From its corners to those of each that fits as well; where this has more of them beside their own lines, they
+        are none."""
         for fit in others:
             if fit.is_likely and fit.score >= self.score - _ALIKE and fit.departs <= max(0.0, self.departs) + _ODDER:
-                there = {name: fit.at[k] for name, k in fit.numbers.items() if k not in fit.odd}
+                none = fit.odd if len(fit.odd) > len(self.odd) else ()
+                there = {name: fit.at[k] for name, k in fit.numbers.items() if k not in none}
                 yield {name: complex(there[name] - self.at[k]) for name, k in self.numbers.items() if name in there}
 
     def alike(self, rivals: Sequence[Mapping[str, complex]]) -> Iterator[Unsure]:
