@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from assess_photos import Case, verdicts, work_of
+from assess_photos import Case, assessed, verdicts, work_of
 from pencil import HAND, NEAT, FlatPage, Work, paper_of
 
 from graphkin.construction import Plane
@@ -76,6 +76,11 @@ def test_what_is_misread_is_said(name, kind, seed, wobble):
     along a line that goes on."""
     work = work_of(name, kind, seed, wobble=wobble)
     assert worst(work, readings_of(work)) < 0.5
+
+
+def test_points_that_may_be_exchanged_are_not_sure():
+    """A line drawn in another direction, so that a and b may each be the other, one of them beside its lines."""
+    assert assessed(Case("s4-ex2", "slip", 1009, True, "fine")).silent < 0.5
 
 
 def test_paper_without_a_drawing_is_blank():
