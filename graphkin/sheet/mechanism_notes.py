@@ -72,19 +72,20 @@ class MechanismNotes:
             if not marks and datum not in measured and not lettered_too:
                 unsaid.setdefault(datum.derived, []).append(formula(datum.text))
         for derived, labels in unsaid.items() if self.planes else ():
-            words = [replace(mark, accent="grey") if derived else mark for mark in self._written(labels, free)]
-            free.add(words)
-            added += words
+            words = self._written(labels, free)
+            added += (replace(mark, accent="grey") for mark in words) if derived else words
         return added
 
-    @staticmethod
-    def _written(labels: Sequence[Label], free: FreeRoom) -> Iterator[Text]:
-        """Data in lines, as low as there is room for them; in small letters where large ones have none."""
-        for size, wide in product((LABEL, LEAST), (free.room.size.real - 8, *_NARROWER)):
-            text = WrittenLines.of(labels, wide, size)
+    def _written(self, labels: Sequence[Label], free: FreeRoom) -> list[Text]:
+        """Data in lines, as low as there is room: together, else in parts; in small letters where large have none."""
+        widths = free.room.size.real - 8, *_NARROWER
+        for size, count, wide in product((LABEL, LEAST), range(len(labels), 0, -1), widths):
+            text = WrittenLines.of(labels[:count], wide, size)
             if (corner := free.corner(text.size, from_below=True)) is not None:
-                yield from text.marks(corner)
-                return
+                marks = [*text.marks(corner)]
+                free.add(marks)
+                return [*marks, *self._written(labels[count:], free)]
+        return []
 
     def _arc(self, rotation: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
         """An arc in the sense in which the link turns, with its letter; drawn: by link the first, to stand beside."""

@@ -12,6 +12,7 @@ from itertools import combinations
 import book
 import pytest
 import shapely
+from every_family import FAMILIES
 from large_mechanisms import dyads
 
 from graphkin import Drawing
@@ -504,3 +505,13 @@ def _steps(text: str) -> Iterator[int]:
     for part in text.split(", "):
         first, _, last = part.partition("–")
         yield from range(int(first), int(last or first) + 1)
+
+
+@pytest.mark.parametrize(("family", "seed", "count"), [("line_of_centres", 202, 7), ("chain", 101, 17)])
+def test_data_that_have_no_room_together_are_written_in_parts(family: str, seed: int, count: int):
+    """In letters as large as those of a link's length: they were small, or left out."""
+    texts = [mark for mark in Drawing.of(FAMILIES[family](seed)).sheet().marks if isinstance(mark, Text)]
+    usual = max(mark.size for mark in texts if any(run.text.endswith(" mm") for run in mark.label))
+    written = [mark for mark in texts if re.search("= .* (mm|rad/s²?|°)|= .*°", "".join(run.text for run in mark.label))]
+    assert {mark.size for mark in written} == {usual}
+    assert sum("".join(run.text for run in mark.label).count(" = ") for mark in written) >= count
