@@ -122,7 +122,7 @@ class Tangents:
         if abs(float(dot(along, arm))) <= reading.noise:
             return reading.say("derivation.swing foot", **words)
         path = "→".join((names.point(step.pivot), foot, names.point(step.through)))
-        ccw = float(cross(along, arm)) * float(dot(along, arm)) > 0
+        ccw = float(cross(arm - float(dot(along, arm)) * along, arm)) > 0  # from the foot to what it passes through
         words["way"] = reading.say("common.way round", way=path, sense=reading.sense(1 if ccw else -1))
         pair = reading.method.structure.slides[step.slide]
         # the point may lie beside the guide line, on a block that turns with it: then a parallel line is drawn
