@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from graphkin.base.geometry import cross, dot
@@ -130,7 +130,7 @@ def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     others = reading.group(step.of)
     held = [other for other in others if not _driven_between(polygon, other, step.of)]
     if held and polygon.plane == "velocity":
-        yield Sentence(reading.say("derivation.held", links=reading.links((*held, step.of))))
+        yield _held(reading, (*held, step.of))
     for other in others:
         yield _kept_angle(polygon, other, step.of)
 
@@ -171,8 +171,14 @@ def _driven_groups(polygon: PolygonReading) -> Iterator[Entry]:
         if turns[link].base == FRAME and turns[link].drivers and link not in driven:
             like = [other for other in driven if turns[other].drivers == turns[link].drivers]
             if like and polygon.plane == "velocity":
-                yield Sentence(reading.say("derivation.held", links=reading.links((link, *like))))
+                yield _held(reading, (link, *like))
             yield _kept_angle(polygon, link, FRAME)
+
+
+def _held(reading: Reading, links: Sequence[str]) -> Sentence:
+    """Links that sliding pairs keep from turning against each other: two by one, or several in a row."""
+    pairs = [{slide.block, slide.line.link} for slide in reading.method.structure.slides.values()]
+    return Sentence(reading.say("derivation.held", which={*links} not in pairs, links=reading.links(links)))
 
 
 def _kept_angle(polygon: PolygonReading, link: str, other: str) -> Calculation:

@@ -509,3 +509,18 @@ def test_answers_of_a_file_in_inches_are_in_inches_too() -> None:
     assert in_inches == pytest.approx(in_metres / 0.0254, rel=1e-3)
     assert re.search(r"(?m)^ +ω3 = [\d.]+ rad/s \((counter-)?clockwise\)$", text)
     assert "in/s" not in "\n".join(whole(*drawn(AS_SET.replace('"1 in"', "25.4")), "en"))
+
+
+def test_links_that_two_sliding_pairs_join_form_none() -> None:
+    """An Oldham coupling: the disc slides on both hubs, which do not slide on each other."""
+    coupling = """
+frame = { A = [0, 0], D = [40, 0] }
+links = { 2.AE = 60, 3.MN = 30, 4.DF = 60 }
+slide = [{ block = "3", point = "M", guide = "2", through = "A", toward = "E", tilt = 0 },
+         { block = "3", point = "M", guide = "4", through = "D", toward = "F", tilt = -90 }]
+driver = [{ vector = "AE", angle = 50, omega = 12 }]
+sketch = { M = [20, 20] }
+"""
+    text = "\n".join(whole(*drawn(coupling), "en"))
+    assert "Links 3 and 2 form a sliding pair, so" in text
+    assert "Links 4 and 2 are joined by sliding pairs alone, so" in text

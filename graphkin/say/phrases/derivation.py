@@ -175,8 +175,9 @@ PHRASES: Phrases = {
                               "{sense}：将 {stretch} 平移至机构图上的 {head} 点，其绕 {tail} 点的转向即为 {rate} 的方向"),
     "derivation.rest now": ("{name} = 0: at this instant link {link} is [in translation|at rest].",
                             "{name} = 0，此瞬时构件 {link} [作瞬时平动|静止]。"),
-    "derivation.held": ("Links {links} form a sliding pair, so they have no relative rotation:",
-                        "构件 {links} 之间组成移动副，无相对转动："),
+    "derivation.held": ("Links {links} [form a sliding pair|are joined by sliding pairs alone], so they have no relative "
+                        "rotation:",
+                        "构件 {links} 之间[组成移动副|只经移动副相连]，无相对转动："),
     "derivation.positive": ("positive: counter-clockwise", "正值，为逆时针"),
     "derivation.negative": ("negative: clockwise", "负值，为顺时针"),
     "derivation.tangential part": ("Resolve {ends} along and across {line}. The part across it is {tangential}.",
