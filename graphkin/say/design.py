@@ -95,8 +95,13 @@ def _lengths(one: Solution, lang: Lang) -> str:
     return say("common.and", lang).join(lengths)
 
 
+def faults(one: Solution, lang: Lang) -> list[str]:
+    """Why it does not do."""
+    return [say("design.invalid", lang) + phrased(reason, lang) for reason in one.why]
+
+
 def _judged(one: Solution, lang: Lang) -> Iterator[str]:
-    yield from (f"  {say('design.invalid', lang)}{phrased(reason, lang)}" for reason in one.why)
+    yield from (f"  {fault}" for fault in faults(one, lang))
     try:
         report = proof(one)
     except GraphkinError as wrong:

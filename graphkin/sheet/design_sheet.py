@@ -21,7 +21,7 @@ from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.proof.roads import proved
 from graphkin.say.catalogue import say
-from graphkin.say.design import error, mechanism_of, sentences
+from graphkin.say.design import error, faults, mechanism_of, sentences
 from graphkin.say.numbers import circled
 from graphkin.sheet import symbols
 from graphkin.sheet.drafting_figure import NEAR, DraftingFigure, angle, spot
@@ -50,7 +50,7 @@ def design_sheet(design: Design, *, paper: str | None = None, lang: Lang = "en")
     method = planning.plan(mechanism_of(chosen, design.kind))
     plot, last = proved(method).plot, len(chosen.construction.stages) + 1
     told = [f"{circled(k)} {text}" for k, text in enumerate(sentences(chosen.construction, chosen.board(), lang), 1)]
-    on = _page(chosen, method, plot, paper, told)
+    on = _page(chosen, method, plot, paper, [*told, *faults(chosen, lang)])
     drafting = DraftingFigure(chosen.construction, chosen.board(), on.window, on.room)
     figure, machine = DesignFigure(chosen, drafting, design.families).figure(), on.mechanism(plot).numbered(last)
     named = {want.label for want in figure.wanted}  # pivots are lettered from the start; the end of a bar not at all

@@ -17,7 +17,7 @@ from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import step_sheets
-from graphkin.studies.design import rocker
+from graphkin.studies.design import angle_pairs, rocker
 
 
 def words(mark):
@@ -40,6 +40,13 @@ def test_links_are_drawn_at_scale(name):
     for places in one.limits:
         b = (places["B"] - places["A"]).conjugate() / scale
         assert any(abs(mark.places[1] - mark.places[0] - b) < 1e-6 for mark in thin), "a position asked for is missing"
+
+
+def test_a_linkage_that_does_not_do_says_why():
+    design = angle_pairs([(rad(30), rad(50)), (rad(60), rad(75)), (rad(100), rad(110))], frame=0.08)
+    assert not design.best.valid
+    said = "\n".join(words(mark) for mark in design_sheet(design).marks if isinstance(mark, Text))
+    assert "This does not do: AB comes out negative" in said
 
 
 @pytest.mark.parametrize("name", DESIGNS)

@@ -312,7 +312,7 @@ PHRASES: Phrases = {
     "design.solution": ("Solution {number}: ", "解 {number}："),
     "design.useless": ("Linkage {number}, which does not do: ", "机构 {number}（不可用）："),
     "design.refused": ("Rejected: ", "舍去："),
-    "design.invalid": ("does not do: ", "不可用："),
+    "design.invalid": ("This does not do: ", "此机构不可用："),
     "design.none": ("There is no solution.", "无解。"),
     "design.proof": ("Analysed back from its lengths: ", "由杆长分析验证："),
     "design.family": ("Admissible A on the circle of centre ({x:n}, {y:n}) mm, radius {radius:mm} ({axes}): {arcs}; "
