@@ -154,9 +154,9 @@ class Reading:
         return still and self.rested.issuperset(turnings(self.method, "omega", link))
 
     def translates(self, link: str) -> bool:
-        """True of a link that cannot turn at all."""
+        """True of a link that cannot turn at all; one that is idle turns as it likes."""
         turn = self.plot.facts.turns[link]
-        return turn.base == FRAME and not turn.drivers
+        return turn.base == FRAME and not turn.drivers and link not in self.method.structure.idle
 
     def against(self, driver: Driver | Pose, symbol: str) -> str:
         """The driven rotation: `ω1`, or `ω21` of a motor on a moving link."""

@@ -524,3 +524,16 @@ sketch = { M = [20, 20] }
     text = "\n".join(whole(*drawn(coupling), "en"))
     assert "Links 3 and 2 form a sliding pair, so" in text
     assert "Links 4 and 2 are joined by sliding pairs alone, so" in text
+
+
+def test_an_idle_roller_is_not_said_to_be_unable_to_turn() -> None:
+    follower = """
+frame = { O = [0, 0], D = [100, 0] }
+links = { 2.OK = 20, 3.DB = 75, 4 = { points = ["B"] } }
+cam = [{ links = ["2", "4"], profiles = [{ centre = "K", radius = 40 }, { centre = "B", radius = 12 }] }]
+driver = [{ vector = "OK", angle = 100, omega = -8 }]
+sketch = { B = [30, 60] }
+"""
+    text = "\n".join(whole(*drawn(follower), "en"))
+    assert "drawn without turning: 4." in text
+    assert "can only translate" not in text
