@@ -19,7 +19,7 @@ LINES = (("p", "b"), ("p", "c"), ("b", "c"))
 
 def reading(number: int, unsure: tuple[Unsure, ...] = ()) -> SheetReading:
     sheet = PrintedSheet(number, "ex3-5", f"s{number}", 210.0, 297.0, (ROOM,))
-    points, shifts = {"p": 0j, "b": 40 + 10j, "c": 30 - 20j}, tuple({letter: 0.3 + 0.1j for letter in one.letters} for one in unsure)
+    points, shifts = {"p": 0j, "b": 40 + 10j, "c": 30 - 20j}, tuple(dict.fromkeys(one.letters, 0.3 + 0.1j) for one in unsure)
     room = RoomReading(ROOM, points, ("p", "b", "c"), LINES, 0.1, unsure, shifts)
     return SheetReading(sheet, sheet.student, f"IMG_{number}.jpg", (room,))
 
