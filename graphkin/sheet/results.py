@@ -90,11 +90,11 @@ class _TablesInMaking:
         return number(real(self.method.mechanism.usual.motion(value, plane)))
 
     def links(self) -> Table:
-        """Angular velocities and accelerations, and their sense in a column of its own."""
-        machine, plot = self.method.mechanism, self.plot
+        """Angular velocities and accelerations, and their sense in a column of its own; an idle roller has none."""
+        machine, plot, idle = self.method.mechanism, self.plot, self.method.structure.idle
         head = (plain({"en": "link", "zh": "构件"}[self.lang]), _column("ω", "rad/s"), (), _column("α", "rad/s²"), ())
         rows = []
-        for name in (name for name in machine.moving if name in plot.omega):
+        for name in (name for name in machine.moving if name in plot.omega and name not in idle):
             row = [self.title(lettering.link_label(machine.called(name)), [name], "omega", "alpha", "theta")]
             turns = (("omega", self.method.mechanism.usual.rate(plot.omega[name], "velocity")),
                      ("alpha", self.method.mechanism.usual.rate(plot.alpha[name], "acceleration")))  # fmt: skip
