@@ -47,7 +47,7 @@ def worst_place(mark: ShownMark, exact: Widened, at: Callable[[str], complex], s
         return None
     elif form == "arc":
         pairs = list(_arc(mark, exact.mechanism, [at(point) for point in points], scale))
-    elif form in ("omega", "alpha", "push"):
+    elif form in ("omega", "alpha", "push", "thrust"):
         pairs = [_sense(mark, form, exact, [at(point) for point in points])]
     elif form == "bar":
         corners = _corners(mark)
@@ -93,8 +93,8 @@ def _sense(mark: ShownMark, form: str, exact: Widened, points: list[complex]) ->
     tip, *back = _corners(mark)
     foot = sum(back) / len(back)
     link, line, long = mark.attributes["data-link"], mark.attributes.get("data-line", ""), abs(tip - foot)
-    if form == "push":
-        rate = number(exact.s_rate[line]) or number(exact.s_acceleration[line])
+    if form in ("push", "thrust"):
+        rate = number((exact.s_rate if form == "push" else exact.s_acceleration)[line])
         way = lines_of(exact.mechanism)[line].direction * cmath.rect(1, number(exact.theta[link]))
         return foot, tip - long * way * float(np.sign(rate))
     turning = exact.turning if form == "omega" else exact.swing

@@ -132,7 +132,7 @@ def _belongs(element: ShownMark) -> bool:
         return True
     if "point" in element.kind:
         return element.tag == "circle" and abs(element.lines[0][0] - element.middle) < _DOT
-    forms = ("block", "slot", "guide", "arc", "omega", "alpha", "push")
+    forms = ("block", "slot", "guide", "arc", "omega", "alpha", "push", "thrust")
     return element.attributes.get("data-form") in forms and _whole(element).buffer(-_BLOCK / 2).is_empty
 
 

@@ -4,23 +4,23 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import chain
 
 import numpy as np
 
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
-from graphkin.model.pairs import Slide
+from graphkin.model.pairs import RollingContact, Slide
 from graphkin.model.wheels import wheels_of
 from graphkin.planning import Method
 from graphkin.say.reading import driven_slides
 from graphkin.sheet import symbols
 from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import between, joined, link_label, quantity_label, vector_label
-from graphkin.sheet.marks import Mark, Place, Shows
-from graphkin.sheet.skeleton import Skeleton, crossing
+from graphkin.sheet.lettering import LABEL, between, joined, link_label, quantity_label, vector_label
+from graphkin.sheet.marks import Form, Mark, Place, Shows
+from graphkin.sheet.skeleton import Skeleton, crossing, off_stretch
 from graphkin.sheet.wheels import circles, follower
 from graphkin.sheet.window import Figure
 
@@ -28,7 +28,8 @@ _REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0
 """How far a fixed guide is drawn to each side of its block; away from a bar over it, and where it ends unseen under the
 block [mm]."""
 _OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its block under a smaller angle
-_APART = 3.0  # between two arcs about one point [mm]
+_APART = 3.0  # between two arcs about one point, or two arrows of one slide [mm]
+_LONG, _WITHIN = 11.0, 10.0  # of the arrows of a driven slide; a larger wheel has room for them [mm]
 
 
 def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
@@ -156,7 +157,7 @@ def drives(skeleton: Skeleton, method: Method) -> Figure:
     figure = Figure()
     for driver in (driver for driver in skeleton.mechanism.drivers if driver.rate or driver.acceleration):
         if driver.kind == "slide":
-            _slide_arrow(skeleton, driver, figure, driven_slides(method).get(("ṡ", driver.link)))
+            _slide_arrows(skeleton, driver, figure, driven_slides(method))
         elif driver.vector is not None:  # about the vector's tail, across the link
             at, tip = (skeleton.at(point) for point in driver.vector)
             if abs(tip - at) >= 1:
@@ -204,23 +205,44 @@ def clearance(skeleton: Skeleton, *places: Place) -> float:
     return float(free_about(np.array(places), [*skeleton.segments, *feet], min(gaps)).min())
 
 
-def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure, speed: str | None) -> None:
-    """Beside the block (or what rolls), in the direction in which it goes."""
+def _slide_arrows(skeleton: Skeleton, driver: Driver, figure: Figure, named: Mapping[tuple[str, str], str]) -> None:
+    """Beside the block (or the centre of what rolls), in the directions of its velocity and of its acceleration."""
     pair = skeleton.mechanism.pair(driver.link)
     assert pair.path is not None
     point, line = pair.path.point, pair.path.line
-    along = skeleton.direction(line) * math.copysign(1, driver.rate or driver.acceleration)
-    up = along * 1j if (along * 1j).imag <= 0 else along * -1j
-    at = skeleton.at(point)
+    taken, step = list[tuple[Place, Place]](), skeleton.step(point)
+    motions: tuple[tuple[str, str, float, Form], ...] = (
+        ("ṡ", "v", driver.rate, "push"), ("s̈", "a", driver.acceleration, "thrust")
+    )  # fmt: skip
+    for symbol, letter, value, form in motions:
+        if value:
+            along = skeleton.direction(line) * math.copysign(1, value)
+            start, across = _beside(skeleton, driver.link, pair.path.point, along, taken)
+            taken.append((start, start + _LONG * along))
+            figure.marks += symbols.arrow(*taken[-1], shows=Shows(line.link, form, line=driver.link), step=step)
+            label = vector_label(named.get((symbol, driver.link), f"{letter}_{point}"))
+            figure.wanted.append(LabelRequest(label, *taken[-1], away=across, step=step))
+
+
+def _beside(
+    skeleton: Skeleton, link: str, point: str, along: complex, taken: Sequence[tuple[Place, Place]]
+) -> tuple[Place, complex]:
+    """Where such an arrow starts that is clear of links and of those drawn before, and the side on which it lies."""
+    at, up = skeleton.at(point), along * 1j if (along * 1j).imag <= 0 else along * -1j
     for slide in skeleton.mechanism.slides:
-        if slide.name == driver.link and skeleton.is_cylinder(slide):
+        if slide.name == link and skeleton.is_cylinder(slide):
             foot = skeleton.at(slide.line.origin)
             at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
-    out = 5.2 + max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0)
-    out -= 1.5 if out > 6 else 0.0
-    across = max((up, -up), key=lambda side: clearance(skeleton, *(at + side * out + along * t for t in (-3, 3, 6))))
-    start = at + across * out - along * 4
-    shows, step = Shows(line.link, "push", line=driver.link), skeleton.step(point)
-    figure.marks += symbols.arrow(start, start + 11 * along, shows=shows, step=step)
-    label = vector_label(speed or f"v_{point}")
-    figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=step))
+    rim, sides = max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0), [up, -up]
+    for roll in skeleton.mechanism.of(RollingContact):  # over a small wheel, never in the ground under it
+        if roll.name == link and roll.line is not None and rim < _WITHIN:
+            sides = [skeleton.direction(roll.line) * (-1j if roll.left else 1j)]
+    out = 5.2 if not 0 < rim < _WITHIN else 5.2 + rim - 1.5
+    tries = [(at + side * off - along * 4, side) for off in (out, out + _APART + LABEL)[: 1 + len(taken)]
+             for side in sides]  # fmt: skip
+
+    def room(start: Place) -> float:
+        places = [start + t * along for t in (1, 7, 10)]
+        return min([clearance(skeleton, *places), *(off_stretch(place, *arrow) for arrow in taken for place in places)])
+
+    return max(tries, key=lambda each: room(each[0]))

@@ -182,12 +182,16 @@ class FreeRoom:
         letters = (mark for mark in self.marks if isinstance(mark, Text | ArcMark))
         return obstacles([*self._scene.rows, *letters, *heads])
 
-    def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
-        """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
+    def also(self, marks: Sequence[Mark]) -> FreeRoom:
+        """The room that would be left with some more marks; nothing is added here."""
         other = copy(self)
         other.marks, other._new = [*self.marks], [*self._new]
         other.add(marks)
-        return next(other.letters([want]))
+        return other
+
+    def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
+        """A label where there would be room for it with some more marks, else nothing."""
+        return next(self.also(marks).letters([want]))
 
 
 def _beside(low: Array, high: Array, letters: Array) -> Array:

@@ -23,7 +23,7 @@ Layer = Plane | Literal["centres", "detail"]
 Accent = Plane | Literal["grey"]
 """A mark that has another colour than its layer: a plane's, or grey, as what is not given."""
 Half = Literal["", "left", "right"]
-Form = Literal["bar", "guide", "block", "slot", "wheel", "arc", "path", "omega", "alpha", "push", "ruler"]
+Form = Literal["bar", "guide", "block", "slot", "wheel", "arc", "path", "omega", "alpha", "push", "thrust", "ruler"]
 
 
 @frozen
@@ -35,7 +35,7 @@ class Shows:
             reaching over `points`; "wheel": a circle about its point; "arc": about the first point, past the second,
             or a slot along it; "path": where the point goes as the driver `line` moves;
             "omega", "alpha": the head of an arrow about its point, as the link turns against the link `line`;
-            "push": the head of one along a slide; "ruler": 100 mm on paper, of no link
+            "push", "thrust": along a slide, as it moves and is accelerated; "ruler": 100 mm on paper, of no link
     points  of the plane, as their marks are called
     line    the slide, roll, slot or cam whose line it is; of a path the driver
     """

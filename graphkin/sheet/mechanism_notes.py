@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
 from functools import partial
-from itertools import combinations, islice, product
+from itertools import chain, combinations, islice, product, tee
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -25,7 +25,7 @@ from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
-from graphkin.sheet.wheels import disc
+from graphkin.sheet.wheels import circles, disc
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
 _MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler, where no other is [mm]
@@ -35,6 +35,7 @@ _TOLD = 5.0  # a shorter length is told by words alone [mm]
 _TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
+_RIM = 4.0  # an arc farther beyond a wheel's rim would look like another's [mm]
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
 
 Arc = tuple[tuple[str, ...], float, complex, bool]
@@ -58,10 +59,11 @@ class MechanismNotes:
         """All of it among what stands there; data that find no room are written in lines at the foot of the figure."""
         added, machine = list[Mark](), self.reading.mechanism
         asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
-        drawn = dict[str, Arc]()
-        for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
-            if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
-                added += self._arc(half, free, drawn)
+        every, drawn = dict.fromkeys(half for quantity in asked for half in quantity.halves), dict[str, Arc]()
+        turns = [half for half in every
+                 if isinstance(half, Rotation) and half.word in _LETTERS and self._is_shown(half)]  # fmt: skip
+        for turn in turns:
+            added += self._arc(turn, [other for other in turns if other.link == turn.link], free, drawn)
         lines, unsaid = DimensionLines(self.skeleton, free), dict[bool, list[Label]]()
         lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
         at, levers = self.skeleton.at, measured_lengths(self.reading) if self.planes else ()
@@ -87,43 +89,59 @@ class MechanismNotes:
                 return [*marks, *self._written(labels[count:], free)]
         return []
 
-    def _arc(self, rotation: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
-        """An arc in the sense in which the link turns, with its letter; drawn: by link the first, to stand beside."""
-        (letter, plane), link = _LETTERS[rotation.word], rotation.link
-        value = float((self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha)[link])
-        driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
-        if driven or not self.reading.usual.rate(value, plane):
-            return []
-        step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, value)
+    def _is_shown(self, turn: Rotation) -> bool:
+        """True of what is found in a plane and is not 0, but of no driven link, which has its arcs."""
+        driven = any(driver.link == turn.link for driver in self.reading.mechanism.drivers)
+        _, plane = _LETTERS[turn.word]
+        return not driven and plane in self.planes and bool(self.reading.usual.rate(self._rate(turn), plane))
+
+    def _rate(self, turn: Rotation) -> float:
+        plot = self.reading.plot
+        return float((plot.omega if turn.word == "omega" else plot.alpha)[turn.link])
+
+    def _arc(self, turn: Rotation, own: Sequence[Rotation], free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
+        """An arc in the sense in which the link turns, with its letter. drawn: by link the first, to stand beside; the
+        first stands where the other one of its link's `own` has room beside it, if there is such a place."""
+        beside, also = drawn.get(turn.link), [other for other in own if other != turn and turn.link not in drawn]
+        ways, again = tee(chain(self._ways(turn, free, beside), self._ways(turn, free, None) if beside else ()))
+        both = (way for way in ways if all(any(self._ways(each, free.also(way[1]), way[0])) for each in also))
+        place, marks = next(both, None) or next(again, None) or (beside, [])
+        free.add(marks)
+        if place is not None:
+            drawn.setdefault(turn.link, place)
+        return marks
+
+    def _ways(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
+        """Places of an arc with its letter, in the colour of the polygon."""
+        (letter, plane), link = _LETTERS[turn.word], turn.link
+        step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._rate(turn))
         label = quantity_label(letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
-        for place in islice(self._places(link, free, drawn.get(link)), _TRIED):
+        for place in islice(self._places(link, free, beside), _TRIED):
             points, radius, middle, crossing = place
-            at, turn = self._middle(points), cmath.rect(1, -sense * SWEEP / 2)
-            arc = spin(at, middle / turn, sense, radius, step, Shows(link, form, points))
-            for away in (middle / turn, middle * turn) if crossing else (middle,):
+            at, half = self._middle(points), cmath.rect(1, -sense * SWEEP / 2)
+            arc = spin(at, middle / half, sense, radius, step, Shows(link, form, points))
+            for away in (middle / half, middle * half) if crossing else (middle,):
                 want = LabelRequest(label, at + away * radius, gap=0.9, away=away, step=step)
-                if letters := free.letters_with(arc, want):  # in the colour of the polygon
-                    marks = [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
-                             for mark in (*arc, *letters)]  # fmt: skip
-                    free.add(marks)
-                    drawn.setdefault(link, place)
-                    return marks
-        return []
+                if letters := free.letters_with(arc, want):
+                    yield place, [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
+                                  for mark in (*arc, *letters)]  # fmt: skip
 
     def _places(self, link: str, free: FreeRoom, beside: Arc | None) -> Iterator[Arc]:
         """Places with room for such an arc: across a bar by its pivot, about a coupler's middle, or about a point."""
         own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
 
-        def room(place: Arc, wide: float) -> tuple[list[Mark], tuple[()]]:
+        def room(place: Arc, wide: float, over: bool) -> tuple[Sequence[Mark], Sequence[Mark]]:
             points, radius, middle, crossing = place
             at, half, start = self._middle(points), SWEEP / 2, cmath.phase(middle)
             cut = own / radius if crossing else -half
-            return [ArcMark(at, r, start + low, half - cut) for low in (-half, cut)[: 1 + crossing]
-                    for r in dict.fromkeys((radius, radius - wide, radius + wide))], ()  # fmt: skip
+            arcs = [ArcMark(at, r, start + low, half - cut) for low in (-half, cut)[: 1 + crossing]
+                    for r in dict.fromkeys((radius, radius - wide, radius + wide))]  # fmt: skip
+            return ((), arcs) if over else (arcs, ())
 
-        for wide in (_APART, _APART / 2):
-            yield from free.fitting(self._arcs(link, beside), partial(room, wide=wide))
+        for wide, over in ((_APART, False), (_APART / 2, False), (_APART / 2, True)):
+            arcs = (place for place in self._arcs(link, beside) if not over or not place[3])
+            yield from free.fitting(arcs, partial(room, wide=wide, over=over))
 
     def _middle(self, points: Sequence[str]) -> Place:
         return sum(map(self.skeleton.at, points)) / len(points)
@@ -146,5 +164,7 @@ class MechanismNotes:
                 place = (pair, radius, way * arm / abs(arm), True) if abs(arm) > 2 * radius + 4 else None
                 if place and (beside is None or pivot or (pair, place[2]) == (beside[0], beside[2])):
                     yield place
-        for point, radius, middle in product(points, _RADII, _AROUND) if not bars else ():
-            yield (point,), radius, middle, False
+        rims = [radius for at, radius in circles(skeleton) if centre and at == skeleton.at(centre)]
+        for point, radius, middle in product([centre] if centre else points if not bars else (), _RADII, _AROUND):
+            if radius < max(rims, default=math.inf) + _RIM and (beside is None or beside[0] == (point,)):
+                yield (point,), radius, middle, False

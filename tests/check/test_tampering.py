@@ -244,7 +244,7 @@ def pale(tag: str) -> str:
     return having('stroke="#ffffff" fill="#ffffff"')(tag)
 
 
-TURNS = r'<path class="link"[^>]*data-form="(?:omega|alpha|push)"[^>]*/>'
+TURNS = r'<path class="link"[^>]*data-form="(?:omega|alpha|push|thrust)"[^>]*/>'
 HUNDRED = r'<line class="link"[^>]*data-form="ruler"[^>]*/>'
 CONSTRUCTION = r'<line(?: data-step="\d+")? x1="[^"]*" x2="[^"]*" y1="[^"]*" y2="[^"]*" />'
 TITLE = re.compile(r"(?<=<title>)[^<]*(?=</title><desc>)")
