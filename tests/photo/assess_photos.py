@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from cameras import ASIDE as CAMERAS_ASIDE
 from cameras import CAMERAS, photograph
-from pencil import HAND, NEAT, PER_MM, FlatPage, PrintedPaper, Work, paper_of
+from pencil import HAND, NEAT, PER_MM, FlatPage, Work, paper_of
 
 from graphkin.construction import LayOff, Meet, Plane, Ray
 from graphkin.errors import NOWHERE
@@ -51,19 +51,14 @@ WRONG, MOVED = 0.5, 1.5  # a corner off by more is wrong; a mistake is there to 
 
 
 @lru_cache(16)
-def _paper(mechanism: str) -> PrintedPaper:
-    return paper_of(mechanism)
-
-
-@lru_cache(16)
 def _mistakes(mechanism: str) -> tuple[Rewrite, ...]:
-    drawing = _paper(mechanism).problem.drawing
+    drawing = paper_of(mechanism).problem.drawing
     return tuple(one for one in rewrites(drawing.method, drawing.plot) if one.edits)
 
 
 def work_of(mechanism: str, kind: str, seed: int, wobble: bool) -> Work:
     """A student's work: "right", or with a "mistake" or a "slip" that is there to be seen and has room."""
-    paper, rng, habits = _paper(mechanism), np.random.default_rng([seed, 3]), HAND if wobble else NEAT
+    paper, rng, habits = paper_of(mechanism), np.random.default_rng([seed, 3]), HAND if wobble else NEAT
     some = (Work(paper, seed + 100_000 * k, habits=habits) for k in range(60))
     right = next(work for work in some if work.closes())
     for _ in range(60):

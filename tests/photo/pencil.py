@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property, lru_cache
 from itertools import pairwise
 
 import cv2
@@ -84,13 +84,7 @@ class PrintedPaper:
     @cached_property
     def light(self) -> np.ndarray:
         """The page (rows, columns), 0 to 255."""
-        page = _rendered(markers_svg(_PAGE.real, _PAGE.imag))
-        for at, id in zip(edges(_PAGE.real, _PAGE.imag), digits(_NUMBER)):
-            side = round(SIZE * PER_MM)
-            cells = np.zeros((6, 6), np.uint8)  # a black rim about four rows of four bits
-            cells[1:5, 1:5] = [[255 * (MARKERS[id] >> (15 - 4 * row - k) & 1) for k in range(4)] for row in range(4)]
-            rows, columns = (round(PER_MM * place) for place in (at.imag, at.real))
-            page[rows : rows + side, columns : columns + side] = cv2.resize(cells, (side, side), interpolation=cv2.INTER_NEAREST)
+        page = _without_rooms().copy()
         for plane, low in _PLACES.items():
             drawn = _rendered(room_svg(room(self.problem, plane)))
             rows, columns = (round(PER_MM * at) for at in (low.imag, low.real))
@@ -99,8 +93,30 @@ class PrintedPaper:
         return page
 
 
+@cache
+def _without_rooms() -> np.ndarray:
+    """The page with nothing but its markers, the same for every paper."""
+    page = _rendered(markers_svg(_PAGE.real, _PAGE.imag))
+    for at, id in zip(edges(_PAGE.real, _PAGE.imag), digits(_NUMBER)):
+        side = round(SIZE * PER_MM)
+        cells = np.zeros((6, 6), np.uint8)  # a black rim about four rows of four bits
+        cells[1:5, 1:5] = [[255 * (MARKERS[id] >> (15 - 4 * row - k) & 1) for k in range(4)] for row in range(4)]
+        rows, columns = (round(PER_MM * place) for place in (at.imag, at.real))
+        page[rows : rows + side, columns : columns + side] = cv2.resize(cells, (side, side), interpolation=cv2.INTER_NEAREST)
+    return page
+
+
+@lru_cache(16)
 def paper_of(mechanism: str) -> PrintedPaper:
     return PrintedPaper(drawn_problem(graphkin.load(mechanism), "en"))
+
+
+_LIGHTS = np.arange(256, dtype=np.uint8)
+
+
+def _printed(light: np.ndarray, left: np.ndarray | float = 1.0) -> np.ndarray:
+    """What is printed on paper that is not quite white, `left` of it under a pencil."""
+    return np.clip(light.astype(np.float32) * (_PAPER / 255) * left * 255, 0, 255).astype(np.uint8)
 
 
 def _rendered(svg: str) -> np.ndarray:
@@ -167,15 +183,16 @@ class Work:
 
     def page(self) -> np.ndarray:
         """The sheet with all that was drawn (rows, columns), 0 to 255."""
-        page = self.paper.light.astype(np.float32) * (_PAPER / 255)
+        page = cv2.LUT(self.paper.light, _printed(_LIGHTS))
         rng = np.random.default_rng([self.seed, 7])
         for plane in self.paper.planes:
             one, sheet = self.paper.rooms[plane], _Graphite(self.paper.rooms[plane], rng)
             self._draw(plane, sheet, rng)
             rows, columns = (round(PER_MM * at) for at in (one.low.imag, one.low.real))
             there = page[rows : rows + sheet.dark.shape[0], columns : columns + sheet.dark.shape[1]]
-            there *= 1 - sheet.dark
-        return np.clip(page * 255, 0, 255).astype(np.uint8)
+            printed = self.paper.light[rows : rows + sheet.dark.shape[0], columns : columns + sheet.dark.shape[1]]
+            there[:] = _printed(printed, 1 - sheet.dark)
+        return page
 
     def _draw(self, plane: Plane, sheet: _Graphite, rng: np.random.Generator) -> None:
         habits, at = self.habits, self.corners[plane]
@@ -290,9 +307,12 @@ class FlatPage:
     rms: float = 0.0
     per_mm: float = PER_MM
 
+    @cached_property
+    def soft(self) -> np.ndarray:
+        return cv2.GaussianBlur(self.light, (0, 0), 0.05 * self.per_mm)
+
     def darkness(self, places: np.ndarray) -> np.ndarray:
         at = places * self.per_mm - (0.5 + 0.5j)
-        soft = cv2.GaussianBlur(self.light, (0, 0), 0.05 * self.per_mm)
-        found = cv2.remap(soft, at.real.astype(np.float32), at.imag.astype(np.float32), cv2.INTER_LINEAR,
+        found = cv2.remap(self.soft, at.real.astype(np.float32), at.imag.astype(np.float32), cv2.INTER_LINEAR,
                           borderValue=255)  # fmt: skip
         return np.asarray(1 - found.astype(np.float32) / (255 * _PAPER))
