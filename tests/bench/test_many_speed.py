@@ -100,7 +100,7 @@ def test_trials(name: str, names: tuple[str, str], point: str, capsys: pytest.Ca
     assert planned / quick > 10
 
 
-FILES = 200
+FILES, SHARED = 200, 600
 
 
 def another(text: str, rng: random.Random) -> str:
@@ -132,8 +132,8 @@ def test_files_a_second(names: tuple[str, ...], tmp_path: Path, capsys: pytest.C
 
 @pytest.mark.bench
 def test_two_processes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """2,000 files by `solve_many`, here and on two processes, which two free cores do in about half the time."""
-    files = written(tmp_path, 2000, ("ex3-1",))
+    """Many files by `solve_many`, here and on two processes, which two free cores do in about half the time."""
+    files = written(tmp_path, SHARED, ("ex3-1",))
 
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, range(os.cpu_count() or 1))  # the others here keep to one core
@@ -147,6 +147,6 @@ def test_two_processes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert alone == shared
     work = end.children_user + end.children_system - own.children_user - own.children_system
     with capsys.disabled():
-        print(f"\n2,000 files here {here:.2f} s, on two processes {two:.2f} s: {here / two:.2f} times as fast; the work of "
+        print(f"\n{SHARED} files here {here:.2f} s, on two processes {two:.2f} s: {here / two:.2f} times as fast; the work of "
               f"both together is {work / (own.user + own.system - before.user - before.system):.2f} of that here, and "
               f"{end.user + end.system - own.user - own.system:.2f} s of sending")  # fmt: skip

@@ -14,7 +14,7 @@ from graphkin.homework.grading import grade, judge_from, key_from
 from graphkin.homework.grading.running import MarkingOptions, items
 from graphkin.marking.marker import Marker
 
-STUDENTS, CLASSES = 2000, 6000
+STUDENTS, CLASSES = 1000, 3000
 
 
 def class_table(path: Path, name: str, count: int) -> Path:
@@ -49,7 +49,7 @@ def test_submissions_a_second(name: str, tmp_path: Path, capsys: pytest.CaptureF
 
 @pytest.mark.bench
 def test_two_processes_that_mark(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
-    """6,000 submissions into a folder of results. The quotient of the clock counts where both cores are free; that of
+    """Many submissions into a folder of results. The quotient of the clock counts where both cores are free; that of
     the work, half of which each core would do, tells it on a busy machine."""
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, range(os.cpu_count() or 1))  # the others here keep to one core
