@@ -19,6 +19,7 @@ from graphkin.construction import Plot, replay
 from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.homework.grading import key_for, marking_of
+from graphkin.homework.grading.keys import page_scales
 from graphkin.marking.answers import readable
 from graphkin.marking.key import TELLS, Key, KeyEntry, part_off
 from graphkin.marking.key_making import asked_alone, half_digit
@@ -46,10 +47,16 @@ def mechanism(place: str) -> Mechanism:
     return FAMILIES[family](int(seed)) if seed else library.load(place)
 
 
+def on_a_page(machine: Mechanism) -> Mechanism:
+    """At the scales of a student's page, for which no sheet has to be arranged."""
+    method = plan(machine)
+    return replace(machine, scales=page_scales(method, replay_all(method)))
+
+
 @cache
 def marker(place: str) -> Marker:
     try:
-        machine = at_paper_scales(mechanism(place), place)
+        machine = on_a_page(at_paper_scales(mechanism(place), place))
         return Marker(key_for(replace(machine, ask=machine.ask or ("x",))), plan(machine))
     except GraphkinError as problem:  # a dead point, or nothing that a pencil gives
         pytest.skip(str(problem))
@@ -148,7 +155,7 @@ def test_where_paper_tells_nothing_there_is_no_score() -> None:
 @pytest.mark.parametrize("place", ["on_the_rim 10", "triad 0", "triad 5", "p3-15", "ex3-2", "s3-sieve", "p3-17"])
 def test_a_drawing_stays_on_its_assembly(place: str) -> None:
     """As where the errors grow by so little at a time that nothing jumps."""
-    method = plan(mechanism(place))
+    method = plan(on_a_page(mechanism(place)))
     pencil, slips = pencil_of(marking_of(method)), Slips(seed_of(method.mechanism), 2000)
     near = method.near
     with np.errstate(all="ignore"):
@@ -164,7 +171,7 @@ def test_a_drawing_stays_on_its_assembly(place: str) -> None:
 @pytest.mark.parametrize("place", ["ex3-1", "ex3-5", "s2-1b", "p3-3a", "ex3-2", "RRR 0", "RPR 1", "chain 1"])
 def test_the_drawn_mechanism_scatters_as_one_whose_data_err(place: str) -> None:
     """Places of points: by the analysis of mechanisms with one datum each that is off, and by the pencil."""
-    method = plan(mechanism(place))
+    method = plan(on_a_page(mechanism(place)))
     pencil = pencil_of(marking_of(method)).times(1e-3)
     with np.errstate(all="ignore"):
         drawn = drawn_positions(method, pencil, Slips(seed_of(method.mechanism), 2000))
@@ -207,7 +214,7 @@ def test_a_step_is_called_by_its_arrow(place: str) -> None:
 
 def test_an_error_of_one_fitted_group_leaves_the_one_before_as_it_is() -> None:
     """Where one mark alone errs, a group that does not hang on it is drawn once for all drawings."""
-    method = plan(triads(2))
+    method = plan(on_a_page(triads(2)))
     pencil, every = pencil_of(marking_of(method)), Slips(1, 3)
     drawn_positions(method, pencil, every)
     for mark in every.seen:
