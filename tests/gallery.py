@@ -21,6 +21,8 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 from unittest import mock
 
+from library_sheets import library_sheet
+
 from graphkin import Drawing
 from graphkin.cli import reference
 from graphkin.cli.manual import Manual
@@ -47,9 +49,8 @@ CLOSE_MM = 0.02
 
 def drawings(name: str, chinese: bool = True) -> Iterator[tuple[Path, str]]:
     """The files of one mechanism, relative to the gallery, and what should be in them."""
-    drawing = Drawing.of(library.load(name))
     for lang, end in (("en", ""), ("zh", "-zh"))[: 1 + chinese]:
-        yield Path(name) / f"{name}{end}.svg", svg(drawing.sheet(lang=lang))
+        yield Path(name) / f"{name}{end}.svg", svg(library_sheet(name, lang=lang))
 
 
 def feedback() -> Iterator[tuple[Path, str]]:

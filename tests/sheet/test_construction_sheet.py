@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import cmath
 import re
-from functools import cache
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from library_sheets import drawing
+from library_sheets import library_sheet as sheet
 
-from graphkin import Drawing
 from graphkin.check import measure
 from graphkin.cli import main
 from graphkin.construction import Drawn, Fit, Image, LayOff, Meet, Plot
@@ -31,16 +31,6 @@ from graphkin.sheet.marks import ArcMark, Disc, PointMark, Stroke, Text, VectorM
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
 SEVERAL = ("ex3-1", "p3-16", "p3-17", "p3-22", "s4-ex6", "scotch-yoke")
-
-
-@cache
-def drawing(name: str) -> Drawing:
-    return Drawing.of(library.load(name))
-
-
-@cache
-def sheet(name: str, style: Style = "construction", lang: Lang = "en") -> Sheet:
-    return drawing(name).sheet(style=style, lang=lang)
 
 
 def read(label: Label) -> str:

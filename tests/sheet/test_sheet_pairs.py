@@ -5,33 +5,21 @@ from __future__ import annotations
 import math
 import re
 import xml.etree.ElementTree as ET
-from functools import cache
 from itertools import accumulate
 from typing import Literal
 
 import pytest
 from gallery import FIGURES
+from library_sheets import library_sheet, solved
 
-from graphkin.construction import Plot
 from graphkin.files import library, loads
 from graphkin.model.quantities import Centre, read
-from graphkin.planning import Method, plan
+from graphkin.planning import plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, PointMark, Stroke, Text
-
-
-@cache
-def solved(name: str) -> tuple[Method, Plot]:
-    method = plan(library.load(name))
-    return method, replay_all(method)
-
-
-@cache
-def drawn(name: str) -> Sheet:
-    return sheet(*solved(name))
 
 
 def plain_text(label: tuple[Run, ...]) -> str:
@@ -56,7 +44,7 @@ def test_no_name_of_the_equivalent_is_lettered(name: str) -> None:
 
 @pytest.mark.parametrize(("name", "of"), [("ex3-2", "S4"), ("s3-sieve", "S3"), ("p3-15", "S3"), ("p3-17", "S3")])
 def test_the_special_point_lies_on_the_lines_of_two_legs(name: str, of: str) -> None:
-    page = drawn(name)
+    page = library_sheet(name)
     point = dots(page)["S"]
     assert point.of == of
     through = [
@@ -74,7 +62,7 @@ def test_the_special_point_lies_on_the_lines_of_two_legs(name: str, of: str) -> 
 )  # fmt: skip
 def test_contacts_lie_on_the_wheels(name: str, letters: str) -> None:
     """None is K where a guide turns: k' may be the tip of a Coriolis acceleration."""
-    page = drawn(name)
+    page = library_sheet(name)
     rims = circles(page, "centre") + circles(page, "outline")
     for letter in letters:
         mark = dots(page)[letter]
@@ -83,7 +71,7 @@ def test_contacts_lie_on_the_wheels(name: str, letters: str) -> None:
 
 
 def test_the_image_of_a_gear_is_a_circle_of_radius_omega_r() -> None:
-    page, (_, plot) = drawn("p3-12"), solved("p3-12")
+    page, (_, plot) = library_sheet("p3-12"), solved("p3-12")
     points = [m for m in page.marks if isinstance(m, PointMark) and m.plane == "velocity"]  # without those of details
     scale, places = page.scales["velocity"], {m.name: m.at for m in points}
     found = {(disc.centre, round(disc.radius, 6)) for disc in circles(page, "thin")}
@@ -94,14 +82,14 @@ def test_the_image_of_a_gear_is_a_circle_of_radius_omega_r() -> None:
 
 
 def test_the_image_of_a_fixed_gear_is_a_point() -> None:
-    texts = {plain_text(m.label) for m in drawn("s4-ex4").marks if isinstance(m, Text)}
+    texts = {plain_text(m.label) for m in library_sheet("s4-ex4").marks if isinstance(m, Text)}
     assert "p, o1, g3" in texts
-    assert len(circles(drawn("s4-ex4"), "thin")) == 2
+    assert len(circles(library_sheet("s4-ex4"), "thin")) == 2
 
 
 def test_wheels_are_drawn_once() -> None:
     discs = [
-        (disc.centre, disc.radius) for disc in circles(drawn("p3-16"), "centre") + circles(drawn("p3-16"), "outline")
+        (disc.centre, disc.radius) for disc in circles(library_sheet("p3-16"), "centre") + circles(library_sheet("p3-16"), "outline")
         if disc.shows is not None
     ]
     assert len(discs) == len(set(discs)) == 2
@@ -109,7 +97,7 @@ def test_wheels_are_drawn_once() -> None:
 
 @pytest.mark.parametrize("name", ["fig2-32", "fig3-5", "p3-8", "s3-1-18a", "s3-1-18b", "s3-cam"])
 def test_a_cam_has_its_equivalent_over_it_in_dashes(name: str) -> None:
-    assert [mark for mark in drawn(name).marks if isinstance(mark, Stroke) and mark.pen == "dashed"]
+    assert [mark for mark in library_sheet(name).marks if isinstance(mark, Stroke) and mark.pen == "dashed"]
 
 
 @pytest.mark.parametrize(("lang", "fitted", "together"), [
@@ -173,7 +161,7 @@ def test_the_rear_link_is_broken_where_another_goes_over_it() -> None:
 
 
 def test_an_eccentricity_stands_on_the_drawing() -> None:
-    written = {plain_text(mark.label) for mark in drawn("p3-23a").marks if isinstance(mark, Text)}
+    written = {plain_text(mark.label) for mark in library_sheet("p3-23a").marks if isinstance(mark, Text)}
     assert "30 mm" in written
     assert not any("eA" in text for text in written)
 
@@ -185,10 +173,10 @@ def unnamed(page: Sheet, pen: str) -> list[Stroke]:
 
 
 def test_racks_have_teeth_about_their_pitch_line_and_rolling_discs_have_none() -> None:
-    teeth = {name: [mark for mark in unnamed(drawn(name), "outline") if len(mark.places) > 12]
+    teeth = {name: [mark for mark in unnamed(library_sheet(name), "outline") if len(mark.places) > 12]
              for name in ("p3-19", "s4-ex6", "p3-12", "p3-16")}  # fmt: skip
     assert [len(marks) for marks in teeth.values()] == [1, 0, 2, 2]  # of the two wheels of p3-16, one on a fixed rack
-    (rack,), points = teeth["p3-19"], dots(drawn("p3-19"))
+    (rack,), points = teeth["p3-19"], dots(library_sheet("p3-19"))
     start, along = points["B"].at, points["Q"].at - points["B"].at
     offs = [(place - start) / along for place in rack.places[:-2]]
     assert all(0 < off.real < 1 for off in offs)
@@ -197,12 +185,12 @@ def test_racks_have_teeth_about_their_pitch_line_and_rolling_discs_have_none() -
 
 def test_a_dimension_stands_once() -> None:
     for name, figure in (("p3-18", "257.1 mm"), ("p3-21", "90 mm"), ("s4-ex6", "50 mm")):
-        written = [plain_text(mark.label) for mark in drawn(name).marks if isinstance(mark, Text)]
+        written = [plain_text(mark.label) for mark in library_sheet(name).marks if isinstance(mark, Text)]
         assert [text.rpartition("= ")[2] for text in written].count(figure) == 1, name
 
 
 def test_a_hinge_is_a_circle_about_its_point_and_a_bar_goes_on_over_it() -> None:
-    page = drawn("p3-20")
+    page = library_sheet("p3-20")
     hinge = dots(page)["B"]
     assert hinge.fill == "paper"
     assert [sum(mark.places) / 2 for mark in unnamed(page, "visible")] == [pytest.approx(hinge.at)]
@@ -210,7 +198,7 @@ def test_a_hinge_is_a_circle_about_its_point_and_a_bar_goes_on_over_it() -> None
 
 @pytest.mark.parametrize(("name", "centre"), [("p3-12", "P13"), ("fig3-4", "P24"), ("p3-13", "P13")])
 def test_an_asked_centre_is_drawn_where_it_is_and_only_in_the_end(name: str, centre: str) -> None:
-    page, (method, plot) = drawn(name), solved(name)
+    page, (method, plot) = library_sheet(name), solved(name)
     quantity = read(method.mechanism, centre)
     assert isinstance(quantity, Centre)
     at, scale = complex(quantity.place(readings(method, plot))), page.scales["position"]
@@ -222,7 +210,7 @@ def test_an_asked_centre_is_drawn_where_it_is_and_only_in_the_end(name: str, cen
 
 def test_a_bar_gives_way_to_a_hinge_that_is_none_of_its() -> None:
     """EF passes C in an engine with an adjustable stroke."""
-    page = drawn("p3-21")
+    page = library_sheet("p3-21")
     hinge = dots(page)["C"]
     bars = [mark for mark in page.marks if isinstance(mark, Stroke) and mark.shows and mark.shows.form == "bar"]
     (bar,) = (mark for mark in bars if mark.shows and mark.shows.link == "4")

@@ -1,0 +1,30 @@
+"""Mechanisms of the library as they are drawn: many tests look at one drawing, which each process makes once."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from graphkin import Drawing
+from graphkin.construction import Plot
+from graphkin.errors import Lang
+from graphkin.files import library
+from graphkin.planning import Method
+from graphkin.sheet import Sheet, Style
+
+
+@cache
+def drawing(name: str) -> Drawing:
+    return Drawing.of(library.load(name))
+
+
+def solved(name: str) -> tuple[Method, Plot]:
+    return drawing(name).method, drawing(name).plot
+
+
+@cache
+def _sheet(name: str, style: Style, lang: Lang) -> Sheet:
+    return drawing(name).sheet(style=style, lang=lang)
+
+
+def library_sheet(name: str, style: Style = "construction", lang: Lang = "en") -> Sheet:
+    return _sheet(name, style, lang)
