@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import sys
 from collections.abc import Sequence
 
@@ -184,7 +185,7 @@ def test_hostile_bytes_raise_nothing_else():
     """Any file may have any bytes changed."""
     rng = np.random.default_rng(3)
     for whole in (JPEG[:2] + EXIF + JPEG[2:], PNG, pdf_of([JPEG], "Scanned")):
-        for _ in range(60):
+        for _ in range(60 if "GRAPHKIN_RANDOM" in os.environ else 20):
             content = np.frombuffer(whole, np.uint8).copy()
             content[rng.integers(0, len(content), rng.integers(1, 30))] = rng.integers(0, 256)
             start = content[: rng.integers(1, len(content))].tobytes() if rng.random() < 0.3 else content.tobytes()
