@@ -100,8 +100,7 @@ class _Fit(Fit):
         return {name: own[other] for name, other in pairs if other in own}
 
     def apart(self, others: Iterable[_Fit]) -> Iterator[dict[str, complex]]:
-        """From its corners to those of each that fits as well; where this has more of them beside their own lines, they
-        are none."""
+        """From its corners to those of each that fits as well; of more beside their lines than its own, none."""
         for fit in others:
             if fit.is_likely and fit.score >= self.score - _ALIKE and fit.departs <= max(0.0, self.departs) + _ODDER:
                 none = fit.odd if len(fit.odd) > len(self.odd) else ()

@@ -41,10 +41,6 @@ class Corner:
     off: float
 
 
-Factors = Mapping[Spot, np.ndarray]
-"""By what an arrow that is laid off, a line's direction or a figure is multiplied, by its place in the drawing."""
-
-
 @frozen
 class Stroke:
     """A line between two corners, by their numbers.
@@ -116,8 +112,8 @@ class Way:
                     pass
         return found
 
-    def altered(self, column: int, factors: Factors) -> np.ndarray:
-        """Corners (n, letters) of a column with arrows, directions and figures that are otherwise, by arrays (n,)."""
+    def altered(self, column: int, factors: Mapping[Spot, np.ndarray]) -> np.ndarray:
+        """Corners (n, letters) of a column with arrows, directions and figures multiplied by arrays (n,)."""
         count = max(len(each) for each in factors.values())
         return self._drawn(_Own([self.columns[column]] * count), factors, self.plot)
 
