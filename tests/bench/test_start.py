@@ -23,7 +23,7 @@ WITHOUT = {
     "draw ex3-1": HEAVY | {"shapely", "numpy.random"},
     "draw ex3-2": HEAVY | {"shapely"},
 }
-TRIES = 4
+TRIES = 2
 MODULES = """
 import os, sys
 os._exit = sys.exit  # how the command line ends
