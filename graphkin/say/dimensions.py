@@ -152,13 +152,16 @@ def _corner(reading: Reading, slide: Slide) -> str:
 def guide_sizes(reading: Reading) -> Iterator[Size]:
     """How lines lie in their links: `e_B = 20 mm` from the first fixed point, `γ = 100°`; tilts of blocks."""
     yield from _eccentricities(reading)
-    machine = reading.mechanism
+    machine, taken = reading.mechanism, set[str]()
     for pair in (pair for pair in machine.pairs if getattr(pair, "stands_for", None) is None):
         faces = [profile.line for profile in pair.profiles] if isinstance(pair, Cam) else list(pair.lines)
         for face, line in enumerate(faces):
             if line is not None and pair.table:
                 path = (*machine.path(pair), *(("profiles", face) if isinstance(pair, Cam) else ()))
-                yield from _inclination(reading, pair, line, path)
+                for size in _inclination(reading, pair, line, path):  # a second line at a point is called by its link
+                    other = names.of_link(size.symbol[0], machine.called(line.link))
+                    yield replace(size, symbol=other) if size.symbol in taken else size
+                    taken.add(size.symbol)
         if isinstance(pair, Slide) and degrees(pair.tilt) % 90:
             shape = Corner(reading.at(pair.point), reading.guide(pair.name), pair.tilt, (pair.point,))
             path = (*machine.path(pair), "tilt")
@@ -166,7 +169,8 @@ def guide_sizes(reading: Reading) -> Iterator[Size]:
 
 
 def _eccentricities(reading: Reading) -> list[Size]:
-    """Distances of fixed guides and tracks from the first fixed point, or from the first that is parallel."""
+    """Distances of fixed guides and tracks from the first fixed point; without such from the first that is parallel, or
+    of the places where they begin from that of the first of all."""
     machine, fixed, every = reading.mechanism, reading.plot.facts.shapes[FRAME], list[Size]()
     letters = contact_letters(reading.method.structure)
     every_line: list[tuple[Pair, Line | None, str, str]] = [
@@ -185,6 +189,12 @@ def _eccentricities(reading: Reading) -> list[Size]:
             off, symbol = aside(along, place - fixed[points[0]]), f"e_{names.point(name)}"
             size = sized(reading, symbol, off, "length", *places, shape=span)
             every.append(replace(size, derived=abs(along.real * along.imag) > 1e-9))
+        elif points == [line.origin] != [first := lines[0][1].origin]:
+            away, places = place - fixed[first], _coordinates((*machine.path(pair), "through"), first)
+            for sign, part, axis in (("x", away.real, 1 + 0j), ("y", away.imag, 1j)):
+                span = Span(fixed[first], place, axis, (first, line.origin))
+                symbol = f"{sign}_{names.point(name)},0"  # where its displacement is 0
+                every += [sized(reading, symbol, part, "length", *places, shape=span)] * (abs(part) > reading.noise)
     return every
 
 

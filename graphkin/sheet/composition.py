@@ -20,7 +20,7 @@ from graphkin.say.dimensions import driven, sizes
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
-from graphkin.say.sizes import Size
+from graphkin.say.sizes import Size, Span
 from graphkin.sheet.added_points import touched
 from graphkin.sheet.arrows import heads_apart, left_out, side_by_side, with_break_signs
 from graphkin.sheet.construction_lines import PolygonConstruction, Rings, pencil_lines
@@ -38,11 +38,12 @@ from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polyg
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.text_blocks import Ladder, WrittenLines, ladder
 from graphkin.sheet.titleblock import Strip, Table, TableBlock
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
+from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions, enlarged
 
 Style = Literal["construction", "result", "given"]
 BlockName = Literal["paths", "equations", "detail", "tables"]
 _NARROW = 84.0  # half of a sheet: equations that are longer may be broken [mm]
+_BEYOND = 1.25  # so many times larger a figure may become to show what its dimensions are measured from
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
@@ -67,7 +68,9 @@ class Planes:
         """The points a plane shows, in SI units."""
         if plane == "position":
             places = mechanism_places if self.style == "given" else shown_places
-            return [*places(self.method, self.plot), *self.paths.places]
+            spans = (size.shape for size in self.sizes if isinstance(size.shape, Span) and size.shape.points[1:])
+            ends = [end for span in spans for end in (span.start, span.end)]
+            return [*enlarged(places(self.method, self.plot), ends, _BEYOND), *self.paths.places]
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
         values = [complex(v) - self.left_out[plane].get(name, 0) for name, v in points.items() if name in names]

@@ -251,9 +251,9 @@ def _angle(
     """The arc with its value, and the arms that no bar of a link has."""
     (first, _), at, step = arms[0], skeleton.window(corner.at), skeleton.step(*corner.points)
     middle = first * cmath.rect(1, -corner.turn / 2)
-    figure = Figure(angle_arc(at, radius, first, -corner.turn, step))
-    value = LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1)
-    figure.wanted.append(value)
+    value, place = angle_label(size), at + middle * radius
+    label = LabelRequest(value, place, gap=0.5, away=middle, step=step, spare=1, between=True)
+    figure = Figure(angle_arc(at, radius, first, -corner.turn, step), [label])
     for arm in (arm for arm, reach in arms if not reach):
         end = at + arm * (radius + _BEYOND)
         figure.marks.append(Stroke((at + arm * 2 * HINGE, end), "thin", step=step))

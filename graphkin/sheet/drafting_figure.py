@@ -8,6 +8,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -16,8 +17,9 @@ from graphkin.base.value import frozen
 from graphkin.construction import drafting
 from graphkin.construction.drafting import Bisector, Board, Drafting, LineStep, Step, drawn_through
 from graphkin.say.numbers import circled
+from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LABEL, Label, joined, plain
+from graphkin.sheet.lettering import LABEL, Label, joined, plain, width
 from graphkin.sheet.marks import Disc, Fill, Place, Stroke
 from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.path_figure import clipped
@@ -26,7 +28,7 @@ from graphkin.sheet.window import Entry, Window
 
 NEAR = 0.25  # points nearer than this on paper are one [mm]
 _STRAIGHT = 8.0  # a shorter piece of a curve is named as a point of it [mm]
-_SHARES, _APART = (0.3, 0.7, 0.5, 0.2, 0.8, 0.05, 0.95), 20.0  # where names stand; so far from others is enough [mm]
+_SHARES, _APART = (0.3, 0.7, 0.5, 0.2, 0.8, 0.05, 0.95), 3.0  # where names stand; what is left beside them [mm]
 _FAR = 4  # a line that meets others at infinity, or has no two points on it, goes on so many times farther
 
 
@@ -121,12 +123,14 @@ def angle(
 
 
 def named(strokes: Sequence[Stroke], label: Label, others: Sequence[Stroke] = ()) -> Iterator[LabelRequest]:
-    """The name of a curve, beside the longest of its pieces, where other curves are far."""
-    off = np.array([place for stroke in others for place in stroke.places])
-    if pieces := [np.array(stroke.places) for stroke in strokes]:
-        longest = max(pieces, key=lambda places: np.abs(np.diff(places)).sum())
-        passed = np.abs(np.diff(longest)).cumsum()
-        parts = [int(np.searchsorted(passed, share * passed[-1])) for share in _SHARES]
-        best = max(parts, key=lambda k: np.abs(off - longest[k]).min(initial=_APART))
-        start, end = map(complex, longest[best:][:2])
+    """The name of a curve, beside the longest of its pieces where other curves are farther than it is long; else where
+    any piece is farthest from them."""
+    lines = [ends for stroke in others for ends in pairwise(stroke.places)]
+    pieces = list[np.ndarray]()
+    for places in sorted((np.array(stroke.places) for stroke in strokes), key=lambda each: -abs(np.diff(each)).sum()):
+        passed = abs(np.diff(places)).cumsum()
+        pieces += [places[k:][:2] for k in np.searchsorted(passed, np.array(_SHARES) * passed[-1])]
+    if pieces:
+        free = free_about(np.array([start for start, _ in pieces]), lines, width(label, LABEL) + _APART)
+        start, end = map(complex, pieces[int(free.argmax())])
         yield LabelRequest(label, start, end if abs(end - start) > _STRAIGHT else None, gap=0.8)

@@ -74,6 +74,7 @@ class LabelRequest:
     away  the side it likes (any length; 0 for none)
     spare  1 where what it says can be read from other labels too, 2 where that is left out only if it lies on others
     of     the name of the arrow it names
+    between  of an angle between two bars: beyond one it would be that of another
     parts  the label in parts that come with steps of their own; else it is one
     """
 
@@ -87,6 +88,7 @@ class LabelRequest:
     spare: int = 0
     parts: tuple[tuple[Label, int | None], ...] = ()
     of: str = ""
+    between: bool = False
 
     def about(self, middle: Place) -> Iterator[Text]:
         """Its letters about a place."""

@@ -1,0 +1,92 @@
+"""What a file gives is on the picture or in the list, each datum by a symbol of its own."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from graphkin.construction import Plot
+from graphkin.files import loads
+from graphkin.planning import Method, plan
+from graphkin.running import replay_all
+from graphkin.say.dimensions import sizes
+from graphkin.say.reading import Reading
+from graphkin.sheet import sheet
+from graphkin.sheet.marks import Text
+
+ROLLER = """
+frame = { }
+[links.wheel]
+CA = "0.5 ft"
+[links.rod]
+AB = "3 ft"
+[links.collar]
+points = ["B"]
+[[roll]]
+name = "roll"
+wheel = "wheel"
+centre = "C"
+radius = "0.75 ft"
+on = "frame"
+through = [0, 0]
+angle = 0
+[[slide]]
+block = "collar"
+point = "B"
+guide = "frame"
+through = ["4 ft", "0 ft"]
+angle = 120
+[[driver]]
+slide = "roll"
+at = "1 ft"
+velocity = "2 ft/s"
+[[pose]]
+vector = "CA"
+angle = 60
+[sketch]
+B = [1000, 400]
+C = [300, 225]
+"""
+TAPPET = """
+[frame]
+name = "1"
+O = [0, 0]
+[links.2]
+OC = 18
+[links.3]
+points = ["E"]
+[[slide]]
+block = "3"
+point = "E"
+guide = "frame"
+through = "O"
+angle = 75
+[[cam]]
+links = ["2", "3"]
+profiles = [{ centre = "C", radius = 35 }, { through = "E", angle = 165 }]
+[[driver]]
+vector = "OC"
+angle = 30
+omega = "300 rpm"
+[sketch]
+E = [15, 50]
+"""
+
+
+def solved(text: str) -> tuple[Method, Plot]:
+    method = plan(loads(text))
+    return method, replay_all(method)
+
+
+def test_a_guide_through_a_place_without_a_name_is_told() -> None:
+    """On a frame without named points by its distance from where the first line begins, which is in the picture."""
+    page = sheet(*solved(ROLLER), style="given")
+    written = ["".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)]
+    assert "4 ft" in written
+    assert any("xB,0 = 4 ft" in text for text in written)
+
+
+def test_two_lines_at_one_point_have_angles_with_two_symbols() -> None:
+    """The guide of a tappet and its face."""
+    symbols = Counter(size.symbol for size in sizes(Reading(*solved(TAPPET), {}, "en")))
+    assert symbols["β_E"] == symbols["β3"] == 1
+    assert max(symbols.values()) == 1
