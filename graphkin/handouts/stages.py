@@ -23,7 +23,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.problems import positions
 from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain, width
-from graphkin.sheet.marks import Text
+from graphkin.sheet.marks import PointMark, Text
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import finest, written
@@ -163,11 +163,17 @@ def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     grid = room(problem, plane)
     tall = grid.height > ROOM.imag
     yield from [measured(problem, 1, grid.width)] if tall and not drawn else []
+    yield from _gridded(problem, plane, grid)
+    yield from [] if tall or drawn else [measured(problem, 3, grid.width)]
+
+
+def _gridded(problem: HandoutProblem, plane: Plane, grid: document.GridRoom) -> Iterator[Block]:
+    """Gridded paper with the pole, and what is to be drawn there."""
     angle = "".join(run.text for run in grid.mark)
-    before, after = say("handouts.draw here", problem.lang, which=drawn, scale="\0", angle=angle).split("\0")
+    which = plane == "position"
+    before, after = say("handouts.draw here", problem.lang, which=which, scale="\0", angle=angle).split("\0")
     yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
     yield grid
-    yield from [] if tall or drawn else [measured(problem, 3, grid.width)]
 
 
 def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None) -> Iterator[Block]:
@@ -238,15 +244,25 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
             entries, lead = entries[:-1], entries[-1:]
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last = max([last, *(act.page for act in acts if act is not None)])
-        figures += section.plane is not None
-        yield from _section(problem, replace(section, entries=entries), figures if section.plane else 2 - whole)
-        if section.plane is not None and not (whole and section.plane == "position"):
-            yield _figure(problem, section.plane, "construction", last)
+        there = section.plane is None or (whole and section.plane == "position")
+        shown = [] if there or section.plane is None else _so_far(problem, section.plane, last)
+        paper = any(isinstance(block, document.GridRoom) for block in shown)
+        figures += section.plane is not None and not paper
+        number = 2 - whole if section.plane is None else 0 if paper else figures
+        yield from _section(problem, replace(section, entries=entries), number)
+        yield from shown
         if following is not None:
             yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
             yield from blocks_of(lead, problem.lang, problem.points)
             yield empty_rows(problem, [following])
             yield measured(problem, 2)
+
+
+def _so_far(problem: HandoutProblem, plane: Plane, last: int) -> list[Block]:
+    """A figure as it is drawn up to an act, or gridded paper with its pole where that is nothing."""
+    picture = _figure(problem, plane, "construction", last)
+    begun = any(isinstance(mark, PointMark) for mark in picture.sheet.marks)
+    return [picture] if begun else [*_gridded(problem, plane, room(problem, plane))]
 
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:

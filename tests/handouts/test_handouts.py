@@ -17,7 +17,7 @@ from printed_markers import markers
 
 import graphkin
 from graphkin.cli import main
-from graphkin.files import library
+from graphkin.files import library, loads
 from graphkin.handouts import handout, problem, typst
 from graphkin.handouts.document import GridRoom, HandoutPicture, Paragraph, TermRows
 from graphkin.handouts.markup import html
@@ -26,7 +26,7 @@ from graphkin.handouts.typst import pdf
 from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.photo.markers import MARKERS, MOST, digits
-from graphkin.sheet.marks import Text, VectorMark
+from graphkin.sheet.marks import PointMark, Text, VectorMark
 
 STAGES = ("problem", "blank", "half", "solution")
 pypdf = pytest.importorskip("pypdf")
@@ -145,6 +145,41 @@ def test_a_half_worked_solution_stops_between_equations(upto):
     whole = [block for block in rows if None not in block.columns]
     assert len(whole) == upto
     assert len(rows) - len(whole) == (upto < 2)
+
+
+CYLINDER = """
+ask = ["omega 4", "alpha 4"]
+[frame]
+D = [0, 0]
+C = [800, 0]
+[links.4]
+DB = 700
+[links.2]
+points = ["C"]
+[links.3]
+points = ["B"]
+[[slide]]
+name = "jack"
+block = "3"
+point = "B"
+guide = "2"
+through = "C"
+[[driver]]
+slide = "jack"
+at = 900
+velocity = -0.08
+acceleration = 0.1
+[sketch]
+B = [400, 650]
+"""
+
+
+def test_a_polygon_that_is_not_begun_is_paper_with_its_pole():
+    """The velocities are one equation; of the accelerations nothing is drawn where they are to be gone on with."""
+    made = handout([loads(CYLINDER)], "half", "en", upto=1)
+    pictures = [block for block in made.blocks if isinstance(block, HandoutPicture)]
+    assert all(any(isinstance(mark, PointMark) for mark in picture.sheet.marks) for picture in pictures)
+    assert [block.plane for block in made.blocks if isinstance(block, GridRoom)] == ["acceleration"]
 
 
 def test_links_whose_drivers_are_at_rest_stand_still_in_half_worked_solutions_too():

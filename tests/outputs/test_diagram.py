@@ -476,3 +476,39 @@ def test_both_roads_draw_the_same():
     one, other = (curves(course, names, by) for by in ("construction", "analysis"))
     for first, second in zip(one.peaks, other.peaks, strict=True):
         assert [peak.value for peak in first] == pytest.approx([peak.value for peak in second], rel=1e-9, abs=1e-12)
+
+
+ROCKER = """
+ask = ["omega 3", "v C", "alpha 3", "a C"]
+[frame]
+A = [0, 0]
+D = [100, 0]
+[links.1]
+AB = 30
+[links.2]
+BC = 90
+[links.3]
+DC = 80
+[[driver]]
+vector = "AB"
+angle = 45
+omega = 8
+[sketch]
+C = [60, 70]
+"""
+
+
+def test_no_curve_of_the_other_axis_lies_on_one():
+    """The speed of a rocker's end is as its angular velocity, at another scale: at one height it would be unseen."""
+    method = graphkin.plan(loading.loads(ROCKER))
+    page = diagram.figure(sweeps.course(method, ()), sweeps.asked(method.mechanism, []))
+    shown = lines(page, "curve-")
+    for one, other in (("curve-0", "curve-1"), ("curve-2", "curve-3")):
+        heights = []
+        for line in (shown[one], shown[other]):
+            low, high = line.axes.get_ylim()
+            assert low < 0 < high
+            heights.append((np.asarray(line.get_ydata(), dtype=float) - low) / (high - low))
+        zero = -shown[one].axes.get_ylim()[0] / np.ptp(shown[one].axes.get_ylim())
+        assert zero == pytest.approx(-shown[other].axes.get_ylim()[0] / np.ptp(shown[other].axes.get_ylim()))
+        assert np.mean((abs(heights[0] - heights[1]) < 0.01) & (abs(heights[0] - zero) > 0.05)) < 0.05

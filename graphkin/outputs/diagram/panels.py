@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+
+import numpy as np
 
 from graphkin.base.geometry import number
 from graphkin.base.value import frozen
@@ -21,6 +23,8 @@ from graphkin.studies.sweeps import Course
 MOST = 6  # more curves than these do not stand together
 KINDS = ("position", "velocity", "acceleration", "ratio")
 LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "1": ""}
+_APART, _NEAR, _PART = 1.25, 0.012, 0.08
+"""So much coarser is an axis whose curves would hide others; parts of the height, and of the way, on which they do."""
 HEADROOM = 0.16  # room above and below the curves for what is written at them, as a part of their height
 
 _PLACE = {"rad": (0, 0), "m": (0, 1), "rad/s": (1, 0), "m/s": (1, 1), "rad/s^2": (2, 0), "m/s^2": (2, 1), "1": (3, 0)}
@@ -79,6 +83,8 @@ def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
         down = max(-low / size for (low, _), size in zip(ends, sizes, strict=True))
         up = max(high / size for (_, high), size in zip(ends, sizes, strict=True))
         ends = [(-down * size, up * size) for size in sizes]
+        if len(ends) > 1 and _hidden(curves, panel, ends):
+            ends[1] = (_APART * ends[1][0], _APART * ends[1][1])
     shown = []
     for low, high in ends:
         size = high - low
@@ -86,6 +92,14 @@ def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
             size = abs(high) or 1.0
         shown.append((low - HEADROOM * size, high + HEADROOM * size))
     return shown
+
+
+def _hidden(curves: Curves, panel: CurvePanel, ends: Sequence[tuple[float, float]]) -> bool:
+    """True where a curve of the second axis would lie on one of the first over a part of its way, off zero."""
+    first, second = ([curves.series[k].signed * EDGE[axis.unit].factor / (high - low) for k in axis.curves]
+                     for axis, (low, high) in zip(panel.axes, ends, strict=True))  # fmt: skip
+    close = ((abs(one - other) < _NEAR) & (abs(one) > 2 * _NEAR) for one in first for other in second)
+    return any(np.mean(each) > _PART for each in close)
 
 
 def division(low: float, high: float, most: int, degrees: bool = False) -> list[float]:
