@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
@@ -445,6 +446,7 @@ def test_diagrams_made_in_threads_are_those_made_alone():
             while not all(one.done() for one in drawn):
                 matplotlib.rcParams["lines.linewidth"] = float(len(read) % 7)
                 read.append((matplotlib.rcParams["font.size"], matplotlib.rcParams["lines.linewidth"] == len(read) % 7))
+                time.sleep(1e-4)
         matplotlib.rcParams["lines.linewidth"] = before["lines.linewidth"]
         assert (dict(matplotlib.rcParams), type(matplotlib.rcParams)) == (before, usual)
     assert {*read} == {(20.0, True)}
