@@ -14,7 +14,6 @@ from graphkin.model.mechanism import FRAME
 from graphkin.say.catalogue import say
 from graphkin.say.problems import positions
 from graphkin.sheet.lettering import joined, plain, point_label
-from graphkin.sheet.page import HEADINGS
 from graphkin.submissions.submission import DRAWINGS
 
 _EXAMPLE = "20270001"
@@ -51,7 +50,7 @@ def _page(problem: HandoutProblem, workbook: str) -> Iterator[Block]:
     yield HandoutHeading(plain(say("handouts.drawing", lang)))
     yield Paragraph(plain(say("handouts.to scale", lang)))
     polygons = tuple(
-        (plain(HEADINGS[lang][plane]), joined([point_label(name) for name in _letters(problem.construction(plane))]))
+        (plain(say(f"sheet.plane {plane}", lang)), joined([*map(point_label, _letters(problem.construction(plane)))]))
         for plane in problem.polygons
     )
     yield HandoutTable(tuple(plain(say(f"handouts.{head}", lang)) for head in ("plane", "letters")), polygons)

@@ -25,7 +25,6 @@ from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain, width
 from graphkin.sheet.marks import PointMark, Text
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
-from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import finest, written
 from graphkin.submissions import Student
 
@@ -154,7 +153,7 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
 def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     """Empty equations, gridded paper with the pole, a table to measure into; of the mechanism the paper alone."""
     yield document.NewPage()
-    yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
+    yield document.HandoutHeading(plain(say(f"sheet.plane {plane}", problem.lang)))
     drawn = plane == "position"
     entries = (each for section in problem.parts if section.plane == plane for each in section.entries)
     equations = [each for each in entries if isinstance(each, entry.VectorEquation)]
@@ -333,5 +332,5 @@ def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | Non
     end = inf if last is None else last
     drawn = drawn.redrawn(lambda mark: None if mark.step in left or (mark.step or 0) > end else mark)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
-    words = say(key, lang, what=HEADINGS[lang][plane], title=problem.title)
+    words = say(key, lang, what=say(f"sheet.plane {plane}", lang), title=problem.title)
     return document.HandoutPicture(drawn, words)

@@ -21,7 +21,6 @@ from graphkin.say.entry import VectorEquation
 from graphkin.say.problems import positions
 from graphkin.sheet.lettering import Label, formula, plain, point_label
 from graphkin.sheet.mechanism_figure import shown_places
-from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.window import corners
 
 _MORE = 1.2
@@ -55,7 +54,7 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
             direction = cmath.phase(arrow) % math.pi
             break
     mark = point_label("x") if plane == "position" else plain(f"{round(math.degrees(direction), 1):g}°")
-    words = HEADINGS[problem.lang][plane]
+    words = say(f"sheet.plane {plane}", problem.lang)
     name = pole or next(letter for letter in ("O", "O'", "O''") if letter not in machine.points)
     scale = float(problem.scales[plane])
     return GridRoom(words, wide, tall, at, point_label(name), direction, mark, plane, scale)

@@ -21,10 +21,11 @@ from graphkin.outputs.files import NAMESPACE
 from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.stated import kind, stated, statement
 from graphkin.outputs.typesetting import LATIN, mm, runs, short
+from graphkin.say.catalogue import say
 from graphkin.sheet import Sheet
 from graphkin.sheet.arrows import TIP, head_size
 from graphkin.sheet.marks import ArcMark, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
-from graphkin.sheet.page import HEADINGS, Layer
+from graphkin.sheet.page import Layer
 from graphkin.sheet.paper import written
 
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
@@ -109,7 +110,8 @@ class SvgPen:
             self.drawing["role"] = "img"
             figures = []  # the figures on the sheet, at which scales
             for plane, scale in sheet.scales.items():
-                figures.append(f"{HEADINGS[sheet.lang][plane]}, {''.join(run.text for run in written(plane, scale))}")
+                name = say(f"sheet.plane {plane}", sheet.lang)
+                figures.append(f"{name}, {''.join(run.text for run in written(plane, scale))}")
             self.drawing.set_desc(title=sheet.title, desc="; ".join(figures))
             self.drawing.set_metadata(_element("gk:sheet", _NONE, statement(sheet, moving)))
         else:

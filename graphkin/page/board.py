@@ -39,7 +39,6 @@ from graphkin.say import names
 from graphkin.say.catalogue import LANGUAGES, for_scripts, say
 from graphkin.sheet.lettering import formula, plain
 from graphkin.sheet.marks import PointMark, Stroke, Text
-from graphkin.sheet.page import HEADINGS
 
 _SUBJECT = "board."
 _HALF = (140.0, 110.0)  # of a polygon's paper, about its pole [mm]
@@ -148,7 +147,7 @@ def _told(problem: HandoutProblem, figure: GivenFigure) -> str:
 
 def _given_figure(problem: HandoutProblem) -> GivenFigure:
     """The problem's figure as it is handed out; its points and its sides, where it is drawn where the problem is."""
-    picture, name = figure_of(problem), formula(HEADINGS[problem.lang]["position"])
+    picture, name = figure_of(problem), formula(say("sheet.plane position", problem.lang))
     sheet = picture.sheet.redrawn(lambda mark: None if isinstance(mark, Text) and mark.label == name else mark)
     picture, mechanism = replace(picture, sheet=sheet), problem.drawing.mechanism  # the page names it
     marks = [mark for layer in sheet.layers for mark in layer.marks]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Driven, LayOff, Plane, Plot, Step
+from graphkin.construction import LETTER, Construction, Driven, LayOff, Plane, Plot, Step
 from graphkin.errors import Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
@@ -51,6 +51,15 @@ def driven_slides(method: Method) -> dict[tuple[str, str], str]:
             if isinstance(term.size, Driven) and term.size.slide in method.structure.slides_driven:
                 arrows.setdefault((names.SLIDING[plane], term.size.slide), term.name(plane))
     return arrows
+
+
+def driven_motions(method: Method, driver: Driver) -> Iterator[tuple[str, Plane, float]]:
+    """The motions of a driven slide but for 0: its arrow, or that of the point that slides; plane and value [SI]."""
+    path, arrows = method.mechanism.pair(driver.link).path, driven_slides(method)
+    rates: tuple[tuple[Plane, float], ...] = ("velocity", driver.rate), ("acceleration", driver.acceleration)
+    for plane, value in rates if path is not None else ():
+        if value and path is not None:
+            yield arrows.get((names.SLIDING[plane], driver.link), f"{LETTER[plane]}_{path.point}"), plane, value
 
 
 @frozen

@@ -68,6 +68,12 @@ class Size:
         return self.written or f"{given_figure(self.value)}{'' if self.unit == '°' else ' '}{self.unit}"
 
     @property
+    def ends(self) -> tuple[complex, ...]:
+        """The places of a length between two points [m]."""
+        between = isinstance(self.shape, Span) and len(self.shape.points) > 1
+        return (self.shape.start, self.shape.end) if between and isinstance(self.shape, Span) else ()
+
+    @property
     def text(self) -> str:
         return self.symbol if self.moved else f"{self.symbol} = {self.figure}"
 

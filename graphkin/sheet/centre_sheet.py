@@ -30,7 +30,6 @@ from graphkin.sheet.titleblock import PITCH, Strip, Table, TableBlock, across, t
 from graphkin.sheet.window import Extent, Window, corners, enlarged
 from graphkin.studies.centres import Centres
 
-_HEADING: dict[Lang, str] = {"en": "Mechanism and instant centres", "zh": "机构的速度瞬心"}
 _CROWDED = 10  # with more labels at the end of leaders than this, another layout is tried
 _TRIES = 3
 _SLACK = 5 + 5j  # of the room about the circle, which no figure's points need [mm]
@@ -65,7 +64,7 @@ def _page(found: Centres, layout: Layout, window: Window, table: TableBlock, lan
     whole, strip = layout.rooms["position"], layout.strip
     base = [*table.marks(complex(strip.left + 3, strip.top + 1.5))]
     base += circle_diagram(found, layout.rooms["velocity"], lang)
-    base += heading(_HEADING[lang], "position", window.printed, whole)
+    base += heading(say("sheet.centres", lang), "position", window.printed, whole)
     room = whole.inset(2, HEAD, 2)
     panel = Panel(centre_figure(OnPaper(found, window, room)), window, room, tuple(base))
     below = Strip(least=table.size.imag)

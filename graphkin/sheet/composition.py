@@ -20,7 +20,7 @@ from graphkin.say.dimensions import driven, sizes
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
-from graphkin.say.sizes import Size, Span
+from graphkin.say.sizes import Size
 from graphkin.sheet.added_points import touched
 from graphkin.sheet.arrows import heads_apart, left_out, side_by_side, with_break_signs
 from graphkin.sheet.construction_lines import PolygonConstruction, Rings, pencil_lines
@@ -31,7 +31,7 @@ from graphkin.sheet.lettering import LEAST, Label, plain
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.mechanism_notes import MechanismNotes
-from graphkin.sheet.page import HEADINGS, Last, Panel, heading
+from graphkin.sheet.page import Last, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper, Room
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
@@ -44,8 +44,6 @@ Style = Literal["construction", "result", "given"]
 BlockName = Literal["paths", "equations", "detail", "tables"]
 _NARROW = 84.0  # half of a sheet: equations that are longer may be broken [mm]
 _BEYOND = 1.25  # so many times larger a figure may become to show what its dimensions are measured from
-_FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
-_TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 
 
 @frozen
@@ -68,8 +66,7 @@ class Planes:
         """The points a plane shows, in SI units."""
         if plane == "position":
             places = mechanism_places if self.style == "given" else shown_places
-            spans = (size.shape for size in self.sizes if isinstance(size.shape, Span) and size.shape.points[1:])
-            ends = [end for span in spans for end in (span.start, span.end)]
+            ends = (end for size in self.sizes for end in size.ends)
             return [*enlarged(places(self.method, self.plot), ends, _BEYOND), *self.paths.places]
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
@@ -267,9 +264,9 @@ class SheetContents:
         for plane in drawing.planes if drawing.style != "given" else ():
             steps = drawing.construction(plane).steps
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
-                notes[plane] = plain(_FITTED[drawing.lang])
+                notes[plane] = plain(say("sheet.fitted", drawing.lang))
             elif any(isinstance(step, Simultaneous) for step in steps):
-                notes[plane] = plain(_TOGETHER[drawing.lang])
+                notes[plane] = plain(say("sheet.together", drawing.lang))
         return notes
 
     def laid_out(self, papers: Sequence[Paper]) -> tuple[SheetContents, Layout]:
@@ -313,14 +310,12 @@ class SheetContents:
     def _plain_panel(self, layout: Layout, plane: Plane, window: Window, corners: Sequence[tuple[int, Place]]) -> Panel:
         """One plane's figure under its heading, with its blocks."""
         drawing, room = self.drawing, layout.rooms[plane]
-        before = [*heading(HEADINGS[drawing.lang][plane], plane, window.printed, room)]
+        before = [*heading(say(f"sheet.plane {plane}", drawing.lang), plane, window.printed, room)]
         beside, rings = list[tuple[Room, tuple[Mark, ...]]](), None
         for shapes, (k, at) in zip(self.blocks[plane].values(), corners, strict=True):
             block, end = shapes[k], at + shapes[k].size
-            if isinstance(block, Ladder):  # its numbers come last
-                rings, marks = partial(block.rings, at), tuple(block.rows(at))
-            else:
-                marks = tuple(block.marks(at))
+            rings = partial(block.rings, at) if isinstance(block, Ladder) else rings  # its numbers come last
+            marks = tuple(block.rows(at) if isinstance(block, Ladder) else block.marks(at))
             beside.append((Room(at.real, at.imag, end.real, end.imag), marks))
         if self.stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))

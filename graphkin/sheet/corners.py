@@ -17,7 +17,7 @@ import numpy as np
 from graphkin.base.geometry import Array
 from graphkin.sheet.marks import Place
 from graphkin.sheet.paper import Room, finest_each
-from graphkin.sheet.window import Extent, Window
+from graphkin.sheet.window import CLOSE, Extent, Window
 
 _AIR = 6.0  # from a block to the figure beside it, with room for letters [mm]
 _LEAST = 5.0  # points in less room than this are no figure [mm]
@@ -25,7 +25,6 @@ _EDGE, _RIM, _TIGHT = 3.0, 1.0, 1.5  # from a block to the side of its corner, t
 _OTHER_SIDE, _OTHER_END = (0.24, 0.04), 0.1
 """The cost of a block on the right, where it should stand under the heading and where at the foot; or at the end that
 it is not meant for."""
-_CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
 
 
 class _Choices(NamedTuple):
@@ -129,7 +128,7 @@ def standing(rooms: Array, extent: Extent) -> Standing:
     if extent.given is None:
         scales = np.where(fit, finest_each(np.where(fit, least, 1.0)), np.nan)
     else:
-        scales = np.where(fit & (least <= extent.given * _CLOSE), extent.given, np.nan)
+        scales = np.where(fit & (least <= extent.given * CLOSE), extent.given, np.nan)
     return Standing(scales, keeps, blocks)
 
 

@@ -9,7 +9,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import chain
+from itertools import chain, pairwise
 from typing import assert_never
 
 from graphkin import planning
@@ -162,10 +162,8 @@ class DesignFigure:
         """A circle through three points, from the first to the last and a little beyond."""
         centre, radius = self._circle(step.name)
         turns = sorted(cmath.phase(self.places[name] - centre) for name in step.points)
-        gaps = [(turns[(k + 1) % 3] - turns[k]) % math.tau for k in range(3)]
-        widest = gaps.index(max(gaps))
-        start = turns[(widest + 1) % 3]
-        ends = start - _PART, start + math.tau - gaps[widest] + _PART
+        gap, start = max(((after - turn) % math.tau, after) for turn, after in pairwise((*turns, turns[0])))
+        ends = start - _PART, start + math.tau - gap + _PART
         yield from self._swept(centre, radius, ends, "thin", stage)
 
     def _swept(

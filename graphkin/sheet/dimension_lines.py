@@ -232,17 +232,16 @@ def _arc_with_room(
     skeleton: Skeleton, corner: Corner, arms: Sequence[tuple[complex, float]], others: Sequence[Place]
 ) -> tuple[float, tuple[Place, ...]]:
     """The radius of the arc that lies farthest from links, other arcs and ends of arms [mm], and its places."""
-    at, start, tried = skeleton.window(corner.at), cmath.phase(arms[0][0]), list[tuple[float, tuple[Place, ...]]]()
-    rooms = list[float]()
+    at, start = skeleton.window(corner.at), cmath.phase(arms[0][0])
+    tried = list[tuple[float, float, tuple[Place, ...]]]()
     for radius in _RADII:
         off = math.copysign(min(2 / radius, abs(corner.turn) / 2), corner.turn)
         arc = arc_places(ArcMark(at, radius, start - off, 2 * off - corner.turn))
         ends = [at + arm * (radius + _BEYOND) for arm, reach in arms if not reach]
         on = [reach - radius - HINGE for _, reach in arms if reach]
         apart = [abs(place - other) for place in arc for other in others]
-        rooms.append(round(min([_CLEAR, *on, *apart, clearance(skeleton, *arc, *ends)]), 1))
-        tried.append((radius, arc))
-    return tried[rooms.index(max(rooms))]
+        tried.append((round(min([_CLEAR, *on, *apart, clearance(skeleton, *arc, *ends)]), 1), radius, arc))
+    return max(tried, key=lambda each: each[0])[1:]
 
 
 def _angle(
@@ -251,9 +250,8 @@ def _angle(
     """The arc with its value, and the arms that no bar of a link has."""
     (first, _), at, step = arms[0], skeleton.window(corner.at), skeleton.step(*corner.points)
     middle = first * cmath.rect(1, -corner.turn / 2)
-    value, place = angle_label(size), at + middle * radius
-    label = LabelRequest(value, place, gap=0.5, away=middle, step=step, spare=1, between=True)
-    figure = Figure(angle_arc(at, radius, first, -corner.turn, step), [label])
+    want = LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1, between=True)
+    figure = Figure(angle_arc(at, radius, first, -corner.turn, step), [want])
     for arm in (arm for arm, reach in arms if not reach):
         end = at + arm * (radius + _BEYOND)
         figure.marks.append(Stroke((at + arm * 2 * HINGE, end), "thin", step=step))

@@ -4,23 +4,23 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import chain
 
 import numpy as np
 
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
-from graphkin.model.pairs import RollingContact, Slide
+from graphkin.model.pairs import Pair, RollingContact, Slide
 from graphkin.model.wheels import wheels_of
 from graphkin.planning import Method
-from graphkin.say.reading import driven_slides
+from graphkin.say.reading import driven_motions
 from graphkin.sheet import symbols
 from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, between, joined, link_label, quantity_label, vector_label
-from graphkin.sheet.marks import Form, Mark, Place, Shows
-from graphkin.sheet.skeleton import Skeleton, crossing, off_stretch
+from graphkin.sheet.marks import Mark, Place, Shows
+from graphkin.sheet.skeleton import Skeleton, crossing
 from graphkin.sheet.wheels import circles, follower
 from graphkin.sheet.window import Figure
 
@@ -29,6 +29,7 @@ _REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0
 block [mm]."""
 _OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its block under a smaller angle
 _APART = 3.0  # between two arcs about one point, or two arrows of one slide [mm]
+Ends = tuple[Place, Place]
 _LONG, _WITHIN = 11.0, 10.0  # of the arrows of a driven slide; a larger wheel has room for them [mm]
 
 
@@ -157,7 +158,7 @@ def drives(skeleton: Skeleton, method: Method) -> Figure:
     figure = Figure()
     for driver in (driver for driver in skeleton.mechanism.drivers if driver.rate or driver.acceleration):
         if driver.kind == "slide":
-            _slide_arrows(skeleton, driver, figure, driven_slides(method))
+            _slide_arrows(skeleton, driver, figure, method)
         elif driver.vector is not None:  # about the vector's tail, across the link
             at, tip = (skeleton.at(point) for point in driver.vector)
             if abs(tip - at) >= 1:
@@ -176,73 +177,57 @@ def _arcs(
 ) -> None:  # fmt: skip
     """An arc about the first point, one for each sense; turns: from `towards` on, where it may begin [deg]."""
     at, seen_from = skeleton.at(on[0]), driver.from_link if driver.from_link != FRAME else ""
-    letters: dict[int, str] = {}  # by the sense of rate and acceleration
-    for letter, value in (("ω", driver.rate), ("α", driver.acceleration)):
-        if value:
-            sense = 1 if value > 0 else -1
-            letters[sense] = letters.get(sense, "") + letter
-    links = [driver.link] if driver.from_link == FRAME else [driver.link, driver.from_link]
-    called = between([skeleton.mechanism.called(link) for link in links])
-    for sense, text in letters.items():
+    motions = ("ω", driver.rate), ("α", driver.acceleration)
+    senses = {letter: math.copysign(1, value) for letter, value in motions if value}
+    links = (link for link in (driver.link, driver.from_link) if link != FRAME)
+    called, step = between([*map(skeleton.mechanism.called, links)]), skeleton.step(*on)
+    for sense in dict.fromkeys(senses.values()):
+        text = [letter for letter in senses if senses[letter] == sense]
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
         starts = [towards * cmath.rect(1, sense * math.radians(turn)) for turn in turns]
         start = max(starts, key=lambda start: clearance(skeleton, at + start * half * radius))  # about its middle
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
-        marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
-        figure.marks += marks
+        figure.marks += symbols.spin(at, start, sense, radius, step, shows)
         # off the link, on the side where its angle is not
         beyond = start * half ** (1.5 if (sense > 0) == ((driver.value or 0.0) >= 0) else 0.0)
         label = joined([quantity_label(letter, called) for letter in text])
-        figure.wanted.append(LabelRequest(label, at + beyond * radius, gap=0.3, away=beyond, step=marks[0].step))
+        figure.wanted.append(LabelRequest(label, at + beyond * radius, gap=0.3, away=beyond, step=step))
         radius += _APART
 
 
-def clearance(skeleton: Skeleton, *places: Place) -> float:
-    """Distance of places from the nearest link, as far as it matters to the eye [mm]."""
+def clearance(skeleton: Skeleton, *places: Place, more: Sequence[Ends] = ()) -> float:
+    """Distance of places from the nearest link, or of more lines, as far as it matters to the eye [mm]."""
     pivots = [point for point in skeleton.points if FRAME in skeleton.mechanism.owners[point]]
     feet = [(at := skeleton.at(point), at + symbols.PIVOT_DEPTH * ground_way(point, skeleton)) for point in pivots]
     gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
-    return float(free_about(np.array(places), [*skeleton.segments, *feet], min(gaps)).min())
+    return float(free_about(np.array(places), [*skeleton.segments, *feet, *more], min(gaps)).min())
 
 
-def _slide_arrows(skeleton: Skeleton, driver: Driver, figure: Figure, named: Mapping[tuple[str, str], str]) -> None:
+def _slide_arrows(skeleton: Skeleton, driver: Driver, figure: Figure, method: Method) -> None:
     """Beside the block (or the centre of what rolls), in the directions of its velocity and of its acceleration."""
     pair = skeleton.mechanism.pair(driver.link)
-    assert pair.path is not None
-    point, line = pair.path.point, pair.path.line
-    taken, step = list[tuple[Place, Place]](), skeleton.step(point)
-    motions: tuple[tuple[str, str, float, Form], ...] = (
-        ("ṡ", "v", driver.rate, "push"), ("s̈", "a", driver.acceleration, "thrust")
-    )  # fmt: skip
-    for symbol, letter, value, form in motions:
-        if value:
-            along = skeleton.direction(line) * math.copysign(1, value)
-            start, across = _beside(skeleton, driver.link, pair.path.point, along, taken)
-            taken.append((start, start + _LONG * along))
-            figure.marks += symbols.arrow(*taken[-1], shows=Shows(line.link, form, line=driver.link), step=step)
-            label = vector_label(named.get((symbol, driver.link), f"{letter}_{point}"))
-            figure.wanted.append(LabelRequest(label, *taken[-1], away=across, step=step))
+    path, taken = pair.path, list[Ends]()
+    assert path is not None
+    for name, plane, value in driven_motions(method, driver):
+        along, step = skeleton.direction(path.line) * math.copysign(1, value), skeleton.step(path.point)
+        start, across = _beside(skeleton, pair, skeleton.at(path.point), along, taken)
+        taken.append((start, start + _LONG * along))
+        shows = Shows(path.line.link, "push" if plane == "velocity" else "thrust", line=driver.link)
+        figure.marks += symbols.arrow(*taken[-1], shows=shows, step=step)
+        figure.wanted.append(LabelRequest(vector_label(name), *taken[-1], away=across, step=step))
 
 
-def _beside(
-    skeleton: Skeleton, link: str, point: str, along: complex, taken: Sequence[tuple[Place, Place]]
-) -> tuple[Place, complex]:
+def _beside(skeleton: Skeleton, pair: Pair, at: Place, along: complex, taken: Sequence[Ends]) -> tuple[Place, complex]:
     """Where such an arrow starts that is clear of links and of those drawn before, and the side on which it lies."""
-    at, up = skeleton.at(point), along * 1j if (along * 1j).imag <= 0 else along * -1j
-    for slide in skeleton.mechanism.slides:
-        if slide.name == link and skeleton.is_cylinder(slide):
-            foot = skeleton.at(slide.line.origin)
-            at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
-    rim, sides = max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0), [up, -up]
-    for roll in skeleton.mechanism.of(RollingContact):  # over a small wheel, never in the ground under it
-        if roll.name == link and roll.line is not None and rim < _WITHIN:
-            sides = [skeleton.direction(roll.line) * (-1j if roll.left else 1j)]
+    sides = sorted((along * 1j, along * -1j), key=lambda side: side.imag)
+    if isinstance(pair, Slide) and skeleton.is_cylinder(pair):
+        foot = skeleton.at(pair.line.origin)
+        at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
+    rim = max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0)
+    if isinstance(pair, RollingContact) and pair.line is not None and rim < _WITHIN:  # not in the ground under it
+        sides = [skeleton.direction(pair.line) * (-1j if pair.left else 1j)]
     out = 5.2 if not 0 < rim < _WITHIN else 5.2 + rim - 1.5
     tries = [(at + side * off - along * 4, side) for off in (out, out + _APART + LABEL)[: 1 + len(taken)]
              for side in sides]  # fmt: skip
 
-    def room(start: Place) -> float:
-        places = [start + t * along for t in (1, 7, 10)]
-        return min([clearance(skeleton, *places), *(off_stretch(place, *arrow) for arrow in taken for place in places)])
-
-    return max(tries, key=lambda each: room(each[0]))
+    return max(tries, key=lambda each: clearance(skeleton, *(each[0] + t * along for t in (1, 7, 10)), more=taken))

@@ -189,10 +189,6 @@ class FreeRoom:
         other.add(marks)
         return other
 
-    def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
-        """A label where there would be room for it with some more marks, else nothing."""
-        return next(self.also(marks).letters([want]))
-
 
 def _beside(low: Array, high: Array, letters: Array) -> Array:
     """True for boxes (n, 2) on a line with letters and so near that they read as a part of them."""

@@ -142,17 +142,14 @@ class Arrows:
     def __init__(self, drawn: Sequence[Mark]) -> None:
         lines = [(mark.name, mark.start, mark.end) for mark in drawn
                  if isinstance(mark, VectorMark) and mark.length > _SHORTEST]  # fmt: skip
-        bars = list[tuple[complex, complex]]()
-        for mark in drawn:
-            if isinstance(mark, Stroke) and mark.shows and mark.shows.form == "bar":
-                if mark.shows.plane == "position":
-                    bars += [*pairwise(mark.outline)]
-                else:
-                    lines.append(("", mark.places[0], mark.places[1]))
+        bars = [(mark.shows.plane, mark) for mark in drawn
+                if isinstance(mark, Stroke) and mark.shows and mark.shows.form == "bar"]  # fmt: skip
+        lines += [("", mark.places[0], mark.places[1]) for plane, mark in bars if plane != "position"]
+        sides = [side for plane, mark in bars if plane == "position" for side in pairwise(mark.outline)]
         self.points = np.array([mark.at for mark in drawn if isinstance(mark, PointMark)], dtype=complex)
         self.names = np.array([name for name, *_ in lines])
         self.start, self.end = np.array([ends for _, *ends in lines], dtype=complex).reshape(-1, 2).T
-        self.bars = np.array(bars, dtype=complex).reshape(-1, 2).T
+        self.bars = np.array(sides, dtype=complex).reshape(-1, 2).T
 
     def hold(self, want: LabelRequest) -> Array:
         """The arrows on which all that a label names lies."""
@@ -171,7 +168,7 @@ class Arrows:
                 apart = self._apart(low[rows, None], high[rows, None])
                 strange[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER
                 off = off_lines(middle, want.start, 2 * want.place - want.start)
-                strange[rows] |= _crossed(middle, middle - off, self.start[~own], self.end[~own])
+                strange[rows] |= self._crossed(middle, middle - off, self.start[~own], self.end[~own])
             elif want.end is None:
                 places = np.array([want.start, *self.points[np.abs(self.points - want.start) > _SAME]])
                 off = np.maximum(low[rows, None] - xy(places).T, xy(places).T - high[rows, None])
@@ -179,10 +176,8 @@ class Arrows:
                 least = apart[:, 1:].min(axis=1, initial=np.inf) - _NEARER
                 strange[rows] = (apart[:, 0] > want.gap + _OFF) & (apart[:, 0] > least)
                 own[:] = want.gap >= SIGN  # a circle is about many lines
-                near = np.full(len(rows), want.start)
-                strange[rows] |= _crossed(middle, near, self.start[~own], self.end[~own])
-                if want.between:
-                    strange[rows] |= _crossed(middle, near, *self.bars)
+                for lines in ((self.start[~own], self.end[~own]), self.bars)[: 1 + want.between]:
+                    strange[rows] |= self._crossed(middle, np.full(len(rows), want.start), *lines)
         return strange
 
     def unclear(self, wanted: Sequence[LabelRequest], owner: Array, start: Array, end: Array) -> Array:
@@ -194,7 +189,7 @@ class Arrows:
             points = np.abs(end[rows, None] - self.points)
             unclear[rows] |= ((points < _OWN) & ((points > _SAME) | (want.end is not None))).any(axis=1)
             others = self.names != want.of
-            over[rows] = _crossed(start[rows], end[rows], self.start[others], self.end[others])
+            over[rows] = self._crossed(start[rows], end[rows], self.start[others], self.end[others])
             if want.of and want.end is not None and others.any():
                 unclear[rows] |= self._beside(want.end - want.start, start[rows], end[rows], others)
         return np.maximum(unclear, _OVER * over)
@@ -207,6 +202,13 @@ class Arrows:
         parallel = np.abs((along * own.conjugate()).imag) < _PARALLEL * np.abs(along) * abs(own)
         return np.asarray(((apart < _OWN) & ~(parallel & (apart > _ASIDE) & (side > 0))).any(axis=1))
 
+    @staticmethod
+    def _crossed(start: Array, end: Array, first: Array, last: Array) -> Array:
+        """Lines start..end that cross some of first..last, all complex; one that ends upon them does not."""
+        end = end + (start - end) * np.minimum(0.5, _SHORTEST / np.maximum(abs(start - end), _SHORTEST))
+        lines = *(xy(at)[..., None] for at in (start, end)), *(xy(at)[:, None] for at in (first, last))
+        return np.asarray(meet(*lines).any(axis=1))
+
     def _apart(self, low: Array, high: Array) -> Array:
         """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""
         (left, top), (right, bottom) = low.transpose(2, 0, 1), high.transpose(2, 0, 1)
@@ -216,10 +218,3 @@ class Arrows:
             across = np.maximum(np.maximum(left - end.real, end.real - right), 0.0)
             distances.append(np.hypot(across, np.maximum(np.maximum(top - end.imag, end.imag - bottom), 0.0)))
         return np.asarray(np.minimum.reduce(distances))
-
-
-def _crossed(start: Array, end: Array, first: Array, last: Array) -> Array:
-    """Lines start..end that cross some of first..last, all complex; one that ends upon them does not."""
-    end = end + (start - end) * np.minimum(0.5, _SHORTEST / np.maximum(abs(start - end), _SHORTEST))
-    lines = *(xy(at)[..., None] for at in (start, end)), *(xy(at)[:, None] for at in (first, last))
-    return np.asarray(meet(*lines).any(axis=1))

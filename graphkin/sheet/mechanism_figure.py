@@ -277,11 +277,11 @@ def plain_mechanism(method: Method, plot: Plot, window: Window, others: Sequence
     born = births(method, "position")
     here, *every = (Skeleton(method.mechanism, each, window, born) for each in (plot, *others))
     figure = mechanism_figure(here, method, shown_places(method, plot), grounds(*(every or [here])))
-    return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
+    return plainly(figure)
 
 
-def plainly(mark: Mark) -> Mark:
-    """A point as a circle and nothing more."""
-    if not isinstance(mark, PointMark):
-        return mark
-    return Disc(mark.at, mark.radius, "outline" if mark.fill == "paper" else "construction", mark.fill, step=mark.step)
+def plainly(figure: Figure) -> Figure:
+    """The same with its points as circles and nothing more."""
+    pens: dict[Fill, PenName] = {"paper": "outline"}
+    return Figure([Disc(mark.at, mark.radius, pens.get(mark.fill, "construction"), mark.fill, step=mark.step)
+                   if isinstance(mark, PointMark) else mark for mark in figure.marks], figure.wanted)  # fmt: skip

@@ -6,14 +6,15 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
-from functools import partial
+from functools import cached_property, partial
 from itertools import chain, combinations, islice, product, tee
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
-from graphkin.model.quantities import Rotation, read
+from graphkin.model.quantities import Rotation
 from graphkin.planning.method import rate_found
+from graphkin.say.asked_turns import TURNS, asked_turns
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Corner, Size
@@ -36,7 +37,6 @@ _TRIED = 12  # so many places are tried for an arc whose letter finds no room be
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _RIM = 4.0  # an arc farther beyond a wheel's rim would look like another's [mm]
-_LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
 
 Arc = tuple[tuple[str, ...], float, complex, bool]
 """The points about whose middle it lies, its radius [mm], the direction of its middle, whether a bar passes there."""
@@ -57,13 +57,9 @@ class MechanismNotes:
 
     def __call__(self, free: FreeRoom) -> list[Mark]:
         """All of it among what stands there; data that find no room are written in lines at the foot of the figure."""
-        added, machine = list[Mark](), self.reading.mechanism
-        asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
-        every, drawn = dict.fromkeys(half for quantity in asked for half in quantity.halves), dict[str, Arc]()
-        turns = [half for half in every
-                 if isinstance(half, Rotation) and half.word in _LETTERS and self._is_shown(half)]  # fmt: skip
-        for turn in turns:
-            added += self._arc(turn, [other for other in turns if other.link == turn.link], free, drawn)
+        added, drawn = list[Mark](), dict[str, Arc]()
+        for turn in self._turns:
+            added += self._arc(turn, free, drawn)
         lines, unsaid = DimensionLines(self.skeleton, free), dict[bool, list[Label]]()
         lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
         at, levers = self.skeleton.at, measured_lengths(self.reading) if self.planes else ()
@@ -89,20 +85,15 @@ class MechanismNotes:
                 return [*marks, *self._written(labels[count:], free)]
         return []
 
-    def _is_shown(self, turn: Rotation) -> bool:
-        """True of what is found in a plane and is not 0, but of no driven link, which has its arcs."""
-        driven = any(driver.link == turn.link for driver in self.reading.mechanism.drivers)
-        _, plane = _LETTERS[turn.word]
-        return not driven and plane in self.planes and bool(self.reading.usual.rate(self._rate(turn), plane))
+    @cached_property
+    def _turns(self) -> dict[Rotation, float]:
+        return asked_turns(self.reading, self.planes)
 
-    def _rate(self, turn: Rotation) -> float:
-        plot = self.reading.plot
-        return float((plot.omega if turn.word == "omega" else plot.alpha)[turn.link])
-
-    def _arc(self, turn: Rotation, own: Sequence[Rotation], free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
+    def _arc(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
         """An arc in the sense in which the link turns, with its letter. drawn: by link the first, to stand beside; the
-        first stands where the other one of its link's `own` has room beside it, if there is such a place."""
-        beside, also = drawn.get(turn.link), [other for other in own if other != turn and turn.link not in drawn]
+        first stands where the other one of its link has room beside it, if there is such a place."""
+        beside, new = drawn.get(turn.link), turn.link not in drawn
+        also = [other for other in self._turns if new and other.link == turn.link and other != turn]
         ways, again = tee(chain(self._ways(turn, free, beside), self._ways(turn, free, None) if beside else ()))
         both = (way for way in ways if all(any(self._ways(each, free.also(way[1]), way[0])) for each in also))
         place, marks = next(both, None) or next(again, None) or (beside, [])
@@ -113,8 +104,8 @@ class MechanismNotes:
 
     def _ways(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
         """Places of an arc with its letter, in the colour of the polygon."""
-        (letter, plane), link = _LETTERS[turn.word], turn.link
-        step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._rate(turn))
+        (letter, plane), link = TURNS[turn.word], turn.link
+        step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._turns[turn])
         label = quantity_label(letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
         for place in islice(self._places(link, free, beside), _TRIED):
@@ -123,7 +114,7 @@ class MechanismNotes:
             arc = spin(at, middle / half, sense, radius, step, Shows(link, form, points))
             for away in (middle / half, middle * half) if crossing else (middle,):
                 want = LabelRequest(label, at + away * radius, gap=0.9, away=away, step=step)
-                if letters := free.letters_with(arc, want):
+                if letters := next(free.also(arc).letters([want])):
                     yield place, [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
                                   for mark in (*arc, *letters)]  # fmt: skip
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
@@ -26,7 +27,7 @@ from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Disc, Mark, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.page import HEADINGS, Page, Sheet, heading
+from graphkin.sheet.page import Page, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.single_figure import Picture, foot_of
@@ -90,10 +91,10 @@ class Version:
             panel = lens(deep, self.figure, self.plane, [panel.window(at) for at in short])
             lowest = bounds(panel.figure.marks)[3] + _BELOW + foot
             cell = replace(cell, bottom=max(cell.bottom, min(cell.bottom + _LENS, lowest)))
-        head = heading(HEADINGS[lang][self.plane], self.plane, scale, cell)
+        head = heading(say(f"sheet.plane {self.plane}", lang), self.plane, scale, cell)
         before = (*(head if answer else head[:1]), *picture.caption(cell, foot))
         panel = replace(panel, room=cell.inset(1, HEAD + 1, foot), before=before, plane=None)
-        paper, title = Paper("figure", cell.right, cell.bottom, 0.0), HEADINGS[lang][self.plane]
+        paper, title = Paper("figure", cell.right, cell.bottom, 0.0), say(f"sheet.plane {self.plane}", lang)
         page = Page(paper, [panel], self.method.mechanism, self.plot.facts.values, lang, title=title)
         return page.sheet().upto(_OTHERWISE).redrawn(lambda mark: replace(mark, step=None))
 
@@ -217,9 +218,5 @@ def _versions(
 def _drawable(plot: Plot, plane: Plane) -> Plot:
     """The same with the points alone that lie somewhere."""
     there = {name: value for name, value in plot.points(plane).items() if cmath.isfinite(place(value))}
-    if len(there) == len(plot.points(plane)):
-        return plot
-    drawable = Plot(plot.facts, position=dict(plot.position), theta=dict(plot.theta), s=dict(plot.s))
-    drawable.points(plane).clear()
-    drawable.points(plane).update(there)
-    return drawable
+    changed: dict[str, Any] = {plane: there}
+    return plot if len(there) == len(plot.points(plane)) else replace(plot, **changed)

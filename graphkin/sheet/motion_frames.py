@@ -36,7 +36,7 @@ from graphkin.sheet.lettering import LABEL, Label, joined, plain, point_label, q
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
-from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
+from graphkin.sheet.page import Page, Panel, Sheet, heading
 from graphkin.sheet.paper import KEYS, Room, papers_for
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.results import label_of
@@ -134,7 +134,7 @@ class MotionFigure:
         """On paper at each position, with its heading, a note and the values."""
         (window, corners), room = layout.placed(self.plane, extent), layout.rooms[self.plane]
         windows = [replace(window, scale=window.scale * self.smaller.get(k, 1)) for k in range(len(self.plots))]
-        corner, name, inner = dict(corners).get(0, 0j), HEADINGS[self.lang][self.plane], room.inset(1, 1, 1)
+        corner, name, inner = dict(corners).get(0, 0j), say(f"sheet.plane {self.plane}", self.lang), room.inset(1, 1, 1)
         before = [[*heading(name, self.plane, each.printed, room)] for each in windows]
         for k, own in enumerate(before):
             own += (Text(label, corner + 1j * PITCH * (row + 0.75), LABEL) for row, label in enumerate(self._words(k)))
@@ -168,8 +168,7 @@ class MotionFigure:
 
     def fits(self, plot: Plot) -> bool:
         """True where it is drawn at a position: it is not endless there."""
-        size = self._reach(plot)
-        return bool(np.isfinite(size)) and size <= self._most
+        return bool(np.isfinite(size := self._reach(plot))) and size <= self._most
 
     def _reach(self, plot: Plot) -> float:
         """The distance of its farthest point from its origin at a position [SI]."""

@@ -32,10 +32,6 @@ from graphkin.sheet.paper import Paper, Room, written
 from graphkin.sheet.titleblock import Strip
 from graphkin.sheet.window import Figure, Window
 
-HEADINGS: dict[Lang, dict[Plane, str]] = {
-    "en": {"position": "Mechanism", "velocity": "Velocity polygon", "acceleration": "Acceleration polygon"},
-    "zh": {"position": "机构运动简图", "velocity": "速度多边形", "acceleration": "加速度多边形"},
-}
 HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm]
 
 _UNDER = ("construction", "measured")  # thin lines of a construction lie under the figure's

@@ -28,7 +28,6 @@ from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.titleblock import Table, TableBlock
 from graphkin.sheet.window import PLANES
 
-_SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 _Key = tuple[str, frozenset[str]]
 _WIDE = 62.0  # lines of what is given are no longer [mm]
 
@@ -96,10 +95,10 @@ class _TablesInMaking:
         rows = []
         for name in (name for name in machine.moving if name in plot.omega and name not in idle):
             row = [self.title(lettering.link_label(machine.called(name)), [name], "omega", "alpha", "theta")]
-            turns = (("omega", self.method.mechanism.usual.rate(plot.omega[name], "velocity")),
-                     ("alpha", self.method.mechanism.usual.rate(plot.alpha[name], "acceleration")))  # fmt: skip
-            for kind, value in ((kind, real(rate)) for kind, rate in turns):
-                label, sense = (number(abs(value)), plain(_SENSE[self.lang][value < 0])) if value else (plain("0"), ())
+            for kind, rates, plane in (("omega", plot.omega, "velocity"), ("alpha", plot.alpha, "acceleration")):
+                value = real(machine.usual.rate(rates[name], plane))
+                sense = plain(say("sheet.sense", self.lang, which=int(value < 0))) if value else ()
+                label = number(abs(value)) if value else plain("0")
                 row += [self.value(label, [name], kind), self.value(sense, [name], kind)]
             rows.append(tuple(row))
         return Table(head, tuple(rows))

@@ -72,8 +72,7 @@ def problem_picture(method: Method, plot: Plot, size: complex, lang: Lang) -> Sh
     drawing = Planes(method, plot, ("position",), "given", lang)
 
     def draw(window: Window) -> Figure:
-        figure = drawing.figure("position", window)
-        return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
+        return plainly(drawing.figure("position", window))
 
     extent = Extent.of(drawing.values("position"), draw)
     scale = extent.scale(Room(0, 0, size.real, size.imag))

@@ -11,6 +11,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
+from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import Paper, Room, written
@@ -19,10 +20,8 @@ from graphkin.sheet.text_blocks import Ladder, WrittenLines, broken
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _WHOLE, _MOST_ROWS = 6, 12  # a table of up to so many rows is whole; one of more than so many is not
-_PLANES: dict[str, Plane] = {
-    "ω": "velocity", "v": "velocity", "ds/dt": "velocity", "α": "acceleration", "a": "acceleration",
-    "d²s/dt²": "acceleration",
-}  # fmt: skip
+_PLANES: dict[str, Plane] = {**dict.fromkeys(("ω", "v", "ds/dt"), "velocity"),
+                             **dict.fromkeys(("α", "a", "d²s/dt²"), "acceleration")}  # fmt: skip
 """The plane whose colour the values of a column have, by its letter."""
 
 
@@ -162,7 +161,6 @@ class TableBlock:
 
 _WIDTHS = (110.0, 75.0, 50.0, 32.0)  # of blocks of tables [mm]
 FOOT = 14.0  # height of the footer [mm]
-_CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 _RULER, _NAME = 100.0, "graphkin"
 
 
@@ -237,7 +235,7 @@ def _footer(
     yield Stroke((at, at + ruler), "thin", shows=Shows("", "ruler", plane="position"))
     yield from (Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, ruler))
     yield from (Stroke((at + x - 0.5j, at + x), "hatch") for x in (ruler * k / 10 for k in range(1, 10)))
-    yield Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST)
+    yield Text(plain(say("sheet.ruler", lang)), at + 2 - 1.3j, LEAST)
     source = two_lines(machine.credit(lang), LEAST, at.real - room.left - 4)
     for k, text in enumerate(source):
         yield Text(plain(text), complex(room.left, low + 1.1 * LEAST * (k + 1 - len(source))), LEAST)

@@ -78,7 +78,7 @@ def constructions(method: Method) -> dict[Plane, Construction]:
 _TRIAL, _WALL = 100.0, 2000.0
 """Size of a figure when it is drawn to see how far its signs reach; larger than a wall none is tried [mm]."""
 _LETTERS = 6.5  # room for labels around a figure [mm]
-_CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
+CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
 Stairs = tuple[tuple[tuple[int, int], tuple[tuple[float, float], ...]], ...]
 _STEPS = (0.0, 0.25, 0.5, 0.75, 1.1)  # so much of a figure's width lies over or under a block, not beside it
 
@@ -145,7 +145,7 @@ class Extent:
         """The given scale where it fits one room at that, else the finest at which it does."""
         inner = room.size - self.reach
         whole = self.size / (self.given or 1.0)
-        if self.given and whole.real <= inner.real * _CLOSE and whole.imag <= inner.imag * _CLOSE:
+        if self.given and whole.real <= inner.real * CLOSE and whole.imag <= inner.imag * CLOSE:
             return self.given
         return finest(self.size, complex(max(inner.real, 1.0), max(inner.imag, 1.0)))
 
