@@ -297,9 +297,7 @@ class SheetContents:
         """One plane's figure; lettered once for all divisions that show it alike."""
         panels, extent = self.drawing.panels, self.extents[plane]
         window, corners = layout.placed(plane, extent)
-        place = (
-            self.stages, plane, layout.rooms[plane], window, *corners, *self.blocks[plane], *layout.scales.items()
-        )  # fmt: skip
+        place = (self.stages, plane, layout.rooms[plane], window, *corners, *self.blocks[plane], *layout.scales.items())
         if place not in panels:
             panel = self._plain_panel(layout, plane, window, corners)
             if plane in self.detailed:

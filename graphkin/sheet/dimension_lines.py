@@ -218,9 +218,7 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
     return figure
 
 
-def _arms(
-    skeleton: Skeleton, corner: Corner, lines: Sequence[tuple[Place, Place]]
-) -> Iterator[tuple[complex, float]]:
+def _arms(skeleton: Skeleton, corner: Corner, lines: Sequence[tuple[Place, Place]]) -> Iterator[tuple[complex, float]]:
     """The directions of the two arms of an angle, and how far a bar or a line goes on each; 0 where none does [mm]."""
     at, first = skeleton.window(corner.at), skeleton.window.turned(corner.start)
     for arm in (first, first * cmath.rect(1, -corner.turn)):

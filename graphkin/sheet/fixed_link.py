@@ -229,5 +229,4 @@ def _beside(skeleton: Skeleton, pair: Pair, at: Place, along: complex, taken: Se
     out = 5.2 if not 0 < rim < _WITHIN else 5.2 + rim - 1.5
     tries = [(at + side * off - along * 4, side) for off in (out, out + _APART + LABEL)[: 1 + len(taken)]
              for side in sides]  # fmt: skip
-
     return max(tries, key=lambda each: clearance(skeleton, *(each[0] + t * along for t in (1, 7, 10)), more=taken))

@@ -171,7 +171,7 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     start, end = skeleton.guide_bar(slide)
     shows = Shows(slide.guide, "guide", (origin, slide.point), slide.name)
     marks: list[Mark] = [Stroke((start, end), "visible", shows=shows, step=step)]
-    if skeleton.is_welded(slide) and slide.line.named:
+    if slide.line.named and len(skeleton.on_line(slide)) < len(skeleton.named(slide.guide)):  # the guide is a bar apart
         at = skeleton.at(origin)
         far = max((start, end), key=lambda p: abs(p - at))
         for other in [skeleton.at(p) for p in skeleton.named(slide.guide) if p != origin][:1]:

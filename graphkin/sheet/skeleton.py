@@ -78,19 +78,15 @@ class Skeleton:
         alone = slide.guide != FRAME and len(self.mechanism.links[slide.guide].points) == 1
         return alone and slide.line.on_axis and slide.block is not None
 
-    def is_welded(self, slide: Slide) -> bool:
-        """True for a guide whose line is a bar of its own, joined to the rest of the link at its origin."""
-        return len(self._on_line(slide)) < len(self.named(slide.guide))
-
     def guide_bar(self, slide: Slide) -> tuple[Place, Place]:
         """A moving guide's line as far as it is drawn: past its points and past the block."""
         along, foot = self.direction(slide.line), self.at(slide.line.origin)
-        stops = [(along.conjugate() * (self.at(p) - foot)).real for p in self._on_line(slide)]
+        stops = [(along.conjugate() * (self.at(p) - foot)).real for p in self.on_line(slide)]
         t = (along.conjugate() * (self.at(slide.point) - foot)).real
         low, high = min(0.0, *stops, t - OVERRUN), max(0.0, *stops, t + OVERRUN)
         return foot + along * low, foot + along * high
 
-    def _on_line(self, slide: Slide) -> list[str]:
+    def on_line(self, slide: Slide) -> list[str]:
         along, foot = self.direction(slide.line), self.at(slide.line.origin)
         return [p for p in self.named(slide.guide) if abs((along.conjugate() * (self.at(p) - foot)).imag) < 0.05]
 
