@@ -100,7 +100,7 @@ def test_trials(name: str, names: tuple[str, str], point: str, capsys: pytest.Ca
     assert planned / quick > 10
 
 
-FILES, SHARED = 200, 600
+FILES, SHARED = 200, 2000
 
 
 def another(text: str, rng: random.Random) -> str:

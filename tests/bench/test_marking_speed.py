@@ -14,7 +14,7 @@ from graphkin.homework.grading import grade, judge_from, key_from
 from graphkin.homework.grading.running import MarkingOptions, items
 from graphkin.marking.marker import Marker
 
-STUDENTS, CLASSES = 1000, 3000
+STUDENTS, CLASSES = 1000, 6000
 
 
 def class_table(path: Path, name: str, count: int) -> Path:
