@@ -61,20 +61,23 @@ class ResultFiles:
         self, files: Sequence[Path], judges: Sequence[SetMarker], problems: Sequence[Problem]
     ) -> Iterator[Path | str]:
         """Everything else, made of the records; with what teachers wrote beside marks that are marked anew."""
+        merged = [[path.parent for path in map(Path, problem.paths) if path.name == MARKS and path != file]
+                  for file, problem in zip(files, problems, strict=True)]  # fmt: skip
+        if not {*self.kinds} - {"json"} and not any(merged):
+            return
         book, called = {file.parent.name: platforms.read_results(file) for file in files}, dict[str, str]()
         several = [{one.student: one.trace for one in results if one.status == "marked"}
                    for results in book.values()] if len(files) > 1 else []  # fmt: skip
-        for file, judge, problem in zip(files, judges, problems, strict=True):
+        for file, judge, beside in zip(files, judges, merged, strict=True):
             results, pictures = book[file.parent.name], platforms.PolygonPictures(judge)
             names = {} if judge.roster is None else judge.roster.called
             called |= {student: name for student, name in names.items() if name or student not in called}
-            merged = [path.parent for path in map(Path, problem.paths) if path.name == MARKS and path != file]
-            for kind in dict.fromkeys((*self.kinds, *(["csv"] if merged else []))):
+            for kind in dict.fromkeys((*self.kinds, *(["csv"] if beside else []))):
                 if kind == "json":
                     continue
                 done = platforms.write_results(
                     file.parent, results, kind, self.lang, self.reveal, assignment=self.assignment,
-                    pictures=pictures, force=self.force, several=several, merged=merged, names=names,
+                    pictures=pictures, force=self.force, several=several, merged=beside, names=names,
                 )  # fmt: skip
                 yield from done.paths
                 yield from done.left_out
