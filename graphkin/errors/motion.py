@@ -6,8 +6,8 @@ from graphkin.errors.base import AboutLink, AboutLinks, Lang, LocatedError, Wher
 
 __all__ = [
     "AlongOwnAxis", "AmbiguousDirection", "AmbiguousSketch", "CannotAssemble", "DeadPoint", "FarFromSketch",
-    "GearsApart", "HigherClass", "NoAssembly", "NotJoined", "NotPlaced", "NotReached", "NotRepeated", "OffTrack", "OtherSide", "PosesDiffer",
-    "RoadsDiffer", "SingularPosition", "TooFar", "UnevenLengths", "called_pair",
+    "GearsApart", "HigherClass", "NoAssembly", "NotJoined", "NotPlaced", "NotReached", "NotRepeated", "OffTrack",
+    "OtherSide", "PosesDiffer", "RoadsDiffer", "SingularPosition", "TooFar", "UnevenLengths", "called_pair",
 ]  # fmt: skip
 
 

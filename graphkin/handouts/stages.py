@@ -243,11 +243,12 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
             entries, lead = entries[:-1], entries[-1:]
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last = max([last, *(act.page for act in acts if act is not None)])
-        there = section.plane is None or (whole and section.plane == "position")
-        shown = [] if there or section.plane is None else _so_far(problem, section.plane, last)
-        paper = any(isinstance(block, document.GridRoom) for block in shown)
-        figures += section.plane is not None and not paper
-        number = 2 - whole if section.plane is None else 0 if paper else figures
+        plane, number, shown = section.plane, 2 - whole, list[Block]()
+        if plane is not None:
+            shown = [] if whole and plane == "position" else _so_far(problem, plane, last)
+            on_paper = any(isinstance(block, document.GridRoom) for block in shown)
+            figures += not on_paper
+            number = 0 if on_paper else figures
         yield from _section(problem, replace(section, entries=entries), number)
         yield from shown
         if following is not None:

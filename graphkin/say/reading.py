@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from functools import cached_property
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import cached_property, partial
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
-from graphkin.construction import LETTER, Construction, Driven, LayOff, Plane, Plot, Step
+from graphkin.construction import Construction, Driven, LayOff, Plane, Plot, Step
 from graphkin.errors import Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
+from graphkin.model.quantities import Rotation, read
 from graphkin.planning import Method
+from graphkin.planning.asked import plane_of
 from graphkin.planning.at_rest import at_rest, steady_turnings
 from graphkin.planning.labels import Labels
 from graphkin.planning.method import Act, made
@@ -53,13 +55,13 @@ def driven_slides(method: Method) -> dict[tuple[str, str], str]:
     return arrows
 
 
-def driven_motions(method: Method, driver: Driver) -> Iterator[tuple[str, Plane, float]]:
+def driven_motions(method: Method, driver: Driver, point: str) -> Iterator[tuple[str, Plane, float]]:
     """The motions of a driven slide but for 0: its arrow, or that of the point that slides; plane and value [SI]."""
-    path, arrows = method.mechanism.pair(driver.link).path, driven_slides(method)
+    arrows = driven_slides(method)
     rates: tuple[tuple[Plane, float], ...] = ("velocity", driver.rate), ("acceleration", driver.acceleration)
-    for plane, value in rates if path is not None else ():
-        if value and path is not None:
-            yield arrows.get((names.SLIDING[plane], driver.link), f"{LETTER[plane]}_{path.point}"), plane, value
+    for plane, value in rates:
+        if value:
+            yield arrows.get((names.SLIDING[plane], driver.link), f"{names.LETTER[plane]}_{point}"), plane, value
 
 
 @frozen
@@ -241,6 +243,14 @@ class Reading:
         """omega or alpha of a link, as the plane has it, without noise."""
         table = self.plot.omega if plane == "velocity" else self.plot.alpha
         return float(self.usual.rate(float(table[link]), plane).real)
+
+    def asked_turns(self, planes: Collection[Plane]) -> dict[Rotation, float]:
+        """The asked rotations of links that turn, found in some polygons [rad/s, rad/s²]; of driven links none."""
+        asked, driven = map(partial(read, self.mechanism), self.mechanism.ask), {d.link for d in self.mechanism.drivers}
+        halves = (half for quantity in asked if quantity is not None for half in quantity.halves)
+        turns = [half for half in halves if isinstance(half, Rotation) and half.link not in driven]
+        found = [(turn, plane) for turn in turns if (plane := plane_of(turn)) in planes and plane != "position"]
+        return {turn: rate for turn, plane in found if (rate := self.turning(turn.link, plane))}
 
     def sliding(self, slide: str, plane: Plane) -> float:
         """The rate of a displacement, or its rate again, as the plane has it, without noise."""

@@ -70,8 +70,8 @@ class Size:
     @property
     def ends(self) -> tuple[complex, ...]:
         """The places of a length between two points [m]."""
-        between = isinstance(self.shape, Span) and len(self.shape.points) > 1
-        return (self.shape.start, self.shape.end) if between and isinstance(self.shape, Span) else ()
+        shape = self.shape
+        return (shape.start, shape.end) if isinstance(shape, Span) and len(shape.points) > 1 else ()
 
     @property
     def text(self) -> str:

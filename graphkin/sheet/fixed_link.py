@@ -208,7 +208,7 @@ def _slide_arrows(skeleton: Skeleton, driver: Driver, figure: Figure, method: Me
     pair = skeleton.mechanism.pair(driver.link)
     path, taken = pair.path, list[Ends]()
     assert path is not None
-    for name, plane, value in driven_motions(method, driver):
+    for name, plane, value in driven_motions(method, driver, path.point):
         along, step = skeleton.direction(path.line) * math.copysign(1, value), skeleton.step(path.point)
         start, across = _beside(skeleton, pair, skeleton.at(path.point), along, taken)
         taken.append((start, start + _LONG * along))

@@ -13,8 +13,8 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Rotation
+from graphkin.planning.asked import plane_of
 from graphkin.planning.method import rate_found
-from graphkin.say.asked_turns import TURNS, asked_turns
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Corner, Size
@@ -87,7 +87,7 @@ class MechanismNotes:
 
     @cached_property
     def _turns(self) -> dict[Rotation, float]:
-        return asked_turns(self.reading, self.planes)
+        return self.reading.asked_turns(self.planes)
 
     def _arc(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
         """An arc in the sense in which the link turns, with its letter. drawn: by link the first, to stand beside; the
@@ -104,9 +104,9 @@ class MechanismNotes:
 
     def _ways(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
         """Places of an arc with its letter, in the colour of the polygon."""
-        (letter, plane), link = TURNS[turn.word], turn.link
+        plane, link = plane_of(turn), turn.link
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._turns[turn])
-        label = quantity_label(letter, self.reading.mechanism.called(link))
+        label = quantity_label(turn.letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
         for place in islice(self._places(link, free, beside), _TRIED):
             points, radius, middle, crossing = place

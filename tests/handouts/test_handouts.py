@@ -12,6 +12,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from driven_cylinder import cylinder
 from pdf_lines import lines
 from printed_markers import markers
 
@@ -147,36 +148,9 @@ def test_a_half_worked_solution_stops_between_equations(upto):
     assert len(rows) - len(whole) == (upto < 2)
 
 
-CYLINDER = """
-ask = ["omega 4", "alpha 4"]
-[frame]
-D = [0, 0]
-C = [800, 0]
-[links.4]
-DB = 700
-[links.2]
-points = ["C"]
-[links.3]
-points = ["B"]
-[[slide]]
-name = "jack"
-block = "3"
-point = "B"
-guide = "2"
-through = "C"
-[[driver]]
-slide = "jack"
-at = 900
-velocity = -0.08
-acceleration = 0.1
-[sketch]
-B = [400, 650]
-"""
-
-
 def test_a_polygon_that_is_not_begun_is_paper_with_its_pole():
     """The velocities are one equation; of the accelerations nothing is drawn where they are to be gone on with."""
-    made = handout([loads(CYLINDER)], "half", "en", upto=1)
+    made = handout([loads('ask = ["omega 4", "alpha 4"]' + cylinder(-0.08, 0.1))], "half", "en", upto=1)
     pictures = [block for block in made.blocks if isinstance(block, HandoutPicture)]
     assert all(any(isinstance(mark, PointMark) for mark in picture.sheet.marks) for picture in pictures)
     assert [block.plane for block in made.blocks if isinstance(block, GridRoom)] == ["acceleration"]

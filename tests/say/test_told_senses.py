@@ -10,13 +10,10 @@ from collections import Counter
 import pytest
 
 from graphkin import Drawing
+from graphkin.base.geometry import cross
 
 POINT = r"([A-Z]\d*)"
 NAMES = ("ex3-1", "ex3-2", "ex3-5", "ex3-7", "fig3-1", "p3-3a", "p3-7", "s4-ex5")
-
-
-def cross(first: complex, second: complex) -> float:
-    return (first.conjugate() * second).imag
 
 
 def turned(vector: complex, degrees: str, of: float = 360.0) -> float:

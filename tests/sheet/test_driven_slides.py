@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from driven_cylinder import cylinder
 
 from graphkin.files import loads
 from graphkin.planning import plan
@@ -10,31 +11,6 @@ from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.marks import Disc, Stroke, Text
 
-CYLINDER = """
-[frame]
-name = "1"
-D = [0, 0]
-C = [800, 0]
-[links.4]
-DB = 700
-[links.2]
-points = ["C"]
-[links.3]
-points = ["B"]
-[[slide]]
-name = "jack"
-block = "3"
-point = "B"
-guide = "2"
-through = "C"
-[[driver]]
-slide = "jack"
-at = 900
-velocity = VELOCITY
-acceleration = ACCELERATION
-[sketch]
-B = [400, 650]
-"""
 WHEEL = """
 [frame]
 [links.wheel]
@@ -58,10 +34,8 @@ angle = 60
 """
 
 
-def drawn(text: str, **values: float) -> dict[str, Sheet]:
+def drawn(text: str) -> dict[str, Sheet]:
     """Its sheets: all of it, and what is given."""
-    for name, value in values.items():
-        text = text.replace(name.upper(), f"{value}")
     method = plan(loads(text))
     return {"all": sheet(method, replay_all(method)), "given": sheet(method, replay_all(method), style="given")}
 
@@ -79,7 +53,7 @@ def heads(page: Sheet) -> dict[str, tuple[complex, complex]]:
 @pytest.mark.parametrize(("velocity", "acceleration"), [(-0.08, 0.1), (0.08, 0.1), (0.08, -0.1), (0.08, 0), (0, -0.1)])
 def test_a_driven_cylinder_has_an_arrow_for_each_of_its_motions(velocity: float, acceleration: float) -> None:
     names = {"vB3B2": velocity, "aB3B2r": acceleration}
-    for style, page in drawn(CYLINDER, velocity=velocity, acceleration=acceleration).items():
+    for style, page in drawn(cylinder(velocity, acceleration)).items():
         out = complex(-600, -670.8) / 900  # from C to B on paper
         wanted = {"push": velocity, "thrust": acceleration}
         found = heads(page)
@@ -93,7 +67,7 @@ def test_a_driven_cylinder_has_an_arrow_for_each_of_its_motions(velocity: float,
 @pytest.mark.parametrize("radius", [40, 225, 800])
 def test_the_arrows_of_a_driven_wheel_are_at_its_centre_or_over_it(radius: float) -> None:
     """Not in the ground under the wheel, nor over the top of a large one."""
-    for style, page in drawn(WHEEL, radius=radius).items():
+    for style, page in drawn(WHEEL.replace("RADIUS", f"{radius}")).items():
         (rim,) = (mark for mark in page.marks if isinstance(mark, Disc) and mark.shows and mark.shows.form == "wheel")
         found = heads(page)
         assert found["push"][1].real == pytest.approx(1), style
