@@ -48,12 +48,12 @@ class DraftingFigure:
         return [self.window(place) for place in places if cmath.isfinite(place)]
 
     def stages(self, draw: Callable[[Step, int], Iterator[Entry]]) -> Iterator[Entry]:
-        """Everything that the steps of each stage draw, and its number at the longest of its lines."""
+        """Everything that the steps of each stage draw, and its number at its longest line, the first of equals."""
         for number, stage in enumerate(self.construction.stages, start=1):
             entries = [entry for step in stage.steps for entry in draw(step, number)]
             yield from entries
             if strokes := [entry for entry in entries if isinstance(entry, Stroke)]:
-                longest = max(strokes, key=lambda stroke: abs(stroke.places[-1] - stroke.places[0])).places
+                longest = max(strokes, key=lambda stroke: round(abs(stroke.places[-1] - stroke.places[0]), 3)).places
                 start, end = longest[len(longest) // 2 - 1 :][:2]
                 yield LabelRequest(plain(circled(number)), start, end, gap=0.5, size=LABEL, step=number)
 

@@ -13,6 +13,8 @@ from graphkin.errors import Lang
 from graphkin.files import library
 from graphkin.outputs.markdown import slug
 
+ROUNDING = re.compile(r"[-−]?\d\.\de(?:[-−]1\d|\+00)")  # the last bits of a difference are another processor's
+
 
 @pytest.mark.parametrize("name", [*library.names(), FEEDBACK, PATH])
 def test_gallery(name: str, tmp_path: Path):
@@ -59,7 +61,7 @@ def test_the_manual_is_of_now(lang: Lang):
     *drawn, (path, page) = manual(lang)
     kept = (FIGURES / path).read_text("utf-8")
     pairs = zip(kept.split("\n\n"), page.split("\n\n"), strict=False)
-    changed = [new for old, new in pairs if old.split() != new.split()]
+    changed = [new for old, new in pairs if ROUNDING.sub("", old).split() != ROUNDING.sub("", new).split()]
     assert (changed[:1], kept.split()[-9:]) == ([], page.split()[-9:]), "rebuild with tests/gallery.py manual"
     for name, svg in drawn:
         old = (FIGURES / name).read_text("utf-8")
