@@ -56,7 +56,8 @@ def spots(found: Centres) -> Iterator[Spot]:
     for step, stage in enumerate(found.centring.stages, start=1):
         name, place = stage.last.name, geometry.place(found.board.at(stage.last.name))
         finite = cmath.isfinite(place)
-        direction = 0j if finite else cmath.rect(1, geometry.number(found.board.direction(name)))
+        turn = 0.0 if finite else round(geometry.number(found.board.direction(name)), 9) % round(cmath.pi, 9)
+        direction = 0j if finite else cmath.rect(1, turn)  # as it is told, from 0 to 180 degrees
         yield Spot(name, step, stage, place if finite else None, direction)
 
 
@@ -174,7 +175,9 @@ def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
         skew = [(start + 0.4j * along, end - 0.4j * along) for start, along, end in tried]  # a bar along it is crossed
         crossed = obstacles([*drawn, *figure.marks]).crossed(*(xy(np.array(ends)) for ends in zip(*skew)))
         price = [min(hits, 6) + 0.4 * k for k, hits in enumerate(crossed.tolist())]
-        for k, (start, _, end) in enumerate(tried):
+        ahead = paper.window.turned(spot.direction)
+        for k, (start, along, end) in enumerate(tried):
+            price[k] += 30 * ((along * ahead.conjugate()).real < 0)  # told as the direction of another
             price[k] += 8 * any(min(abs(start - other), abs(end - other)) < _APART for other in off)
             price[k] += 30 * (not (paper.room.holds(start) and paper.room.holds(end)))
         start, along, end = tried[price.index(min(price))]

@@ -200,9 +200,9 @@ def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterato
     if pole is not None:
         yield from spot(pole, quantity_label("P", ""), 0.9, "paper")
         if velocities.omega:
-            start, sense = cmath.rect(1, math.radians(30)), math.copysign(1, velocities.omega)
-            yield from spin(pole, start, sense, _RADIUS)
-            middle = start * cmath.rect(1, -sense * SWEEP / 2)
+            sweep = math.copysign(SWEEP, velocities.omega)
+            middle = cmath.rect(1, math.radians(30) - sweep / 2)
+            yield from spin(pole, middle, sweep, _RADIUS)
             yield LabelRequest(quantity_label("ω", ""), pole + middle * _RADIUS, gap=0.9, away=middle)
 
 

@@ -42,7 +42,7 @@ from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions,
 
 Style = Literal["construction", "result", "given"]
 BlockName = Literal["paths", "equations", "detail", "tables"]
-_NARROW = 84.0  # half of a sheet: equations that are longer may be broken [mm]
+_WIDTHS = (84.0, 68.0)  # half of a sheet and less: equations that are longer may be broken [mm]
 _BEYOND = 1.25  # so many times larger a figure may become to show what its dimensions are measured from
 
 
@@ -221,7 +221,7 @@ class SheetContents:
             lines = self.drawing.paths.lines if plane == "position" else ()
             every: dict[BlockName, Sequence[Block]] = {
                 "paths": [WrittenLines(tuple(lines), LEAST)] if lines else [],
-                "equations": [] if own is None else [*dict.fromkeys((own, own.within(_NARROW)))],
+                "equations": [] if own is None else [*dict.fromkeys((own, *map(own.within, _WIDTHS)))],
                 "detail": [self.detailed[plane]] if plane in self.detailed else [],
                 "tables": self.tables.get(plane, ()),
             }

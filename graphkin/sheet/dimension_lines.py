@@ -101,22 +101,24 @@ class DimensionLines:
         return any(off_stretch(at, start, end) < near for at in inside)
 
     @cached_property
-    def _joints(self) -> dict[Place, tuple[bool, list[complex]]]:
-        """Where hinges and blocks are: True of a block, and the ways down to the ground under it."""
-        skeleton, joints = self.skeleton, dict[Place, tuple[bool, list[complex]]]()
+    def _joints(self) -> dict[Place, tuple[bool, list[complex], set[str]]]:
+        """Where hinges and blocks are: True of a block, the ways down to the ground under it, and its links."""
+        skeleton, joints = self.skeleton, dict[Place, tuple[bool, list[complex], set[str]]]()
         blocks = {slide.point for slide in skeleton.blocks.values()}
-        for at in (at for at, _, links in skeleton.joints if len(links) > 1):
+        for at, links in ((at, links) for at, _, links in skeleton.joints if len(links) > 1):
             points = [point for point in skeleton.points if abs(skeleton.at(point) - at) < 0.1]
             pivots = (point for point in points if FRAME in skeleton.mechanism.owners[point])
-            joints[at] = not blocks.isdisjoint(points), [ground_way(point, skeleton) for point in pivots]
+            joints[at] = not blocks.isdisjoint(points), [ground_way(point, skeleton) for point in pivots], links
         return joints
 
     def _from(self, end: Place, across: complex, level: float) -> tuple[Place, float]:
-        """The last joint level with an end, where its extension line begins, and how far off its middle [mm]."""
+        """The last joint of its link level with an end, where its extension begins, and how far off its middle [mm]."""
         way = across * (level - (end / across).real)
-        on = (at for at in self._joints if abs(((at - end) / across).imag) < 0.05 and 0 < ((at - end) / way).real < 1)
+        own = {link for at, _, links in self.skeleton.joints if abs(at - end) < 0.1 for link in links}
+        level_with = (at for at, (*_, on) in self._joints.items() if not own or own & on)
+        on = (at for at in level_with if abs(((at - end) / across).imag) < 0.05 and 0 < ((at - end) / way).real < 1)
         at = min([end, *on], key=lambda at: abs(end + way - at))
-        block, grounds = self._joints.get(at, (False, []))
+        block, grounds, _ = self._joints.get(at, (False, [], set()))
         if any(abs(down - way / abs(way)) < 0.1 for down in grounds):
             return at, _GROUND
         return at, _BLOCK if block else 2 * HINGE

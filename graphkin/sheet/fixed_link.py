@@ -187,7 +187,7 @@ def _arcs(
         starts = [towards * cmath.rect(1, sense * math.radians(turn)) for turn in turns]
         start = max(starts, key=lambda start: clearance(skeleton, at + start * half * radius))  # about its middle
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
-        figure.marks += symbols.spin(at, start, sense, radius, step, shows)
+        figure.marks += symbols.spin(at, start * half, sense * symbols.SWEEP, radius, step, shows)
         # off the link, on the side where its angle is not
         beyond = start * half ** (1.5 if (sense > 0) == ((driver.value or 0.0) >= 0) else 0.0)
         label = joined([quantity_label(letter, called) for letter in text])

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
 from functools import cached_property, partial
-from itertools import chain, combinations, islice, product, tee
+from itertools import combinations, islice, product, tee
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -30,16 +30,17 @@ from graphkin.sheet.wheels import circles, disc
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
 _MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler, where no other is [mm]
+_WIDE, _LONG = math.radians(150), 16.0  # the angle of these, whose middle no sign shows; not longer than so many mm
 _AROUND = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
 _NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
 _TOLD = 5.0  # a shorter length is told by words alone [mm]
-_TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
+_TRIED = 24  # so many places are tried for an arc whose letter finds no room beside it
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _RIM = 4.0  # an arc farther beyond a wheel's rim would look like another's [mm]
 
-Arc = tuple[tuple[str, ...], float, complex, bool]
-"""The points about whose middle it lies, its radius [mm], the direction of its middle, whether a bar passes there."""
+Arc = tuple[tuple[str, ...], float, complex, bool, float]
+"""The points about whose middle it lies, radius [mm], direction of its middle, whether a bar passes there, angle."""
 
 
 @frozen
@@ -94,7 +95,7 @@ class MechanismNotes:
         first stands where the other one of its link has room beside it, if there is such a place."""
         beside, new = drawn.get(turn.link), turn.link not in drawn
         also = [other for other in self._turns if new and other.link == turn.link and other != turn]
-        ways, again = tee(chain(self._ways(turn, free, beside), self._ways(turn, free, None) if beside else ()))
+        ways, again = tee(self._ways(turn, free, beside))
         both = (way for way in ways if all(any(self._ways(each, free.also(way[1]), way[0])) for each in also))
         place, marks = next(both, None) or next(again, None) or (beside, [])
         free.add(marks)
@@ -109,9 +110,9 @@ class MechanismNotes:
         label = quantity_label(turn.letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
         for place in islice(self._places(link, free, beside), _TRIED):
-            points, radius, middle, crossing = place
-            at, half = self._middle(points), cmath.rect(1, -sense * SWEEP / 2)
-            arc = spin(at, middle / half, sense, radius, step, Shows(link, form, points))
+            points, radius, middle, crossing, sweep = place
+            at, half = self._middle(points), cmath.rect(1, -sense * sweep / 2)
+            arc = spin(at, middle, sense * sweep, radius, step, Shows(link, form, points))
             for away in (middle / half, middle * half) if crossing else (middle,):
                 want = LabelRequest(label, at + away * radius, gap=0.9, away=away, step=step)
                 if letters := next(free.also(arc).letters([want])):
@@ -119,43 +120,45 @@ class MechanismNotes:
                                   for mark in (*arc, *letters)]  # fmt: skip
 
     def _places(self, link: str, free: FreeRoom, beside: Arc | None) -> Iterator[Arc]:
-        """Places with room for such an arc: across a bar by its pivot, about a coupler's middle, or about a point."""
+        """Places with room for such an arc, beside another first: by a pivot, about a coupler's middle, or a point."""
         own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
 
         def room(place: Arc, wide: float, over: bool) -> tuple[Sequence[Mark], Sequence[Mark]]:
-            points, radius, middle, crossing = place
-            at, half, start = self._middle(points), SWEEP / 2, cmath.phase(middle)
+            points, radius, middle, crossing, sweep = place
+            at, half, start = self._middle(points), sweep / 2, cmath.phase(middle)
             cut = own / radius if crossing else -half
             arcs = [ArcMark(at, r, start + low, half - cut) for low in (-half, cut)[: 1 + crossing]
                     for r in dict.fromkeys((radius, radius - wide, radius + wide))]  # fmt: skip
             return ((), arcs) if over else (arcs, ())
 
-        for wide, over in ((_APART, False), (_APART / 2, False), (_APART / 2, True)):
-            arcs = (place for place in self._arcs(link, beside) if not over or not place[3])
+        trials = ((_APART, False), (_APART / 2, False), (_APART / 2, True))
+        for second, (wide, over) in product((beside, None) if beside else (None,), trials):
+            arcs = (arc for arc in self._arcs(link, second is not None) if second is None or arc[:3:2] == second[:3:2])
             yield from free.fitting(arcs, partial(room, wide=wide, over=over))
 
     def _middle(self, points: Sequence[str]) -> Place:
         return sum(map(self.skeleton.at, points)) / len(points)
 
-    def _arcs(self, link: str, beside: Arc | None) -> Iterator[Arc]:
+    def _arcs(self, link: str, second: bool) -> Iterator[Arc]:
         owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         bars = sorted(skeleton.bars(link), key=lambda bar: -abs(bar[0] - bar[1]))
-        pivot = points[0] if points and FRAME in owners[points[0]] else None
+        pivot = centre or (points[0] if points and FRAME in owners[points[0]] else None)
         if pivot is not None:
             at = skeleton.at(pivot)
             arms = [far - at for bar in bars for near, far in (bar, bar[::-1]) if abs(near - at) < 0.1]
             for radius, arm in product(_RADII, arms):
                 if abs(arm) > radius + 2:
-                    yield (pivot,), radius, arm / abs(arm), True
-        stretches = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2)
-                     if (not centre or centre in pair) and pivot in (None, pair[0])]  # fmt: skip
-        for pair, arm in sorted(stretches, key=lambda stretch: -abs(stretch[1])):
-            for radius, way in product(_RADII if beside else _MIDDLE, (1, -1) if pivot is None else (1,)):
-                place = (pair, radius, way * arm / abs(arm), True) if abs(arm) > 2 * radius + 4 else None
-                if place and (beside is None or pivot or (pair, place[2]) == (beside[0], beside[2])):
-                    yield place
+                    yield (pivot,), radius, arm / abs(arm), True, SWEEP
+        pairs = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2) if not pivot]
+        pairs.sort(key=lambda pair: -abs(pair[1]))
+        for (pair, arm), radius, way in product(pairs, _RADII if second else _MIDDLE, (1, -1)):
+            if abs(arm) > 2 * radius + 4:
+                yield pair, radius, way * arm / abs(arm), True, max(SWEEP, min(_WIDE, _LONG / radius))
+        for radius, (pair, arm), way in product(_RADII, pairs, (1, -1)):
+            if abs(arm) > 2 * radius:
+                yield (pair[way < 0],), radius, way * arm / abs(arm), True, SWEEP
         rims = [radius for at, radius in circles(skeleton) if centre and at == skeleton.at(centre)]
         for point, radius, middle in product([centre] if centre else points if not bars else (), _RADII, _AROUND):
-            if radius < max(rims, default=math.inf) + _RIM and (beside is None or beside[0] == (point,)):
-                yield (point,), radius, middle, False
+            if radius < max(rims, default=math.inf) + _RIM:
+                yield (point,), radius, middle, False, SWEEP

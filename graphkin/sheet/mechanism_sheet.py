@@ -177,9 +177,8 @@ def _arranged(drawing: Planes, contents: Callable[[Planes], SheetContents], pape
     kept = replace(own, low=english.low, without=english.without, detailed=details, scales=layout.scales)
     if layout.holds(kept.extents, kept.height(layout.paper)):
         return Arrangement(kept, layout)
-    larger = (other for other in papers_for(paper) if other.area > best.sold.area)
     with suppress(TooLargeForPaper):
-        alike = Arrangement.on(kept, [best.sold, *larger])
+        alike = Arrangement.on(kept, [other for other in papers_for(paper) if other.area >= best.sold.area])
         return alike.cut if paper is None or own.tight else alike
     return cheapest(own, paper)
 

@@ -46,7 +46,6 @@ from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
 from graphkin.studies.sweeps import Course, asked, course, drawable, prove, quantities_at
 
 FRAMES = 60
-_SHORT_OF_STOP = 1e-3  # the distance from a dead point at which the motion ends [of the path between two of them]
 _ASIDE_DEG, _ASIDE_PART = 0.05, 0.001
 """The distance from a change point at which its position is drawn, where the polygons would be 0/0."""
 _ROWS = 6  # so many values run along under a heading
@@ -76,7 +75,7 @@ def motion_frames(
     prove(moved)
     aside = stride(method, moved.path.pace, _ASIDE_DEG, _ASIDE_PART)
     times = [t + 2 * aside if any(abs(t - change.at) < aside for change in moved.path.changes) else t
-             for t in _times(moved, count)]  # fmt: skip
+             for t in moved.evenly(count)]  # fmt: skip
     plots = [replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))) for t in times]
     back = bool(moved.path.stops) or not moved.angular
     papers = [one for one in papers_for(paper) if one.width > one.height or paper]  # as screens are
@@ -104,18 +103,6 @@ def _running_values(moved: Course, times: Sequence[float]) -> dict[Plane, list[l
         row = [valued(letters, value, unit.after) for value in values]
         rows.setdefault(_PLANE.get(series.unit, "position"), []).append(row)
     return {plane: every[:_ROWS] for plane, every in rows.items()}
-
-
-def _times(moved: Course, count: int) -> list[float]:
-    """The places of the positions on the path, evenly."""
-    path, sense = moved.path, -1.0 if moved.driver.rate < 0 else 1.0
-    if moved.full_turn:
-        return [sense * float(t) for t in np.arange(count) * (2 * np.pi / count)]
-    short = _SHORT_OF_STOP * (path.last - path.first)
-    low, high = path.first + short, path.last - short
-    ends = [0.0, high, low, 0.0] if sense > 0 else [0.0, low, high, 0.0]
-    passed = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(ends)))])
-    return [float(t) for t in np.interp(np.arange(count) * (passed[-1] / count), passed, ends)]
 
 
 @frozen

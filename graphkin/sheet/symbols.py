@@ -117,10 +117,10 @@ def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], ste
 
 
 def spin(
-    at: Place, towards: complex, sense: float, radius: float, step: int | None = None, shows: Shows | None = None
+    at: Place, middle: complex, sweep: float, radius: float, step: int | None = None, shows: Shows | None = None
 ) -> list[Mark]:
-    """An arc with an arrow about a pivot, from the direction `towards` on; sense +1 is counter-clockwise."""
-    start, turn = cmath.phase(towards), -sense * SWEEP
+    """An arc with an arrow about a pivot, to both sides of a direction; counter-clockwise for a sweep over 0 [rad]."""
+    start, turn, sense = cmath.phase(middle) + sweep / 2, -sweep, math.copysign(1, sweep)
     shaft = turn + sense * 0.8 * _HEAD / radius
     head = _arc_head(at, cmath.rect(radius, start + turn), -sense, step, _HEAD)
     return [ArcMark(at, radius, start, shaft, "vector", step=step), replace(head, shows=shows)]

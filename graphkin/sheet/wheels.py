@@ -8,11 +8,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
 
+import numpy as np
+
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import spelled
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Rod, RollingContact, Slide, Slot, rod_name
 from graphkin.model.wheels import Wheel, wheels_of
 from graphkin.sheet import symbols
+from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
@@ -26,6 +29,7 @@ _REACH = 14.0  # how far a slot of the equivalent goes to both sides of its bloc
 _ROD, _BUSH = 34.0, (15.0, 27.0)  # a follower's rod from its tip, and where it is guided [mm]
 _STEEP = 0.2  # a face and the guide of its follower make an angle of more than this sine
 _ARC = 15.0  # how far a slot goes on to both sides of its pin, along the arc [mm]
+_BESIDE = 10.0  # nearer to a bar of another link a wheel's number looks like its own [mm]
 _FREE = 4.0  # farther from another link nothing looks like a joint with it [mm]
 _MOST = 2.4  # half of the widest slot there is room for on a small circle [rad]
 
@@ -120,7 +124,7 @@ def disc(skeleton: Skeleton, link: str) -> str:
 
 
 def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
-    """The number of a wheel's link, within its rim or beside it."""
+    """The number of a wheel's link, within its rim or beside it, where no other link's bar is near."""
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
     out, gap = (radius + _RIM, 0.6) if wheel.ring else (radius, 0.4) if radius < _SMALL else (radius - 4.2, -2.6)
@@ -129,7 +133,9 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
     taken += [(-off if ring else off) / abs(off) for off, ring in offs if abs(off) > 0.5]
     taken += [1j] if FRAME in skeleton.mechanism.owners.get(wheel.centre, ()) else []
     directions = [cmath.rect(1, math.radians(a)) for a in (-45, -135, -90, 45, 135, 0, 180, 90)]
-    away = max(directions, key=lambda one: -max(((t * one.conjugate()).real for t in taken), default=-1.0))
+    bars = [bar for link in skeleton.mechanism.moving if link != wheel.link for bar in skeleton.bars(link)]
+    free = dict(zip(directions, free_about(at + out * np.array(directions), bars, _BESIDE), strict=True))
+    away = max(directions, key=lambda one: (free[one], -max((t * one.conjugate()).real for t in taken)))
     return LabelRequest(label, at + away * out, gap=gap, away=away, step=step)
 
 

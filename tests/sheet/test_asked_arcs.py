@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import cmath
+import math
+from collections.abc import Iterator
+
 import pytest
+from library_sheets import library_sheet
 
 from graphkin.files import loads
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.sheet import sheet
+from graphkin.sheet import Sheet, sheet
+from graphkin.sheet.marks import ArcMark, Place, PointMark, Stroke, Text
 
 BOWL = """
 ask = ["omega wheel", "alpha wheel", "v P", "a P"]
@@ -95,6 +101,73 @@ B = [150, 100]
 M = [-100, 200]
 E = [-400, 400]
 """
+PIN_ON_PLANET = """
+ask    = ["omega 2", "v B", "a B", "v C", "a C", "omega 3"]
+[frame]
+name = "环"
+O = [0, 0]
+[links.H]
+OA = 40
+[links.2]
+AB = 24
+[links.3]
+BC = 120
+[links.4]
+points = ["C"]
+[[gear]]
+links = ["frame", "2"]
+centres = ["O", "A"]
+radii = [70, 30]
+internal = true
+[[slide]]
+block = "4"
+point = "C"
+guide = "frame"
+through = "O"
+angle = 230
+[[pose]]
+vector = "AB"
+angle = 190
+[[driver]]
+vector = "OA"
+angle = 160
+omega = 6
+alpha = 4
+[sketch]
+A = [-38, 14]
+B = [-61, 9]
+C = [-110, -100]
+"""
+GEARED_FIVE_BAR = """
+ask = ["omega 3", "alpha 3", "v P", "a P"]
+[frame]
+name = "1"
+O2 = [0, 0]
+O5 = ["-4 in", "-3 in"]
+[links.2]
+O2A = "1.5 in"
+[links.3]
+AP = "5 in"
+[links.4]
+CP = "4.5 in"
+[links.5]
+O5C = "2 in"
+[[gear]]
+links = ["2", "5"]
+centres = ["O2", "O5"]
+radii = ["2 in", "3 in"]
+[[pose]]
+vector = "O5C"
+angle = 210
+[[driver]]
+vector = "O2A"
+angle = 60
+omega = "100 deg/s"
+[sketch]
+A = [19, 33]
+C = [-145, -101]
+P = [-90, 15]
+"""
 
 
 @pytest.mark.parametrize(("text", "asked"), [
@@ -107,3 +180,65 @@ def test_each_asked_turn_has_its_arc(text: str, asked: set[tuple[str, str]]) -> 
     assert asked <= {(shows.link, shows.form) for shows in shown}
     for link in {link for link, _ in asked}:  # about one middle
         assert len({shows.points for shows in shown if shows.link == link and shows.form in ("omega", "alpha")}) == 1
+
+
+def turning_arcs(page: Sheet) -> Iterator[tuple[Stroke, ArcMark]]:
+    """The head of each asked turn with its arc."""
+    arcs = [mark for mark in page.marks if isinstance(mark, ArcMark)]
+    for head in (mark for mark in page.marks if isinstance(mark, Stroke) and mark.shows is not None):
+        if head.shows and head.shows.form in ("omega", "alpha") and head.accent:
+            ends = {arc: arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep) for arc in arcs}
+            yield head, min(arcs, key=lambda arc: min(abs(place - ends[arc]) for place in head.places))
+
+
+@pytest.mark.parametrize("name", ["ex3-5", "p3-5", "p3-22", "p3-23a", "p3-6c", "s2-2", "s3-four", "s4-ex1", "s4-ex2"])
+def test_no_arc_of_a_link_without_a_pivot_can_be_read_about_another_place(name: str) -> None:
+    """It goes far around the middle of its link, which nothing marks, or about a point of the link near by."""
+    page = library_sheet(name)
+    points = [mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"]
+    seen = 0
+    for head, arc in turning_arcs(page):
+        assert head.shows is not None
+        seen += 1
+        marked = min(abs(point - arc.centre) for point in points) < 0.05
+        length = arc.radius * abs(arc.sweep)
+        assert marked or abs(arc.sweep) > math.radians(95) or length > 11, (head.shows.link, arc)
+        crossing = arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep / 2)
+        near = min(points, key=lambda point: abs(point - crossing))
+        about_it = abs(near - arc.centre) < 0.05 or abs(near - crossing) > 4 or abs(arc.sweep) > math.radians(95)
+        assert about_it, (head.shows.link, near, crossing)
+    assert seen
+
+
+def test_the_arc_of_a_wheel_is_about_its_centre() -> None:
+    """A planet with a bar from its middle to the pin of a connecting rod."""
+    method = plan(loads(PIN_ON_PLANET))
+    page = sheet(method, replay_all(method))
+    centre = next(mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.name == "A")
+    [own] = [arc for head, arc in turning_arcs(page) if head.shows and head.shows.link == "2"]
+    assert abs(own.centre - centre) < 0.05
+
+
+def test_the_number_of_a_wheel_stands_off_the_bars_of_others() -> None:
+    method = plan(loads(GEARED_FIVE_BAR))
+    page = sheet(method, replay_all(method))
+    bars = {mark.shows.link: mark.places for mark in page.marks
+            if isinstance(mark, Stroke) and mark.shows and mark.shows.form == "bar"}  # fmt: skip
+    letters = [mark for mark in page.marks if isinstance(mark, Text) and mark.accent == "position"]
+    numbers = {mark.label[0].text: mark.at for mark in letters if len(mark.label) == 1}
+    for wheel, others in (("2", "34"), ("5", "34")):
+        for other in others:
+            assert off(numbers[wheel] + 1 - 1.2j, bars[other]) > 5, (wheel, other)
+
+
+def off(place: Place, ends: tuple[Place, ...]) -> float:
+    """The distance of a place from a stretch [mm]."""
+    along = (place - ends[0]) / (ends[-1] - ends[0])
+    return abs(along - min(1.0, max(0.0, along.real))) * abs(ends[-1] - ends[0])
+
+
+def test_a_chinese_sheet_takes_the_paper_of_the_english_one() -> None:
+    method = plan(loads(GEARED_FIVE_BAR))
+    plot = replay_all(method)
+    english, chinese = (sheet(method, plot, lang=lang) for lang in ("en", "zh"))
+    assert (english.paper.name, english.scales) == (chinese.paper.name, chinese.scales)

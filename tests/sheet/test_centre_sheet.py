@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import re
 import xml.etree.ElementTree as ET
 from functools import cache
@@ -22,6 +23,7 @@ from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet
+from graphkin.sheet.centre_figure import spots
 from graphkin.sheet.centre_sheet import centre_sheet
 from graphkin.sheet.marks import PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import obstacles
@@ -119,6 +121,18 @@ def test_a_moved_mark_is_caught(name: str, shift: complex, tmp_path: Path):
         circle.set("cx", place[0])
         circle.set("cy", place[1])
     assert measured(tmp_path, ET.tostring(root, encoding="unicode")).passed(0.01)
+
+
+@pytest.mark.parametrize("name", ["p3-11a", "p3-11b", "fig3-5", "p3-14", "p3-15", "p3-3c", "p3-21"])
+def test_an_arrow_to_infinity_points_as_the_table_says(name: str):
+    """At an angle from 0 to 180 degrees."""
+    told = {spot.name: spot.direction for spot in spots(found(name)) if spot.place is None}
+    arrows = [mark for mark in sheet(name).marks if isinstance(mark, VectorMark) and mark.head == "∞"]
+    assert {arrow.name for arrow in arrows} == {*told}
+    for arrow in arrows:
+        along = (arrow.end - arrow.start).conjugate() / abs(arrow.end - arrow.start)
+        assert abs(along - told[arrow.name]) < 1e-6
+        assert 0 <= round(cmath.phase(told[arrow.name]), 9) < round(cmath.pi, 9)
 
 
 @pytest.mark.parametrize("name", ["p3-11a", "p3-11b", "fig3-5", "p3-14", "p3-15", "p3-3c", "p3-21"])

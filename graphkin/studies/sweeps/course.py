@@ -29,6 +29,7 @@ Ranges = Sequence[str] | Mapping[str, object] | np.ndarray | Sequence[float]
 TURN = 2 * math.pi
 WHERE = Where("--driver")
 MOST_TURNS, MOST_STEPS = 1000, 1e7
+_SHORT_OF_STOP = 1e-3  # the distance from a dead point at which a motion ends [of the path between two of them]
 ROWS = 36  # rows of a table over the reachable range of a slide, and over a turn
 
 
@@ -189,6 +190,17 @@ class Course:
     def unit(self) -> str:
         """SI unit of the swept driver's values."""
         return driven(not self.angular)
+
+    def evenly(self, count: int) -> list[float]:
+        """Places on the path in the order of the motion, evenly: once round, else there and back between stops."""
+        sense = -1.0 if self.driver.rate < 0 else 1.0
+        if self.full_turn:
+            return [sense * float(t) for t in np.arange(count) * (TURN / count)]
+        short = _SHORT_OF_STOP * (self.path.last - self.path.first)
+        low, high = self.path.first + short, self.path.last - short
+        ends = [0.0, high, low, 0.0] if sense > 0 else [0.0, low, high, 0.0]
+        passed = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(ends)))])
+        return [float(t) for t in np.interp(np.arange(count) * (passed[-1] / count), passed, ends)]
 
     def value(self, t: Real) -> Real:
         """The swept driver's value [rad, m]."""
