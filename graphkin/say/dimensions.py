@@ -55,8 +55,6 @@ def link_sizes(reading: Reading, link: str) -> Iterator[Size]:
         yield replace(size, derived=bool(coordinates) and min(abs(arm.real), abs(arm.imag)) > reading.noise)
     for one, corner, other in triples:
         angle = phase(shape.arm(corner, other) / shape.arm(corner, one))
-        if abs(abs(angle) - pi) < 1e-9:
-            continue
         at = (one, corner, other)
         drawn = Corner(reading.at(corner), _unit(reading.arm(corner, one)), angle, at) if _placed(reading, at) else None
         symbol = "∠" + "".join(map(names.point, at))
@@ -198,15 +196,20 @@ def _eccentricities(reading: Reading) -> list[Size]:
     return every
 
 
+def stated_angle(reading: Reading, angle: float, path: KeyPath) -> float:
+    """An angle [rad]; that of the file where it is the same direction."""
+    stated = reading.mechanism.given.get(path)
+    value = stated.si if stated is not None and stated.si is not None else angle
+    return value if abs(rect(1, value) - rect(1, angle)) < 1e-6 else angle
+
+
 def _inclination(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> Iterator[Size]:
     """The angle of a line with +x, or with two points of its link; none of one that goes through two points."""
-    stated = reading.mechanism.given.get((*path, "angle"))
     start = reading.arm(*line.base) if line.base is not None and _placed(reading, line.base) else 1 + 0j
     turn = float(reading.plot.theta.get(line.link, 0.0))
-    angle = phase(line.direction * rect(1, turn) / start)
-    if stated is not None and stated.si is not None and abs(rect(1, stated.si) - rect(1, angle)) < 1e-6:
-        angle = stated.si
-    elif line.link != FRAME:
+    drawn = phase(line.direction * rect(1, turn) / start)
+    angle = stated_angle(reading, drawn, (*path, "angle"))
+    if (*path, "angle") not in reading.mechanism.given and line.link != FRAME:
         return
     if not round(degrees(angle), 6) % 90:
         return
@@ -251,7 +254,7 @@ def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
     """The value of a driver, its rate, and the rate of that; counter-clockwise is positive."""
     facts, path = reading.plot.facts, ("driver", k)
     place, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
-    at = _drawn_value(reading, driver, place, path)
+    at = drawn_value(reading, driver, place, path)
     if driver.kind == "slide":
         first, second = (reading.displacement(symbol, driver.link) for symbol in SIGNED)
         speed, change = (*path, "velocity"), (*path, "acceleration")
@@ -280,7 +283,7 @@ def _rate(reading: Reading, driver: Driver, path: KeyPath, letter: str, value: f
     return sized(reading, reading.against(driver, letter), value, kind, (*path, key))
 
 
-def _drawn_value(reading: Reading, driver: Driver | Pose, value: float, path: KeyPath) -> Size:
+def drawn_value(reading: Reading, driver: Driver | Pose, value: float, path: KeyPath) -> Size:
     """The angle or the displacement of a driver or a pose."""
     if driver.kind == "slide":
         slot = reading.method.structure.slides[driver.link]
@@ -302,7 +305,7 @@ def sizes(reading: Reading) -> list[Size]:
     machine = reading.mechanism
     every = [*frame_sizes(reading), *(size for link in machine.moving for size in link_sizes(reading, link))]
     every += [*guide_sizes(reading), *(size for pair in machine.pairs for size in radii(reading, pair))]
-    every += [_drawn_value(reading, pose, pose.value, ("pose", k)) for k, pose in enumerate(machine.poses)
+    every += [drawn_value(reading, pose, pose.value, ("pose", k)) for k, pose in enumerate(machine.poses)
               if pose.kind != "slide" or pose.link not in _racks(reading)]  # fmt: skip
     for k, driver in enumerate(machine.drivers):
         place, *rates = driven(reading, k, driver)
@@ -314,7 +317,13 @@ def sizes(reading: Reading) -> list[Size]:
             figures = reading.joined(size.figure.removesuffix(also[0].unit).rstrip() for size in also)
             every.append(replace(also[0], symbol=f"{symbol}/{also[0].unit}", value=1.0, written=figures))
         every += [rate if rate.symbol.startswith(SIGNED) else rate.bare for rate in rates if rate.value]
-    return [*{size.text: size for size in every if size.value or isinstance(size.shape, Corner)}.values()]
+    seen = (size for size in every if size.value or isinstance(size.shape, Corner))
+    return [*{size.text: size for size in seen if not _straight(size)}.values()]
+
+
+def _straight(size: Size) -> bool:
+    """The angle of a point between two others on one line, which a drawing shows."""
+    return isinstance(size.shape, Corner) and len(size.shape.points) > 2 and abs(abs(size.shape.turn) - pi) < 1e-9
 
 
 def _racks(reading: Reading) -> Iterator[str]:

@@ -3,7 +3,7 @@
 One rule for all: zeros at the end are kept, so that a figure of fewer digits is exact. 9.1 is 9.1; 9.1002 is 9.100.
 
     number, degrees             in a construction and about instant centres
-    given_figure, sensed        what a problem gives
+    given_figure, stated_figure, sensed   what a problem gives
     exact, quantity, at_edge    in tables and answers, in the units of the edge
     millimetres, angle          of a linkage
     SentenceNumber              in a sentence that says itself how its figures are written: `{theta:deg}`, `{a:mm}`
@@ -26,6 +26,7 @@ from graphkin.say.catalogue import is_phrase, say, say_close
 
 DIGITS = 4  # of what is read off paper
 _COMPUTED = 6
+MOST_TYPED = 7  # of a figure that somebody writes
 _DESIGNED = 5
 _PLAIN = range(-6, 9)  # powers of ten that are still written out
 _NONE = 1e-6  # the part of a place's distance up to which a coordinate is rounding noise
@@ -80,6 +81,12 @@ def given_figure(value: float, zero: float = 0.0) -> str:
     """A figure of the problem itself: in full where six digits are all it has, `113.72`; else with four."""
     whole = math.isclose(float(f"{value:.{_COMPUTED}g}"), value, rel_tol=1e-9)
     return number(value, zero, _COMPUTED if whole else DIGITS)
+
+
+def stated_figure(value: float) -> str:
+    """A figure of a file, as it is typed; one of more digits than are typed was computed, and has six."""
+    typed = math.isclose(float(f"{value:.{MOST_TYPED}g}"), value, rel_tol=1e-9)
+    return number(value, 0.0, MOST_TYPED if typed else _COMPUTED)
 
 
 def sense(value: float, lang: Lang) -> str:

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from cmath import phase
+from cmath import phase, rect
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
-from math import degrees, remainder
+from math import degrees, pi, remainder
 
 from graphkin.base.geometry import dot
-from graphkin.model.mechanism import FRAME, Driver, Pose
+from graphkin.model.mechanism import FRAME, Driver, KeyPath, Pose
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.dimensions import SIGNED, beside, driven, guide_angle, link_sizes, radii
+from graphkin.say.dimensions import SIGNED, beside, drawn_value, driven, guide_angle, link_sizes, radii, stated_angle
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
-from graphkin.say.numbers import coordinates, direction, given_figure, heading, number
+from graphkin.say.numbers import direction, given_figure, heading, number
 from graphkin.say.reading import Reading, aside, capitalized
-from graphkin.say.sizes import Size, in_unit, length_unit
+from graphkin.say.sizes import Size, length_unit, sized
 from graphkin.say.structure import redundant_constraints
 
 _SCALES = (("length", "μ_l", "m/mm"), ("velocity", "μ_v", "(m/s)/mm"), ("acceleration", "μ_a", "(m/s²)/mm"))
@@ -35,13 +35,13 @@ def problem_data(reading: Reading) -> Iterator[Entry]:
     yield Sentence(reading.say("derivation.given", drivers=between.join(drivers)))
     if reading.mechanism.poses:
         poses = []  # conditions that held when the mechanism was drawn
-        for pose in reading.mechanism.poses:
+        for k, pose in enumerate(reading.mechanism.poses):
+            value = drawn_value(reading, pose, pose.value, ("pose", k))
             if pose.vector is None:
-                place = f"{names.of_slide('s', pose.link)} = {given_figure(pose.value * 1000)} mm"
-                words = {"slide": reading.slide_name(pose.link), "place": place}
+                words = {"slide": reading.slide_name(pose.link), "place": value.whole}
                 key = f"derivation.driven {_kind(reading, pose.link)}"
             else:
-                angle = f"{given_figure(degrees(pose.value))}°"
+                angle = f"{value.figure}{value.worked}"
                 words = {"angle": angle, "heading": heading(angle, reading.lang), **_turned(reading, pose)}
                 key = "derivation.pose line" if pose.from_vector is None else "derivation.pose joint"
             poses.append(reading.say(key, which=words.get("line") == words.get("link"), **words))
@@ -120,41 +120,81 @@ def _rated(size: Size, sense: str) -> str:
 def _dimensions(reading: Reading) -> Iterator[str]:
     """A sentence each: lengths, fixed points, guides, rolling circles, profiles."""
     say, mechanism = reading.say, reading.mechanism
-    lengths = [size.whole for link in mechanism.moving for size in link_sizes(reading, link)]
+    placed = [link for link in mechanism.moving if _by_coordinates(reading, link)]
+    measured = [link for link in mechanism.moving if link not in placed]
+    lengths = [size.whole for link in measured for size in link_sizes(reading, link)]
     if lengths:
         yield say("solution.lengths", lengths=reading.joined(lengths))
-    shapes = [reading.way_round(*corners) for link in mechanism.moving for corners in beside(reading, link)]
+    shapes = [reading.way_round(*corners) for link in measured for corners in beside(reading, link)]
     if shapes:
         yield say("solution.lettered", shapes=reading.joined(shapes))
-    shape, frame = mechanism.links[FRAME].points, names.point(mechanism.called(FRAME))
-    fixed = [f"{names.point(p)}{_place(reading, shape[p])}" for p in mechanism.named(FRAME)]
-    words = {"link": frame, "points": reading.joined(fixed), "unit": length_unit(reading)}
-    yield say("solution.frame points" if fixed else "solution.frame", **words)
+    for link in (*placed, FRAME):
+        path = ("frame",) if link == FRAME else ("links", link, "shape")
+        words = {"link": names.point(mechanism.called(link)), "unit": (unit := length_unit(reading))}
+        places = _as_typed(reading, link, path)
+        points = [names.point(p) + _place(reading, place, (*path, p), unit) for p, place in places.items()]
+        key = "solution.shape" if link in placed else "solution.frame points" if points else "solution.frame"
+        yield say(key, points=reading.joined(points), **words)
     for kind, sentence in PAIR_SENTENCES.items():
         for pair in mechanism.of(kind):
             yield sentence(reading, pair)
 
 
-def _place(reading: Reading, place: complex) -> str:
-    """Coordinates of the mechanism itself, in the file's unit."""
-    per = in_unit(1.0, length_unit(reading), "length")
-    return coordinates(place * per, reading.lang, reading.noise * per, given_figure)
+def _by_coordinates(reading: Reading, link: str) -> bool:
+    """True of a link that the file has by coordinates, which are not just lengths from the first point on one axis."""
+    if (path := ("links", link, "shape")) not in reading.mechanism.given:
+        return False
+    first, *others = _as_typed(reading, link, path).values()
+    on_axis = (all(abs(at) - float(dot(axis, at)) <= reading.noise for at in others) for axis in (1 + 0j, 1j))
+    return abs(first) > reading.noise or not any(on_axis)
+
+
+def _as_typed(reading: Reading, link: str, path: KeyPath) -> dict[str, complex]:
+    """The points of a link that have letters, in the axes of its file: the link's own begin along its first arm."""
+    places = {point: reading.mechanism.links[link].points[point] for point in reading.mechanism.named(link)}
+    if link == FRAME or (axis := reading.mechanism.links[link].axis) is None:
+        return places
+    start, end = (complex(*(reading.mechanism.given[*path, p, k].si or 0.0 for k in (0, 1))) for p in axis)
+    return {p: start + (place - places[axis[0]]) * rect(1, phase(end - start)) for p, place in places.items()}
+
+
+def _place(reading: Reading, place: complex, path: KeyPath, told: str = "") -> str:
+    """Coordinates of the mechanism itself as the file states them, `(−4, 2) ft`; without the unit that is `told`."""
+    axes = [sized(reading, "", part, "length", (*path, k)) for k, part in enumerate((place.real, place.imag))]
+    unit = next((axis.figure.split()[-1] for axis in axes if axis.value), told or length_unit(reading))
+    x, y = (axis.figure.removesuffix(f" {unit}") if axis.value else "0" for axis in axes)
+    return reading.say("common.place", x=x, y=y) + f" {unit}" * (unit != told)
+
+
+def _angle(reading: Reading, turned: float, path: KeyPath, signed: bool = False) -> str:
+    """`30°`: as the file states it where it is that, mostly without the sign, as words tell the sense."""
+    size = sized(reading, "", stated_angle(reading, turned, path), "angle", path)
+    return (size if signed else size.bare).figure
+
+
+def _start(reading: Reading, line: Line, path: KeyPath) -> str:
+    """Where a line begins, and the displacement along it is 0: by its letter, else by its coordinates."""
+    place = reading.mechanism.links[line.link].points.get(line.origin)
+    named = line.named or place is None
+    return names.point(line.origin) if named else _place(reading, place or 0j, (*path, "through"))
 
 
 def _slide(reading: Reading, pair: Slide) -> str:
     """The block and the guide on which it slides, by what the file says of the line."""
     words = {"block": reading.link(pair.block) if pair.block is not None else "", "point": names.point(pair.point)}
     words |= {"guide": "", "tilt": ""}
+    path = reading.mechanism.path(pair)
     if pair.named:  # ` (ram, displacement s_ram)`: the file's name of the pair, where its block is not called so
         title = reading.slide_name(pair.name)
         own = pair.block is not None and reading.link(pair.block) == title
-        displacement = reading.say("solution.displacement", s=names.of_slide("s", pair.name))
+        start = _start(reading, pair.line, path)
+        displacement = reading.say("solution.displacement", s=names.of_slide("s", pair.name), start=start)
         words["guide"] = reading.note(displacement if own else reading.joined([title, displacement]))
     if axis := _axis(reading, pair):  # `; the direction of A→B is the guide's turned by 30° ..`
         turned = remainder(round(degrees(pair.tilt), 9), 360)
-        angle = {"angle": f"{given_figure(abs(turned))}°", "sense": reading.sense(turned)}
+        angle = {"angle": _angle(reading, pair.tilt, (*path, "tilt")), "sense": reading.sense(turned)}
         words["tilt"] = reading.say("solution.tilt" if turned else "solution.tilt none", line=axis, **angle)
-    kind, where = "pin" if pair.block is None else "block", _lying(reading, pair.line, pair)
+    kind, where = "pin" if pair.block is None else "block", _lying(reading, pair.line, path, pair)
     if pair.guide == FRAME:
         return reading.say(f"solution.{kind} on frame", line=where, **words)
     return reading.say(f"solution.{kind} on link", link=reading.link(pair.guide), where=where, **words)
@@ -190,18 +230,24 @@ def _rolling(reading: Reading, pair: RollingContact) -> str:
         other = tracks[0].whole
         where = reading.say("solution.touch", which=pair.internal)
         return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
+    path = reading.mechanism.path(pair)
     side = reading.say("solution.wheel side", which=not pair.left, centre=words["centre"])
-    return reading.say("solution.rolls on line", line=_track(reading, pair.line), side=side, **words)
+    if pair.named:  # `; s_wheel is the displacement of C along it from E`
+        start, s = _start(reading, pair.line, path), names.of_slide("s", pair.name)
+        side += reading.say("solution.displacement on line", s=s, start=start, centre=words["centre"])
+    return reading.say("solution.rolls on line", line=_track(reading, pair.line, path), side=side, **words)
 
 
 def _cam(reading: Reading, pair: Cam) -> str:
     texts, sizes = [], iter(radii(reading, pair))
-    for profile, member, facing in zip(pair.profiles, pair.links, reversed(pair.profiles), strict=True):
+    whose = zip(pair.profiles, pair.links, reversed(pair.profiles), strict=True)
+    for k, (profile, member, facing) in enumerate(whose):
         link, centre = reading.link(member), names.point(profile.centre or "")
         if profile.line is not None:
             other = names.point(facing.centre or "")
             side = reading.say("solution.wheel side", which=not profile.left, centre=other)
-            texts.append(reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side))
+            line = _track(reading, profile.line, (*reading.mechanism.path(pair), "profiles", k))
+            texts.append(reading.say("solution.flat face", link=link, line=line, side=side))
         elif not profile.radius:
             texts.append(reading.say("solution.knife edge", link=link, point=centre))
         else:
@@ -217,39 +263,39 @@ PAIR_SENTENCES: Mapping[type[Pair], Callable[..., str]] = {
 """The sentence of each kind that is no hinge, in this order."""
 
 
-def _track(reading: Reading, line: Line) -> str:
+def _track(reading: Reading, line: Line, path: KeyPath) -> str:
     """` B→Q`, ` (through D at 30° to E→F)`: where a line lies in its link, and which way it points."""
     ends = _points_along(reading, line)
-    return f" {names.arrow(*ends)}" if ends else reading.note(_lying(reading, line))
+    return f" {names.arrow(*ends)}" if ends else reading.note(_lying(reading, line, path))
 
 
-def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
+def _lying(reading: Reading, line: Line, path: KeyPath, slide: Slide | None = None) -> str:
     """`along DE`, `through C that makes γ = 100° with D→C (..)`, `through (0, 10), vertically upwards`."""
     angle = guide_angle(reading, slide) if slide is not None else None
     either = slide is not None and not slide.named and not _axis(reading, slide)
-    place = reading.mechanism.links[line.link].points.get(line.origin)
+    through, stated = _start(reading, line, path), (*path, "angle")
     for _ in reading.mechanism.links:  # of one point: in the guide on which it slides without turning
         held = next((slide for slide in reading.mechanism.slides if slide.block == line.link), None)
         if line.link == FRAME or len(reading.mechanism.links[line.link].points) > 1 or held is None:
             break
         line = replace(line, link=held.guide, direction=line.direction * held.line.direction)
-    unit = "" if reading.mechanism.named(FRAME) else f" {length_unit(reading)}"  # else it is told with the fixed points
-    through = names.point(line.origin) if line.named or place is None else _place(reading, place) + unit
     if ends := _points_along(reading, line):
         return reading.say("solution.along", line=(names.pair if either else names.arrow)(*ends))
     if line.base is None and line.link == FRAME:
-        towards = heading(f"{given_figure(direction(line.direction))}°", reading.lang)
-        return reading.say("solution.line", start=through, heading=towards)
+        along = f"{given_figure(direction(line.direction))}°"
+        if direction(line.direction) % 90:
+            along = _angle(reading, phase(line.direction), stated, signed=True)
+        return reading.say("solution.line", start=through, heading=heading(along, reading.lang))
     shape, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
     apart = (ends for ends in combinations(points, 2) if abs(shape.arm(*ends)) > reading.noise)
     # where no file says it, a line is measured from the points of γ, else from the link's first
     base = line.base or (next(apart, None) if angle is None else (angle.corner, angle.through))
     if base is None:
         return reading.say("solution.own axis", through=through)
-    turned = degrees(phase(line.direction / shape.arm(*base)))
+    turned = stated_angle(reading, phase(line.direction / shape.arm(*base)), stated)
     symbol = f"{angle.symbol} = " if angle is not None and angle.symbol else ""
-    words = {"through": through, "arrow": names.arrow(*base), "angle": f"{symbol}{given_figure(abs(turned))}°"}
-    key = "solution.at angle" if abs(turned) > 1e-9 else "solution.parallel"
+    words = {"through": through, "arrow": names.arrow(*base), "angle": symbol + _angle(reading, turned, stated)}
+    key = "solution.at angle" if abs(remainder(turned, 2 * pi)) > 1e-9 else "solution.parallel"
     return reading.say(key, sense=reading.sense(turned), **words)
 
 

@@ -11,7 +11,7 @@ from typing import Literal
 from graphkin.base.value import frozen
 from graphkin.files.values import UNITS
 from graphkin.model.mechanism import Dimension, KeyPath
-from graphkin.say.numbers import given_figure
+from graphkin.say.numbers import MOST_TYPED, given_figure, stated_figure
 from graphkin.say.reading import Reading
 
 
@@ -65,7 +65,7 @@ class Size:
     def figure(self) -> str:
         if self.moved:
             return self.symbol
-        return self.written or f"{given_figure(self.value)}{'' if self.unit == '°' else ' '}{self.unit}"
+        return self.written or _with_unit(given_figure(self.value), self.unit)
 
     @property
     def ends(self) -> tuple[complex, ...]:
@@ -94,7 +94,6 @@ _UNITS: Mapping[Dimension, str] = {
     "angular velocity": "rad/s", "angular acceleration": "rad/s²",
 }  # fmt: skip
 """The units of the solution."""
-_DIGITS = 7  # a figure of more than these was computed, and is rounded
 _TURNS = {"r/min": "/60", "rev/min": "/60", "rev/s": ""}
 _PRINTED = {"deg": "°", "rpm": "r/min", "rpm/s": "r/min/s"}
 
@@ -113,13 +112,11 @@ def sized(
         used = length_unit(reading) if dimension == "length" else unit
         own = f"{given_figure(in_unit(value, used, dimension))} {used}"
         return size if used == unit else replace(size, written=own, worked=f" = {size.figure}")
-    if not isinstance(stated.written, str):
-        return replace(size, written=size.figure)
-    figure, other = _split(stated.written)
-    if sum(letter.isdigit() for letter in figure) > _DIGITS:
-        figure = given_figure(in_unit(abs(value), other, dimension))
+    figure, other = _split(stated.written) if isinstance(stated.written, str) else ("", unit)
     if (printed := _PRINTED.get(other, other)) == unit:
-        return replace(size, written=size.figure)
+        return replace(size, written=_with_unit(stated_figure(size.value), unit))
+    if sum(letter.isdigit() for letter in figure) > MOST_TYPED:
+        figure = stated_figure(in_unit(abs(value), other, dimension))
     sign = "−" if value < 0 else ""
     size = replace(size, written=f"{sign}{figure.lstrip('+-')} {printed}", worked=f" = {size.figure}")
     if printed in _TURNS:  # n1 = 60 r/min, and ω1 = 2πn1/60 of it
@@ -127,6 +124,10 @@ def sized(
         comma = reading.say("common.and")
         size = replace(size, symbol=turns, worked=f"{comma}{symbol} = 2π{turns}{_TURNS[printed]}{size.worked}")
     return size
+
+
+def _with_unit(figure: str, unit: str) -> str:
+    return f"{figure}{'' if unit == '°' else ' '}{unit}"
 
 
 def _split(text: str) -> tuple[str, str]:

@@ -12,6 +12,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from every_family import FAMILIES as EVERY
+from every_family import OTHERS
 from random_mechanisms import (
     DYADS,
     cam,
@@ -148,36 +150,69 @@ def test_any_dyad_is_fixed(kind: str) -> None:
 
 # --- the figures of the file ---------------------------------------------------------------------------
 
+GEOMETRY = ("frame", "links", "slide", "gear", "roll", "cam", "driver", "pose")  # tables of the file
+COMPUTED = 7  # a figure of more digits is no one's who types
 
-def figures(table: object, key: str = "") -> Iterator[tuple[str, float]]:
-    """The numbers of a table of the file, each with its key; the places of its links have no figures of their own."""
+
+def figures(table: object, key: str = "") -> Iterator[tuple[str, str | float]]:
+    """The numbers of a table of the file, texts with a unit among them, each with its key."""
     match table:
         case dict():
             for inner, value in table.items():
-                yield from () if inner == "shape" else figures(value, inner)
+                yield from figures(value, inner)
         case list():
             for value in table:
                 yield from figures(value, key)
-        case bool() | str():
-            return
-        case int() | float():
+        case str() if key not in ("name", "link", "links", "also") and table[:1] in "-+.0123456789" and " " in table:
             yield key, table
+        case int() | float() if not isinstance(table, bool) and key != "also":
+            yield key, table
+
+
+def told(key: str, stated: str | float, text: str) -> bool:
+    """A number of the file, with its unit if it states one, stands in what is given; or an axis, a sense is said."""
+    figure, unit = stated.split(maxsplit=1) if isinstance(stated, str) else (str(stated), "")
+    value, close = float(figure), 1e-9 if sum(map(str.isdigit, figure)) <= COMPUTED else 1e-5
+    if key in ("angle", "tilt") and unit in ("", "deg") and not value % 90:
+        axes = ("horizontally to the right", "vertically upwards", "horizontally to the left", "vertically downwards")
+        along = ("along", "parallel to", "the link's own axis", "stays on a line of link") if value == 0 else ()
+        if any(said in text for said in (axes[round(value / 90) % 4], *along)):
+            return True
+    unit = {"rpm": "r/min", "deg": "°"}.get(unit, unit)
+    for printed in re.finditer(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text):
+        same = math.isclose(abs(float(printed[0])), abs(value), rel_tol=close, abs_tol=1e-9)
+        if same and (not unit or re.match(r"[^:;=]*" + re.escape(unit), text[printed.end() :]) or f"({unit}):" in text):
+            return True
+    return False
+
+
+def assert_told(mechanism: Mechanism) -> None:
+    """Every number of the geometry of its file stands in what is given, as the file states it."""
+    method = plan(mechanism)
+    text = said(Reading(method, replay_all(method), {}, "en"), mechanism).replace("−", "-")
+    document = tomllib.loads(mechanism.text)
+    every = [(table, *figure) for table in GEOMETRY for figure in figures(document.get(table, {}))]
+    assert every
+    assert not [(table, key, value) for table, key, value in every if not told(key, value, text)], text
 
 
 @pytest.mark.parametrize("name", library.names())
 def test_every_figure_of_the_file_is_given(name: str) -> None:
-    mechanism = library.load(name)
-    method = plan(mechanism)
-    document = tomllib.loads(mechanism.text)
-    text = said(Reading(method, replay_all(method), {}, "en"), mechanism).replace("−", "-")
-    printed = [float(number) for number in re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text)]
-    axes = ("horizontally to the right", "vertically upwards", "horizontally to the left", "vertically downwards")
-    printed += [90.0 * quarter for quarter, said_so in enumerate(axes) if said_so in text]
-    for table in ("frame", "links", "slide", "gear", "roll", "cam", "driver", "pose"):
-        for key, value in figures(document.get(table, {})):
-            if len(key) != 3 and key not in ("also",):
-                same = (value, abs(value), value % 360, value - 360)
-                assert any(math.isclose(one, other, rel_tol=1e-3) for one in same for other in printed), (table, key, value)
+    assert_told(library.load(name))
+
+
+@pytest.mark.parametrize("family", [name for name in EVERY if name not in (*DYADS, *OTHERS)])  # these have no file
+def test_every_figure_of_any_file_is_given(family: str) -> None:
+    for seed in range(3):
+        assert_told(EVERY[family](seed))
+
+
+TEXTBOOK = Path(__file__).parents[1] / "cases" / "textbook"
+
+
+@pytest.mark.parametrize("path", [*WRITTEN, *sorted(TEXTBOOK.glob("*.toml"))], ids=lambda path: path.stem)
+def test_every_figure_of_a_written_file_is_given(path: Path) -> None:
+    assert_told(graphkin.load(path))
 
 
 NAMING = ("through", "toward", "from", "centre", "centres", "on_centre", "point", "pin")
