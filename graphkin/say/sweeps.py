@@ -17,6 +17,7 @@ from graphkin.say.names import in_signs, relative
 from graphkin.say.numbers import at_edge, exact, number
 from graphkin.say.text_table import table, unbraced
 from graphkin.studies.sweeps import Course, Series, Sweep
+from graphkin.studies.sweeps.course import SEEN, TURN
 
 CONSTANT = 1e-9  # beside the value itself, less than this is no change
 _BOOK_UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")
@@ -50,6 +51,12 @@ def change_line(course: Course, change: Event, lang: Lang) -> str:
     return say("sweeps.change", lang, at=_at(course, change.at), why=why(change, lang))
 
 
+def one_of_several(course: Course, driver: str, lang: Lang) -> Iterator[str]:
+    """That positions of one turn are not all there are, where the mechanism is elsewhere after it."""
+    if course.full_turn and np.ptp(course.t) <= TURN + 1e-9 and (turns := course.turns()) != 1:
+        yield say("sweeps.one turn", lang, driver=driver, which=not turns, count=turns or SEEN)
+
+
 def remarks(course: Course, lang: Lang) -> Iterator[str]:
     """The range of the driver, and what it passes through."""
     unit = course.unit
@@ -61,6 +68,7 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         for end, side in ((course.path.low, -1), (course.path.high, 1)):
             if not any(stop * side > 0 for stop in stops):  # nothing stops it there but that no one looked farther
                 yield say("sweeps.open", lang, at=_at(course, end))
+    yield from one_of_several(course, course.driver.name, lang)
     yield from (change_line(course, change, lang) for change in course.changes)
     if course.dropped.size:
         yield say("sweeps.dropped", lang, count=course.dropped.size)

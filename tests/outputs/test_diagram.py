@@ -26,6 +26,7 @@ from graphkin.outputs.diagram import fonts
 from graphkin.outputs.diagram.curves import Curves, curves, span
 from graphkin.outputs.diagram.panels import division, panels
 from graphkin.outputs.files import FileInTheWay, UnknownEnding
+from graphkin.planning import plan
 from graphkin.sheet.results import label_of
 from graphkin.studies import sweeps
 from graphkin.studies.sweeps import Course
@@ -514,3 +515,24 @@ def test_no_curve_of_the_other_axis_lies_on_one():
         zero = -shown[one].axes.get_ylim()[0] / np.ptp(shown[one].axes.get_ylim())
         assert zero == pytest.approx(-shown[other].axes.get_ylim()[0] / np.ptp(shown[other].axes.get_ylim()))
         assert np.mean((abs(heights[0] - heights[1]) < 0.01) & (abs(heights[0] - zero) > 0.05)) < 0.05
+
+
+TEXTBOOK = Path(__file__).parents[1] / "cases" / "textbook"
+
+
+@pytest.mark.parametrize(("lang", "lines"), [
+    ("en", ["One turn of O₂A; the mechanism repeats after 3.", "v_P, a_P: magnitudes, without sign."]),
+    ("zh", ["O₂A 转一周的情形；机构每 3 周重复一次。", "v_P，a_P 为大小，不计正负。"]),
+])  # fmt: skip
+def test_what_one_does_not_see_in_curves_is_said(lang: Lang, lines: list[str]) -> None:
+    method = plan(graphkin.load(TEXTBOOK / "gearfive.toml"))
+    words = [text for text, _ in texts(diagram.figure(sweeps.course(method), ["omega 3", "v P", "alpha 3", "a P"], lang))]
+    assert [word for word in words if word in lines] == lines
+    assert any("O₂A" in word and "1.745 rad/s" in word for word in words)
+
+
+def test_time_that_runs_from_right_to_left_is_said() -> None:
+    method = plan(graphkin.load(TEXTBOOK / "draglink.toml"))
+    words = [text for text, _ in texts(diagram.figure(sweeps.course(method), ["omega 3"], "en"))]
+    assert "O₂A decreases: time runs from right to left." in words
+    assert any("ω = −6.283 rad/s" in word for word in words)

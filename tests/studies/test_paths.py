@@ -17,7 +17,9 @@ from graphkin.cli import main
 from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.outputs.svg import svg
-from graphkin.sheet.marks import Stroke
+from graphkin.planning import plan
+from graphkin.sheet.marks import PointMark, Stroke
+from graphkin.sheet.motion_frames import motion_frames
 from graphkin.studies.sweeps import PointPath, point_path
 
 TURNING_WITHOUT_RATE = '''[frame]
@@ -168,3 +170,28 @@ def test_a_solution_answers_where_a_point_is(ask: str, answers: list[str]) -> No
     text = re.sub("(?m)^ask *= .*", f"ask = {ask}", library.text("ex3-1"))
     said = CliRunner().invoke(main, ["explain", "-", "--lang", "en"], input=text).stdout
     assert all(answer in said for answer in answers)
+
+
+TEXTBOOK = Path(__file__).parents[1] / "cases" / "textbook"
+
+
+def test_a_path_goes_on_until_the_mechanism_repeats() -> None:
+    method = plan(graphkin.load(TEXTBOOK / "gearfive.toml"))  # gears of 2 in and 3 in
+    whole, crank = point_path(method, "P"), point_path(method, "A")
+    assert whole.closed
+    assert sorted(round(math.degrees(tick.value)) for tick in whole.ticks) == [*range(0, 1080, 30)]
+    assert crank.closed
+    assert len(crank.ticks) == 12
+    first = {tick.value: tick.place for tick in whole.ticks}
+    assert abs(first[0.0] - first[min(first, key=lambda value: abs(value - 2 * math.pi))]) > 0.01
+    assert whole.shown(-math.pi / 6) == "−30°"
+
+
+def test_frames_of_several_turns_end_where_they_began() -> None:
+    method = plan(graphkin.load(TEXTBOOK / "gearfive.toml"))
+    frames = motion_frames(method, 12, only="position")
+    places = [[mark.at for mark in sheet.marks if isinstance(mark, PointMark)] for sheet in frames]
+    round_about = zip(places, [*places[1:], places[0]], strict=True)
+    steps = [max(abs(a - b) for a, b in zip(*two, strict=True)) for two in round_about]
+    assert len(frames) == 36
+    assert 0 < steps[-1] < 1.1 * max(steps[:-1])

@@ -51,7 +51,7 @@ def draw(curves: Curves, lang: Lang) -> DiagramPage:
     for panel in layout:
         size = sum(width(_label(curves, k), 9 * POINT) + 15.0 for axis in panel.axes for k in axis.curves)
         rows.append(max(1, math.ceil(size / (WIDTH - LEFT - 2 * SIDE - 30.0))))
-    notes = [panels.event_line(curves, event, lang) for event in curves.events]
+    notes = [*panels.foot_lines(curves, layout, lang)]
     room = A4 - TOP - FOOT - len(notes) * LINE - sum(row * ROW + BETWEEN for row in rows)
     high = min(HIGH, max(LOW, room / len(rows)))
     total = TOP + FOOT + len(notes) * LINE + sum(high + row * ROW + BETWEEN for row in rows)

@@ -75,6 +75,12 @@ def writable(text: str) -> str:
     return "".join(letter if letter in there else "?" for letter in line)
 
 
+def lowered(name: str) -> str:
+    """The points of a name with their digits below, `O₂A`: formulas and Chinese do not stand in one text."""
+    digits = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+    return writable(re.sub(r"(?<=[A-Z])\d+", lambda found: found[0].translate(digits), name))
+
+
 def typeset(label: Label) -> str:
     """A label of the drawings as matplotlib writes it: θ₃ as `$\\theta_{\\mathrm{3}}$`; Chinese names stay outside, as
     `θ 滑块` in one line."""

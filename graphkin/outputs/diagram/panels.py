@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -12,10 +12,13 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, driven
 from graphkin.outputs.diagram.curves import Curves
-from graphkin.outputs.diagram.fonts import typeset, writable
+from graphkin.outputs.diagram.fonts import lowered, typeset, writable
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
-from graphkin.say.sweeps import why
+from graphkin.say.names import in_signs
+from graphkin.say.numbers import given_figure
+from graphkin.say.sweeps import one_of_several, why
+from graphkin.say.text_table import unbraced
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.lettering import number as number_label
 from graphkin.studies.sweeps import Course
@@ -134,7 +137,7 @@ def across(course: Course, lang: Lang) -> str:
     """The name of the x axis."""
     driver = course.driver
     kind = "between" if driver.kind == "angle" and driver.from_vector is not None else driver.kind
-    return say(f"diagrams.across {kind}", lang, name=writable(driver.name))
+    return say(f"diagrams.across {kind}", lang, name=lowered(driver.name))
 
 
 def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
@@ -160,10 +163,10 @@ def about_drivers(course: Course, lang: Lang) -> str:
         still = not course.path.pace[k]
         parts = [EDGE[driven(driver.kind == "slide")].shown(float(course.path.start[k]))] if still else []
         if driver.rate or not still:
-            parts.append(f"{speed} = {driver.rate:.6g} {per_second}")
+            parts.append(f"{speed} = {given_figure(driver.rate)} {per_second}")
         if driver.acceleration:
-            parts.append(f"{gain} = {driver.acceleration:.6g} {per_square}")
-        drivers.append(f"{writable(driver.name)}{colon}{comma.join(part.replace('-', '−') for part in parts)}")
+            parts.append(f"{gain} = {given_figure(driver.acceleration)} {per_square}")
+        drivers.append(f"{lowered(driver.name)}{colon}{comma.join(part.replace('-', '−') for part in parts)}")
     word = say("diagrams.driver" if len(drivers) == 1 else "diagrams.drivers", lang)
     return word + say("common.semicolon", lang).join(drivers)
 
@@ -175,7 +178,22 @@ def event_mark(event: Event, lang: Lang) -> str:
     return say("diagrams.event limit" if event.kind in ("tangent", "parallel") else "diagrams.event dead", lang)
 
 
+def foot_lines(curves: Curves, layout: Sequence[CurvePanel], lang: Lang) -> Iterator[str]:
+    """The lines below the diagram: what one does not see in its curves, and where the driver stops or may turn."""
+    driver, sizes = lowered(curves.course.driver.name), list[str]()
+    yield from one_of_several(curves.course, driver, lang)
+    if curves.course.driver.rate < 0:
+        yield say("diagrams.backwards", lang, driver=driver)
+    for panel in layout:
+        every = [curves.series[k] for axis in panel.axes for k in axis.curves]
+        if any(np.nanmin(each.signed, initial=0.0) < 0 for each in every):
+            sizes += [in_signs(one.name) for one in every if one.vectors is not None and one.along is None]
+    if sizes:
+        yield say("diagrams.sizes", lang, names=lowered(unbraced(say("common.and", lang).join(sizes))))
+    yield from (event_line(curves, event, lang) for event in curves.events)
+
+
 def event_line(curves: Curves, event: Event, lang: Lang) -> str:
-    """The line below the diagram: where, and which links."""
+    """Where an upright line stands, and which links."""
     mark, reason = event_mark(event, lang), writable(why(event, lang))
     return say("diagrams.event", lang, mark=mark[0].upper() + mark[1:], place=place_of(curves, event.at), why=reason)

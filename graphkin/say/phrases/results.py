@@ -130,6 +130,8 @@ PHRASES: Phrases = {
     "sweeps.undefined": ("{count} of the positions are left out: the mechanism has no definite motion there, as at "
                          "{at}.",
                          "已略去 {count} 个位置：机构在该处运动不确定，如 {at}。"),
+    "sweeps.one turn": ("One turn of {driver}; the mechanism [repeats after {count}|does not repeat within {count}].",
+                        "{driver} 转一周的情形；机构[每 {count} 周重复一次|在 {count} 周内不重复]。"),
     "sweeps.together": ("The other drivers move with it, in proportion to their speeds.", "其余原动件按各自速度的比例同时运动。"),
     "sweeps.event in line": ("links {links} lie in line there", "构件 {links} 共线"),
     "sweeps.event right angle": ("links {links}: the link stands at right angles to the guide there",

@@ -39,6 +39,8 @@ PHRASES: Phrases = {
     "diagrams.across between": ("angle {name} [°]", "夹角 {name} /(°)"),
     "diagrams.across spin": ("rotation of {name} [°]", "{name} 的转角 /(°)"),
     "diagrams.across slide": ("displacement of {name} [mm]", "{name} 的位移 /mm"),
+    "diagrams.backwards": ("{driver} decreases: time runs from right to left.", "{driver} 逐渐减小，时间自右向左。"),
+    "diagrams.sizes": ("{names}: magnitudes, without sign.", "{names} 为大小，不计正负。"),
     "diagrams.driver": ("driver ", "原动件 "),
     "diagrams.drivers": ("drivers ", "原动件 "),
     # === pictures of feedback: the right drawing beside the one with a mistake

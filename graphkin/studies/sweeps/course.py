@@ -21,7 +21,7 @@ from graphkin.model.naming import driver_number
 from graphkin.model.quantities import EDGE, driven
 from graphkin.planning import Method
 from graphkin.running.other_positions import reached
-from graphkin.running.path import DriverPath, Event
+from graphkin.running.path import DriverPath, Event, along
 from graphkin.running.tracing import trace
 
 Ranges = Sequence[str] | Mapping[str, object] | np.ndarray | Sequence[float]
@@ -30,6 +30,7 @@ TURN = 2 * math.pi
 WHERE = Where("--driver")
 MOST_TURNS, MOST_STEPS = 1000, 1e7
 _SHORT_OF_STOP = 1e-3  # the distance from a dead point at which a motion ends [of the path between two of them]
+SEEN = 6  # turns after which a mechanism is looked for where it was
 ROWS = 36  # rows of a table over the reachable range of a slide, and over a turn
 
 
@@ -192,10 +193,10 @@ class Course:
         return driven(not self.angular)
 
     def evenly(self, count: int) -> list[float]:
-        """Places on the path in the order of the motion, evenly: once round, else there and back between stops."""
+        """Places on the path in the order of the motion, evenly: round until it repeats, else there and back."""
         sense = -1.0 if self.driver.rate < 0 else 1.0
-        if self.full_turn:
-            return [sense * float(t) for t in np.arange(count) * (TURN / count)]
+        if self.full_turn and (turns := self.turns()):
+            return [sense * float(t) for t in np.arange(turns * count) * (TURN / count)]
         short = _SHORT_OF_STOP * (self.path.last - self.path.first)
         low, high = self.path.first + short, self.path.last - short
         ends = [0.0, high, low, 0.0] if sense > 0 else [0.0, low, high, 0.0]
@@ -232,6 +233,23 @@ class Course:
     def full_turn(self) -> bool:
         """True if the swept driver goes all round."""
         return self.angular and not self.path.stops
+
+    @cached_property
+    def on(self) -> Course:
+        """The same from the drawn position on through as many turns as are looked at, in the driver's sense."""
+        low, high = (-TURN, SEEN * TURN) if self.driver.rate >= 0 else (-SEEN * TURN, TURN)
+        return replace(self, path=trace(self.method, self.path.pace, low, high, (self.path, 0.0)))
+
+    def turns(self, *points: str) -> int:
+        """After so many full turns of the driver these points, or all, go their ways again; 0 of more than `SEEN`."""
+        return self._turns(points, 1) or self.on._turns(points, SEEN)
+
+    def _turns(self, points: tuple[str, ...], most: int) -> int:
+        t = math.copysign(TURN, self.driver.rate or 1.0) * (np.arange(most + 1)[:, None] - np.array([0.02, 0.15, 0.4]))
+        positions = along(self.method, self.path, t).position
+        places = [np.broadcast_to(positions[point], t.shape) for point in points or self.method.mechanism.points]
+        off = np.max([np.abs(place[1:] - place[0]) for place in places], axis=(0, 2))
+        return next((int(k) + 1 for k in np.flatnonzero(off < 1e-7 * self.method.size)), 0)
 
 
 def course(method: Method, ranges: Ranges = ()) -> Course:

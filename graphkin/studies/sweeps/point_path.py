@@ -75,7 +75,7 @@ class PointPath:
 
     def shown(self, value: float) -> str:
         """`30°`, `20 mm`: a value of the driver."""
-        return EDGE[self.course.unit].shown(value)
+        return EDGE[self.course.unit].shown(value).replace("-", "−")
 
 
 def point_path(method: Method, point: str, values: tuple[float, ...] | None = None) -> PointPath:
@@ -88,8 +88,10 @@ def point_path(method: Method, point: str, values: tuple[float, ...] | None = No
         raise UnknownPoint(where, point, points)
     course = course_from(method, values)
     prove(course)
+    turns = course.turns(point) if course.full_turn else 0
     if course.full_turn:  # in the sense in which the driver turns
-        low, high = 0.0, math.copysign(TURN, course.driver.rate or 1.0)
+        low, high = 0.0, math.copysign((turns or 1) * TURN, course.driver.rate or 1.0)
+        course = course.on if turns > 1 else course
     else:
         inside = _INSIDE * (course.path.last - course.path.first)
         low, high = course.path.first + inside, course.path.last - inside
@@ -158,7 +160,7 @@ def _ticks(
     low, high = sorted(number(course.value(end)) for end in span)
     numbers = np.arange(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)
     if closed:
-        numbers = numbers[: round(TURN / step)]
+        numbers = numbers[: round((high - low) / step)]
     t = np.clip(course.at(numbers * step), min(span), max(span))
     places, velocities = _places(course, point, t), _vectors(course, f"v {point}", t)
     # unit vectors along the curve; 0 where the point rests
@@ -170,5 +172,5 @@ def _ticks(
     for count, place, velocity, tangent in zip(numbers, places, velocities, tangents, strict=True):
         if np.isfinite(place) and np.isfinite(velocity):
             value = float(count) * step
-            within_turn = value % TURN if closed else value
-            yield Tick(within_turn, complex(place), complex(velocity), complex(tangent), int(count) % every == 0)
+            within = value % (high - low) if closed else value
+            yield Tick(within, complex(place), complex(velocity), complex(tangent), int(count) % every == 0)
