@@ -64,6 +64,7 @@ def draw(
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
     _check_paths(paths, arrows, style, only, output)
     machine = shared.read(mechanism)
+    alone = output is None and steps is not None
     output = _file(output, machine.name)
     if animate and (steps is not None or tight or style != "construction" or paths or at):
         others = "--steps, --tight, --style, --path, --angle and --at"
@@ -82,7 +83,7 @@ def draw(
     if steps is not None:
         sheets = drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight)
         pages += [(steps / f"{machine.name}-{k:02d}.svg", page.svg(ink)) for k, page in enumerate(sheets, 1)]
-    shared.write_drawings(pages, output, steps, force)
+    shared.write_drawings(pages[alone:], None if alone else output, steps, force)
 
 
 def _file(output: Path | None, name: str) -> Path:

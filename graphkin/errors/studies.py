@@ -7,7 +7,7 @@ from graphkin.errors.base import AboutLink, AboutText, Choice, GraphkinError, La
 __all__ = [
     "BadCondition", "BadVelocities", "CannotClose", "CannotDriveBy", "CannotScale", "CouplerChanges", "FrameStands",
     "NegativeSize", "NoBobillier", "NoCentrode", "NoDesign", "NoDimension", "NoFixing", "NoLineOf", "NoLinkage",
-    "NoUnitHere", "NotALength", "NotOnBisector", "NotOneBody", "NotScaled", "NothingDrawn", "OneCondition", "OnePlace",
+    "NoQuickReturn", "NoUnitHere", "NotALength", "NotOnBisector", "NotOneBody", "NotScaled", "NothingDrawn", "OneCondition", "OnePlace",
     "OnlyStretched", "OtherUnits", "SameWanted", "UnknownCentre", "WantedRange", "WrongNumber",
 ]  # fmt: skip
 
@@ -149,6 +149,17 @@ class WantedRange(GraphkinError):
     high: str
     en = "{name} = {given} cannot be: it must be above {low} and below {high}. Give a value within."
     zh = "{name} = {given} 不可能：必须大于 {low}、小于 {high}。请改用其中的值。"
+
+
+class NoQuickReturn(GraphkinError):
+    en = (
+        "K = 1 is no quick return, and no condition: advance and return take the same time. A slider-crank does so with "
+        "the offset e = 0 and any rod, its crank half the stroke; write such a file, or give a K above 1."
+    )
+    zh = (
+        "K = 1 时进程与回程用时相同，没有急回，不构成设计条件。对心曲柄滑块机构（偏距 e = 0、曲柄为行程之半、连杆任意）即如此；"
+        "请直接写出机构文件，或给出大于 1 的 K。"
+    )
 
 
 class OneCondition(GraphkinError):

@@ -102,6 +102,9 @@ def test_draw_steps():
     pages = sorted(Path("steps").iterdir())
     assert len(pages) > 10
     assert {"ex3-1-01.svg"} < {page.name for page in pages}
+    assert not Path("ex3-1.svg").exists()
+    assert run("draw", "ex3-1", "--steps", "steps", "-o", "whole.svg").exit_code == 0
+    assert Path("whole.svg").exists()
     for page in pages:
         assert run("check", str(page)).exit_code == 0, page
 
@@ -450,3 +453,13 @@ def test_broken_off_is_said_in_the_reader_s_language(
     done = CliRunner().invoke(main, args)
     assert done.exit_code == 130
     assert done.stderr.strip() == said
+
+
+@pytest.mark.parametrize(("words", "said"), [
+    (("design", "slider", "--stroke", "40", "--K", "1"), "offset e = 0"),
+    (("tolerance", "ex3-1", "--pencil", "0,0"), "is no pencil"),
+])  # fmt: skip
+def test_what_is_no_condition_or_no_pencil_is_refused_with_what_to_do(words: tuple[str, ...], said: str) -> None:
+    result = run(*words)
+    assert (result.exit_code, result.stdout) == (3, "")
+    assert said in result.stderr

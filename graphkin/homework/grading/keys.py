@@ -68,7 +68,7 @@ def pencils_of(
             length, angle = map(float, pencil.split(",") if isinstance(pencil, str) else pencil)
         except ValueError:
             raise BadPencil(Where("--pencil"), f"{pencil}") from None
-        if not (0 <= length <= 10 and 0 <= angle <= 30):
+        if not (0 <= length <= 10 and 0 <= angle <= 30 and length + angle > 0):  # one that errs in nothing has no bands
             raise BadPencil(Where("--pencil"), f"{pencil}")
         said |= {"length_mm": length, "angle_deg": angle}
     return Pencils(**said, said=tuple(said))
