@@ -8,8 +8,8 @@ from graphkin.base.value import frozen
 from graphkin.handouts import document
 from graphkin.handouts.document import Block
 
-_PAGE, _EARLY, _LATE, _OVER = 0.2, 0.01, 0.08, 3.0  # costs of a page, of a drawing before the end of its text or on
-# the page after it, of no room
+_PAGE, _EARLY, _LATE, _LONE, _OVER = 0.2, 0.01, 0.05, 0.05, 3.0  # costs of a page, of a drawing before the end of its
+# text or on the page after it, of a line alone, of no room
 _LEAST = 0.18  # a last page has that much of its height, or more
 
 _FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom)  # stay with what leads
@@ -83,7 +83,9 @@ def pages(parts: Sequence[PagePart], heights: Sequence[float], room: float) -> l
                 if used > room and end > first + 1:
                     continue
                 total = cost + _cost(used / room, end == len(texts))
-                total += _EARLY * (placed in page) + _LATE * (owed is not None)
+                early = placed is not None and placed in page
+                total += _EARLY * early + _LATE * (owed is not None)
+                total += _LONE * _lone([parts[k] for k in page], parts[texts[end]] if end < len(texts) else None)
                 if key not in best or total < best[key][0]:
                     best[key] = total, [*before, page]
     return best[len(texts), None, None][1]
@@ -109,6 +111,14 @@ def _choices(
                 begun.append((each, end, waits))
             if waits is None or end < len(texts):
                 yield each, (end, own if over and own == placed else None, waits)
+
+
+def _lone(page: list[PagePart], after: PagePart | None) -> bool:
+    """True of a page that begins with the last line of a section, or has but the first line of what goes on `after`."""
+    texts = [part for part in page if part.of is None] or page
+    first, last = texts[0], texts[-1]
+    begins = not first.heads and len(first.blocks) == 1 and (texts[1].heads if len(texts) > 1 else False)
+    return begins or (last.heads and len(last.blocks) == 2 and after is not None and not after.heads)
 
 
 def _cost(used: float, last: bool) -> float:

@@ -75,6 +75,22 @@ def test_pages_turn_where_least_is_empty():
     assert paging.pages([], [], 100) == []
 
 
+def test_no_line_of_a_section_stands_alone():
+    text = paging.PagePart((Paragraph(plain("x")),))
+    head = paging.PagePart((HandoutHeading(plain("x")), Paragraph(plain("x"))))
+    # the first section's last line is not the first of a page, nor a heading with its line the last
+    assert paging.pages([head, text, text, head, text], [20, 40, 30, 20, 40], 115) == [[0, 1, 2], [3, 4]]
+    assert paging.pages([text, text, text, head, text], [50, 44, 6, 20, 60], 100) == [[0, 1, 2], [3, 4]]
+    assert paging.pages([text, text, text, head, text], [40, 40, 10, 44, 44], 98) == [[0, 1, 2], [3, 4]]
+
+
+def test_units_and_fractions_are_not_broken():
+    from graphkin.handouts.typst import _run
+
+    for text in ("14.1 rad/s² (", "0.0762/0.0025 = 30.48"):
+        assert "/\u2060" in _run(plain(text)[0])
+
+
 def test_what_leads_holds_on_to_what_follows():
     blocks = handout([graphkin.load("ex3-1")], "half", "en").blocks[1:]
     for part in paging.page_parts(blocks):
