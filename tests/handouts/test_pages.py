@@ -80,8 +80,8 @@ def test_no_line_of_a_section_stands_alone():
     head = paging.PagePart((HandoutHeading(plain("x")), Paragraph(plain("x"))))
     # the first section's last line is not the first of a page, nor a heading with its line the last
     assert paging.pages([head, text, text, head, text], [20, 40, 30, 20, 40], 115) == [[0, 1, 2], [3, 4]]
-    assert paging.pages([text, text, text, head, text], [50, 44, 6, 20, 60], 100) == [[0, 1, 2], [3, 4]]
-    assert paging.pages([text, text, text, head, text], [40, 40, 10, 44, 44], 98) == [[0, 1, 2], [3, 4]]
+    lines = [text, text, text, head, text, text]
+    assert paging.pages(lines, [44, 44, 6, 20, 60, 90], 100) == [[0, 1, 2], [3, 4], [5]]
 
 
 def test_units_and_fractions_are_not_broken():
