@@ -175,9 +175,7 @@ def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
         skew = [(start + 0.4j * along, end - 0.4j * along) for start, along, end in tried]  # a bar along it is crossed
         crossed = obstacles([*drawn, *figure.marks]).crossed(*(xy(np.array(ends)) for ends in zip(*skew)))
         price = [min(hits, 6) + 0.4 * k for k, hits in enumerate(crossed.tolist())]
-        ahead = paper.window.turned(spot.direction)
-        for k, (start, along, end) in enumerate(tried):
-            price[k] += 30 * ((along * ahead.conjugate()).real < 0)  # told as the direction of another
+        for k, (start, _, end) in enumerate(tried):
             price[k] += 8 * any(min(abs(start - other), abs(end - other)) < _APART for other in off)
             price[k] += 30 * (not (paper.room.holds(start) and paper.room.holds(end)))
         start, along, end = tried[price.index(min(price))]
@@ -195,15 +193,14 @@ def _places(paper: OnPaper, spot: Spot) -> Iterator[tuple[Place, complex]]:
         slide = next(slide for slide in paper.found.method.mechanism.slides if slide.name == name)
         at, normal = paper.window(place(paper.found.plot.position[slide.point])), paper.window.turned(spot.direction)
         for off in (_OFF, _OFF + 6, _OFF + 14):
-            yield from ((at + off * side, side) for side in (normal, -normal))
+            yield from ((at + start * normal, normal) for start in (off, -off - _ARROW))
     for line in paper.lines(spot):
         for start, end in (line.places, line.places[::-1]):
             along = (end - start) / abs(end - start)
-            if spot.place is None:
-                yield end - 2 * along, along
-            elif ((paper.at(spot) - end) * along.conjugate()).real > 0:  # that end leads to the centre
-                for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
-                    yield end - (_EDGE_ARROW + 0.5 + back) * along, along
+            ahead = paper.window.turned(spot.direction) if spot.place is None else paper.at(spot) - end
+            if (ahead * along.conjugate()).real > 0:  # that end leads to the centre
+                starts = (2.0,) if spot.place is None else (_EDGE_ARROW + 0.5 + k * (_EDGE_ARROW + 4) for k in range(3))
+                yield from ((end - start * along, along) for start in starts)
     spread = 0.35 * paper.room.size  # from about the middle of the figure to its edge
     for x, y in ((0, 0), (1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)):
         foot = paper.room.middle + complex(x * spread.real, y * spread.imag)

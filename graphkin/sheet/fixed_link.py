@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
-from itertools import chain
+from itertools import chain, product
 
 import numpy as np
 
@@ -28,7 +28,7 @@ _REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0
 """How far a fixed guide is drawn to each side of its block; away from a bar over it, and where it ends unseen under the
 block [mm]."""
 _OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its block under a smaller angle
-_APART = 3.0  # between two arcs about one point, or two arrows of one slide [mm]
+_APART, _OFF = 3.0, 2.0  # between two arcs about one point, or two arrows of one slide; of a head from lines [mm]
 Ends = tuple[Place, Place]
 _LONG, _WITHIN = 11.0, 10.0  # of the arrows of a driven slide; a larger wheel has room for them [mm]
 
@@ -163,7 +163,7 @@ def drives(skeleton: Skeleton, method: Method) -> Figure:
             at, tip = (skeleton.at(point) for point in driver.vector)
             if abs(tip - at) >= 1:
                 towards, radius = (tip - at) / abs(tip - at), min(9.0, max(6.0, 0.45 * abs(tip - at)))
-                _arcs(skeleton, driver, figure, driver.vector, radius, towards, (14, 22))
+                _arcs(skeleton, driver, figure, driver.vector, radius, towards, (14, 22), 0.8 * abs(tip - at))
         elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
             for wheel in [each for each in wheels_of(skeleton.mechanism) if each.link == driver.link][:1]:
                 radius = min(9.0, max(4.0, 0.6 * wheel.radius / skeleton.window.scale))
@@ -173,9 +173,9 @@ def drives(skeleton: Skeleton, method: Method) -> Figure:
 
 def _arcs(
     skeleton: Skeleton, driver: Driver, figure: Figure, on: tuple[str, ...], radius: float,
-    towards: complex, turns: Sequence[int],
+    towards: complex, turns: Sequence[int], reach: float = 0.0,
 ) -> None:  # fmt: skip
-    """An arc about the first point, one for each sense; turns: from `towards` on, where it may begin [deg]."""
+    """An arc about the first point, one for each sense; turns: where it may begin after `towards` [deg]; reach [mm]."""
     at, seen_from = skeleton.at(on[0]), driver.from_link if driver.from_link != FRAME else ""
     motions = ("ω", driver.rate), ("α", driver.acceleration)
     senses = {letter: math.copysign(1, value) for letter, value in motions if value}
@@ -185,7 +185,9 @@ def _arcs(
         text = [letter for letter in senses if senses[letter] == sense]
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
         starts = [towards * cmath.rect(1, sense * math.radians(turn)) for turn in turns]
-        start = max(starts, key=lambda start: clearance(skeleton, at + start * half * radius))  # about its middle
+        ways = product((radius, radius + _APART) if radius + _APART < reach else (radius,), starts)
+        free = {(r, start): [clearance(skeleton, at + r * start * half**k) for k in (2, 1)] for r, start in ways}
+        radius, start = max(free, key=lambda way: (min(_OFF, free[way][0]), -way[0], free[way][1]))
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         figure.marks += symbols.spin(at, start * half, sense * symbols.SWEEP, radius, step, shows)
         # off the link, on the side where its angle is not
@@ -198,7 +200,8 @@ def _arcs(
 def clearance(skeleton: Skeleton, *places: Place, more: Sequence[Ends] = ()) -> float:
     """Distance of places from the nearest link, or of more lines, as far as it matters to the eye [mm]."""
     pivots = [point for point in skeleton.points if FRAME in skeleton.mechanism.owners[point]]
-    feet = [(at := skeleton.at(point), at + symbols.PIVOT_DEPTH * ground_way(point, skeleton)) for point in pivots]
+    ways = [(skeleton.at(point), symbols.PIVOT_DEPTH * ground_way(point, skeleton)) for point in pivots]
+    feet = [each for at, way in ways for each in ((at, at + way), (at + (1 + 1j) * way, at + (1 - 1j) * way))]
     gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
     return float(free_about(np.array(places), [*skeleton.segments, *feet, *more], min(gaps)).min())
 

@@ -242,3 +242,14 @@ def test_a_chinese_sheet_takes_the_paper_of_the_english_one() -> None:
     plot = replay_all(method)
     english, chinese = (sheet(method, plot, lang=lang) for lang in ("en", "zh"))
     assert (english.paper.name, english.scales) == (chinese.paper.name, chinese.scales)
+
+
+@pytest.mark.parametrize("name", ["s3-1-18b", "p3-7", "ex3-5"])
+def test_the_head_of_a_driver_s_arc_is_off_its_ground(name: str) -> None:
+    marks = library_sheet(name).marks
+    heads = [mark.places for mark in marks if isinstance(mark, Stroke) and mark.shows and not mark.accent
+             and mark.shows.form in ("omega", "alpha")]  # fmt: skip
+    ground = [mark.places for mark in marks if isinstance(mark, Stroke) and mark.pen in ("hatch", "outline")
+              and len(mark.places) == 2]  # fmt: skip
+    assert heads
+    assert all(off(place, line) > 0.8 for head in heads for place in head for line in ground if len({*line}) == 2)
