@@ -13,7 +13,7 @@ from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.files.values import DIMENSIONS
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.quantities import Quantity
+from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.units import EDGE
 from graphkin.planning import Method
@@ -22,7 +22,7 @@ from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation, text_lines
 from graphkin.say.equations import equation
-from graphkin.say.figures import Operand, TrigFormula
+from graphkin.say.figures import Formula, Operand, TrigFormula
 from graphkin.say.numbers import coordinates, number
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries
@@ -91,7 +91,8 @@ class AnswerLines:
             case Moving():
                 size, vector = self.value(quantity), complex(quantity.vector(self._motions))
                 note = self.reading.heading(vector) if size else ""
-                return Calculation(name, (), "", size, unit.sign, note)
+                worked = self._worked(quantity) if size and name not in self.calculated else ((), "")
+                return Calculation(name, *worked, size, unit.sign, note)
             case Component():
                 return self._component(name, quantity)
             case Quotient():
@@ -137,7 +138,7 @@ class AnswerLines:
                 site, method = quantity.site, self.reading.method
                 holding = method.mechanism.owners.get(site.point, ())
                 links = {site.link, *(holding if site.link in holding else ())}
-                labels = [self.goal.symbol(quantity)]
+                labels = [self.goal.symbol(quantity), self._other_name(quantity)]
                 for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
                     if node.site is not None and node.site.point == site.point and node.site.link in links:
                         labels.append(names.vector(f"{quantity.letter}_{node.of}"))
@@ -155,6 +156,31 @@ class AnswerLines:
                 return exactly
             case _:
                 assert_never(quantity)
+
+    def _other_name(self, quantity: Moving) -> str:
+        """The name by which the solution has worked out a motion seen from a point, where another link bears the same
+        pin: `aᵏ_A4A3` of `a_k A4A2`."""
+        method, owners = self.reading.method, self.reading.mechanism.owners
+        construction = method.velocity if quantity.letter == "v" else method.acceleration
+        for term in construction.vectors().values() if quantity.seen_from is not None else ():
+            name = names.vector(term.name(construction.plane))
+            if term.part == quantity.part and len(term.sites) == 2 and name in self.calculated and all(
+                one.point == other.point and {one.link, other.link} <= {one.link, *owners.get(one.point, ())}
+                for one, other in zip(term.sites, quantity.sites, strict=True)
+            ):  # fmt: skip
+                return name
+        return ""
+
+    def _worked(self, quantity: Moving) -> tuple[tuple[str, ...], Formula | str]:
+        """How a motion is found that the solution has not worked out by its own name."""
+        if name := self._other_name(quantity):
+            return (name,), ""
+        if quantity.part != "k" or quantity.seen_from is None:
+            return (), ""
+        slip, motions = replace(quantity, word="v", part=""), self._motions
+        link = kinds.turning_link(motions.mechanism, quantity.site, quantity.seen_from)
+        numbers = Operand(2) * Operand(abs(float(motions.turning(link)))) * Operand(self.value(slip))
+        return (f"2 {self.reading.rate('ω', link)} {self.goal.symbol(slip)}",), numbers
 
     def _component(self, name: str, quantity: Component) -> Calculation:
         """`v_E,x = 0.3201 × cos 36.87° = 0.2561 m/s`."""

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 import pytest
 
 from graphkin import files as loading
+from graphkin.analytic import motion
 from graphkin.base.geometry import Value
 from graphkin.files import library
 from graphkin.marking import (
@@ -390,9 +391,19 @@ sketch = { C = [40, 60] }
 """
 
 
-def test_the_coriolis_acceleration_of_a_pin_in_a_slot_is_handed_in_as_it_was_laid_off():
-    method = plan(loading.loads(PIN_IN_A_SLOT, name="lever"))
-    quantities = [read(method.mechanism, text) for text in ("a_k B1B3", "a_r B1B3")]
+WITH_A_BLOCK = PIN_IN_A_SLOT.replace("1 = {", '2 = { points = ["B"] }, 1 = {').replace("pin =", 'block = "2", point =')
+
+
+@pytest.mark.parametrize("text", [PIN_IN_A_SLOT, WITH_A_BLOCK], ids=["pin", "block"])
+@pytest.mark.parametrize("order", ["B1B3", "B3B1"])
+def test_the_coriolis_acceleration_of_a_pin_in_a_slot_is_handed_in_as_it_was_laid_off(text: str, order: str):
+    """By the slot's rotation either way round, as the pin's path is straight there, with a block and without."""
+    method = plan(loading.loads(text, name="lever"))
+    quantities = [read(method.mechanism, f"a_{part} {order}") for part in "kr"]
+    exact = motion(method.mechanism)
+    slip = exact.velocity_at("B", "1") - exact.velocity_at("B", "3")
+    for quantity in (quantities[0], *map(partial(read, method.mechanism), ("a_k B1B3",))):
+        assert abs(quantity.vector(exact)) == pytest.approx(abs(2 * exact.omega["3"] * slip))
     found = consequences(method, replay_all(method), quantities)
     right, values = found.right[0].value, {one.id: row[0] for (one,), row in zip(found.columns, found.values, strict=True)}
     assert values["coriolis-half"] == pytest.approx(right / 2)

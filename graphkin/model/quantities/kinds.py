@@ -298,16 +298,13 @@ def has_part(mechanism: Mechanism, part: str, of: Seen, seen_from: Seen) -> bool
 
 
 def relative(motions: Motions, plane: Plane, part: str, of: Seen, seen_from: Seen) -> Value:
-    """The motion of one site seen from another, or a part of it that there is: n, t, k or r. The Coriolis part takes
-    the rotation of the link of `seen_from`; of a pin in a slot the slot's, either way round, as the pin's path is
-    straight there and nowhere else."""
+    """The motion of one site seen from another, or a part of it that there is: n, t, k or r."""
     whole = absolute(motions, plane, of) - absolute(motions, plane, seen_from)
     if part == "":
         return whole
     if part in ("k", "r"):
         slip = absolute(motions, "velocity", of) - absolute(motions, "velocity", seen_from)
-        in_slot = (of.link, of.point) in _slots(motions.mechanism)
-        coriolis = 2j * motions.turning(of.link if in_slot else seen_from.link) * slip
+        coriolis = 2j * motions.turning(turning_link(motions.mechanism, of, seen_from)) * slip
         return coriolis if part == "k" else whole - coriolis
     arm = motions.position[of.point] - motions.position[seen_from.point]
     link = common_link(motions.mechanism, of, seen_from)
@@ -317,9 +314,19 @@ def relative(motions: Motions, plane: Plane, part: str, of: Seen, seen_from: See
     return -(motions.omega[link] ** 2) * arm if part == "n" else 1j * motions.alpha[link] * arm
 
 
+def turning_link(mechanism: Mechanism, of: Seen, seen_from: Seen) -> str:
+    """The link whose rotation the Coriolis part takes: that of `seen_from`; but where a point of that link has a
+    straight path in the other, as the pin of a slot or of a block has, the other."""
+    carried = seen_from.link in mechanism.owners.get(of.point, ())
+    return of.link if carried and (of.link, of.point) in _straight(mechanism) else seen_from.link
+
+
 @kept(4)
-def _slots(mechanism: Mechanism) -> frozenset[tuple[str, str]]:
-    """The link of each slot, and the point of its pin; a wheel or a cam may stand for one."""
-    slides = ((slide.line.link, slide.point) for slide in mechanism.slides if slide.block is None)
+def _straight(mechanism: Mechanism) -> frozenset[tuple[str, str]]:
+    """Each link with the points whose path in it is straight: those of a block in its guide and of the guide in the
+    block, a pin in its slot; a wheel or a cam may stand for one."""
+    blocks = [(slide.guide, slide.block) for slide in mechanism.slides if slide.block is not None]
+    either_way = (way for pair in blocks for way in (pair, pair[::-1]))
+    points = ((link, point) for link, other in either_way for point in mechanism.links[other].points)
     slots = ((same.line.link, same.point) for pair in mechanism.pairs if isinstance(same := pair.equivalent, Slot))
-    return frozenset((*slides, *slots))
+    return frozenset((*points, *slots, *((slide.guide, slide.point) for slide in mechanism.slides)))
