@@ -37,9 +37,14 @@ _WORD, _SIGN = "[\u4e00-\u9fff]", "[（）；，。、：]"
 _START, _END = "\ue002", "\ue003"
 _LETTER = "[A-Za-z0-9\u0370-\u03ff\ue000\ue100-\uf8ff]"  # with those that stand for figures that are noted
 _BESIDE = f"(?<={_WORD}){_START}+(?={_LETTER})|(?<=[A-Za-z0-9\u0370-\u03ff\u2032\ue001\ue100-\uf8ff]){_END}+(?={_WORD})"
+_LOW = f"(_\\w*{_WORD}′*)"  # a word below the line, which would take in those that follow
 _CHOICE = re.compile(r"\[([^\[\]]*\|[^\[\]]*)\]")
 _EDGE = f"[{_START}{_END}]"
-_ROOM = f"(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})"
+_PART = f"{_WORD}*[件杆架块轮环柄条臂盘缸板塞]"  # a name that says itself what it is, and needs no such word before it
+_PARTS = f"({_START}+(?:{_PART}(?:{_END}*[、和]{_START}*|(?={_END})))+)"
+_NAMED = re.compile(f"(构件|滑块|齿轮|轮) *{_PARTS}(?:(?={_END})|(?P<more>))")
+_TWICE = re.compile(r"\b(link|slider|gear|wheel|pin) \1\b", re.IGNORECASE)
+_ROOM = f"{_LOW} +(?={_WORD})|(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})"
 
 
 @cache
@@ -100,13 +105,17 @@ def meaning(name: str, /, **words: object) -> Meaning:
 
 
 def close(text: str) -> str:
-    """Chinese leaves no room between two Chinese words, nor beside its signs."""
-    return re.sub(_ROOM, "", text)
+    """Chinese leaves no room between two Chinese words, unless one is a subscript, nor beside its signs."""
+    return re.sub(_ROOM, lambda room: f"{room[1]} " if room[1] else "", text)
 
 
 def say_close(name: str, lang: Lang, /, **words: object) -> str:
-    """A phrase filled in; in Chinese with room between its own words and letters and figures, and nowhere else."""
+    """A phrase filled in, without `slider` before the name `slider`; in Chinese with room between its own words and
+    letters and figures, and nowhere else."""
     if lang != "zh":
-        return say(name, lang, **words)
+        return _TWICE.sub(r"\1", say(name, lang, **words))
     held = {key: f"{_START}{word}{_END}" if isinstance(word, str) else word for key, word in words.items()}
-    return close(re.sub(_EDGE, "", re.sub(_BESIDE, " ", say(name, "zh", **held))))
+    text = say(name, "zh", **held)
+    text = _NAMED.sub(lambda named: named[2] + ("" if named["more"] is None else f"{named[1]} "), text)
+    text = re.sub(f"{_LOW}{_END}+(?={_WORD})", r"\1 ", re.sub(_BESIDE, " ", text))
+    return close(re.sub(_EDGE, "", text))
