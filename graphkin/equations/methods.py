@@ -17,6 +17,7 @@ from graphkin.equations.matrices import column, derivatives, grid, matrices, rat
 from graphkin.equations.model import Model, PointChain, Task, point_chains, point_symbols
 from graphkin.equations.polygons import ClosedPolygon, RollingSum
 from graphkin.equations.pretty import Pretty, bracketed
+from graphkin.model.mechanism import FRAME
 from graphkin.say.catalogue import meaning
 
 
@@ -52,7 +53,8 @@ def write_complex(model: Model, page: EquationPage) -> None:
                 _close(page, pretty, polygon)
         for rolling in task.rollings:
             page.head("equations.rolling", names=", ".join(model.bodies.called(w) for w in rolling.contact.wheels))
-            _roll(page, pretty, rolling)
+            arm = rolling.contact.arm
+            _roll(page, pretty, rolling, model.bodies.called(arm) if arm not in ("", FRAME) else "")
         if not task.polygons and len(task.unknowns) == 1:
             rows, of = [], task.rollings[0].sum
             for order, equation in enumerate((of, of.rate, of.rate.rate)):
@@ -109,10 +111,11 @@ def _solve(solver: Solver, task: Task, polygon: ClosedPolygon) -> None:
         page.show(*((Letter(rate), pretty.quotient(top, bottom)) for rate, top, bottom in quotients(split, order)))
 
 
-def _roll(page: EquationPage, pretty: Pretty, rolling: RollingSum) -> None:
-    """The angle relation and its derivatives, positive terms left, the rest right with their signs turned."""
+def _roll(page: EquationPage, pretty: Pretty, rolling: RollingSum, carrier: str) -> None:
+    """The angle relation and its derivatives, positive terms left, the rest right with their signs turned; `carrier`:
+    the moving link from which it is seen."""
     moving = rolling.moving
-    page.say("equations.rolling relation")
+    page.say("equations.rolling relation", which=int(bool(carrier)), carrier=carrier)
     page.show((pretty.sum(moving), Letter(rolling.constant)))
     page.say_derived([moving])
     rows = []

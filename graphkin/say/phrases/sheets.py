@@ -20,7 +20,7 @@ PHRASES: Phrases = {
     "sheet.arrows": ("arrows: 1 mm is ", "箭头：1 mm 表示 "),
     "sheet.every": ("from arrow to arrow ", "相邻箭头相隔 "),
     "sheet.also": ("also {symbol}", "另取 {symbol}"),
-    "sheet.step": ("Step {number} of {count}", "第 {number} 步，共 {count} 步"),
+    "sheet.step": ("Sheet {number} of {count}", "第 {number} 张，共 {count} 张"),
     # === the table of instant centres and its circle diagram; captions of linkages
     "sheet.chord thin": ("by definition", "由定义直接确定"),
     "sheet.chord dashed": ("by Kennedy's theorem", "由三心定理确定"),
@@ -190,9 +190,9 @@ PHRASES: Phrases = {
     "equations.rates": ("Take the components of both sides at right angles to one unknown vector, which drops out; "
                         "the other unknown follows:",
                         "将等式两端向某一未知矢量的垂直方向投影，该未知矢量即被消去，从而求得另一未知量："),
-    "equations.rolling relation": ("Rolling without slip, seen from the arm, ties the angles; the constant is that of "
-                                   "the drawn position:",
-                                   "由无滑动滚动条件（相对于系杆）得转角关系，常数由给定位置确定："),
+    "equations.rolling relation": ("Rolling without slip[|, seen from link {carrier},] ties the angles; the constant is that "
+                                   "of the drawn position:",
+                                   "由无滑动滚动条件[|（相对于构件 {carrier}）]得转角关系，常数由给定位置确定："),
     "equations.hence": ("Hence", "故"),
     "equations.point from": ("The vector from {start} to {name} runs over the links:", "由 {start} 至 {name} 的位置矢量为"),
     "equations.all unknowns": ("All polygons together, terms with unknowns on the left:",
