@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import assert_never
@@ -131,8 +132,9 @@ def _drawing(polygon: PolygonReading, steps: tuple[Step, ...], both_sides: tuple
             case kinds.Meet():
                 one, other = (locus for locus in (step.first, step.second) if isinstance(locus, kinds.Ray))
                 words = {"first": names.point(one.through), "second": names.point(other.through)}
-                words["first_direction"] = polygon.line_direction(one.direction, both_sides)
-                words["second_direction"] = polygon.line_direction(other.direction, both_sides)
+                for which, ray in (("first", one), ("second", other)):
+                    words[f"{which}_direction"] = direction = polygon.line_direction(ray.direction, both_sides)
+                    words[f"{which}_line"] = _ray(polygon, direction)
                 key = "derivation.meet rays one point" if one.through == other.through else "derivation.meet rays"
                 yield polygon.sentence(step, polygon.reading.say(key, point=names.point(step.point), **words))
             case kinds.Ray():
@@ -145,6 +147,13 @@ def _drawing(polygon: PolygonReading, steps: tuple[Step, ...], both_sides: tuple
                 raise AssertionError("positions are drawn before")
             case _:
                 assert_never(step)
+
+
+def _ray(polygon: PolygonReading, direction: str) -> str:
+    """`the line ⊥BC`; with words of a line that has no points to be called by."""
+    if re.search("^[a-z]{2}|[\u4e00-\u9fff]", direction[1:]):
+        return polygon.reading.say("derivation.ray beside", line=direction[1:], which=int(direction[0] == "⊥"))
+    return polygon.reading.say("derivation.ray", direction=direction)
 
 
 def _lay_off(polygon: PolygonReading, step: kinds.LayOff) -> str:

@@ -121,6 +121,12 @@ def heading(angle: str, lang: Lang) -> str:
     return say_close(key if is_phrase(key) else "derivation.at direction", lang, angle=angle)
 
 
+def inclination(angle: str, lang: Lang) -> str:
+    """`at 60° to +x`, `horizontally`: the same of a line that nothing is counted along."""
+    key = f"derivation.line at {angle}"
+    return say_close(key, lang) if is_phrase(key) else heading(angle, lang)
+
+
 def side(away: complex) -> int:
     """The side on which what is so far away lies: above, below, to the left, to the right."""
     return int(away.imag <= 0) if abs(away.imag) > _LEVEL * abs(away) else 2 + (away.real > 0)

@@ -255,11 +255,13 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
 
 
 def _rim(polygon: PolygonReading, slide: str) -> KnownSize | None:
-    """`r3 ω3` of the centre of a wheel that rolls on the frame and is turned; None of any other slide."""
+    """`r3 ω3` of the centre of a wheel that rolls on the frame and is turned, or of the rack that such a wheel moves;
+    None of any other slide."""
     reading, structure = polygon.reading, polygon.reading.method.structure
     for contact in structure.contacts if slide not in structure.slides_driven else ():
         wheel, radius = contact.wheels[1], abs(contact.radii[1])
-        if contact.slide == slide and not contact.way and contact.wheels[0] == FRAME:
+        track, alone = contact.wheels[0], {*dict(contact.way)} or {contact.slide}
+        if alone == {slide} and (track == FRAME or reading.translates(track)):
             numbers = Operand(radius) * Operand(abs(reading.turning(wheel, polygon.plane)))
             return KnownSize(f"{reading.radius(wheel, radius)} {polygon.rate(wheel)}", numbers, "")
     return None

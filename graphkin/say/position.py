@@ -18,7 +18,7 @@ from graphkin.say import names
 from graphkin.say.dimensions import link_sizes
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
-from graphkin.say.numbers import degrees, given_figure, heading, side
+from graphkin.say.numbers import degrees, given_figure, heading, inclination, side
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.rolling import rolled, touched
 from graphkin.say.simultaneous import fitted, link_angle, special_point
@@ -71,7 +71,7 @@ class PositionReader(Tangents):
             origin = slide.line.origin
             place = names.point(origin) if slide.line.named else reading.place_on_paper(shape[origin])
             words = {"guide": capitalized(reading.path(slide.name))}
-            words["heading"] = heading(degrees(slide.line.direction), reading.lang)
+            words["heading"] = inclination(degrees(slide.line.direction), reading.lang)
             yield Sentence(reading.say("derivation.fixed guide", place=place, **words))
         yield from equivalents(reading)
         for part in reading.method.position.parts:
@@ -196,12 +196,23 @@ class PositionReader(Tangents):
 
     def _meet(self, step: kinds.Meet) -> str:
         reading = self.reading
-        words = {"first": capitalized(self._locus(step.first)), "second": self._locus(step.second)}
-        words["point"] = names.point(step.point)
-        if not isinstance(step.second, kinds.Arc):
-            return reading.say("derivation.meet lines", **words)
-        words["where"] = reading.note(_crossing(reading, step, step.second))
-        return reading.say("derivation.meet circles", **words)
+        arc = step.second if isinstance(step.second, kinds.Arc) else None
+        words = {"point": names.point(step.point), "where": reading.note(_crossing(reading, step, arc)) if arc else ""}
+        for one, other in ((step.first, step.second), (step.second, step.first)):
+            if guide := self._guide(one):
+                first = capitalized(self._locus(other))
+                return reading.say("derivation.meet guide", first=first, guide=guide, **words)
+        words |= {"first": capitalized(self._locus(step.first)), "second": self._locus(step.second)}
+        return reading.say("derivation.meet circles" if arc else "derivation.meet lines", **words)
+
+    def _guide(self, locus: kinds.Ray | kinds.Arc) -> str:
+        """The fixed guide that a line is, which stands there already."""
+        direction = locus.direction if isinstance(locus, kinds.Ray) else None
+        if not isinstance(locus, kinds.Ray) or not isinstance(direction, terms.AlongGuide):
+            return ""
+        pair = self.reading.method.structure.slides[direction.slide]
+        own = pair.guide == FRAME and pair.line.origin == locus.through
+        return self.reading.path(direction.slide) if own else ""
 
     def _locus(self, locus: kinds.Ray | kinds.Arc) -> str:
         reading = self.reading
@@ -210,8 +221,6 @@ class PositionReader(Tangents):
         match locus.direction:
             case terms.AlongGuide(slide):
                 pair = reading.method.structure.slides[slide]
-                if pair.guide == FRAME and pair.line.origin == locus.through:
-                    return reading.say("derivation.take guide", guide=reading.path(slide))
                 ends = reading.points_along(slide) if pair.guide != FRAME else None
                 if ends is not None and {*ends} <= self._before(locus) - {locus.through}:
                     words = {"through": reading.place(locus.through), "ends": names.pair(*ends)}
@@ -220,7 +229,7 @@ class PositionReader(Tangents):
                 pass
             case _:
                 assert_never(locus.direction)
-        at = heading(degrees(complex(reading.plot.direction(locus.direction))), reading.lang)
+        at = inclination(degrees(complex(reading.plot.direction(locus.direction))), reading.lang)
         return reading.say("derivation.line parallel", through=reading.place(locus.through), direction=at)
 
     def _before(self, ray: kinds.Ray) -> set[str]:
@@ -255,22 +264,13 @@ class PositionReader(Tangents):
             yield self._measured_angles(dict.fromkeys(angles))
 
     def _slide(self, slide: str) -> Iterator[Entry]:
-        """The displacement by its name, or as the distance of two points, or as where its point has come to lie."""
+        """The displacement by its name; where its point has come to lie is all there is of another."""
         reading = self.reading
         pair = reading.method.structure.slides[slide]
-        origin, point = pair.line.origin, pair.point
-        if slide in reading.contact_slides and pair.guide != FRAME:
-            return
-        if pair.named:
-            along = float(dot(reading.guide(slide), reading.arm(origin, point)))
+        if pair.named and not (slide in reading.contact_slides and pair.guide != FRAME):
+            along = float(dot(reading.guide(slide), reading.arm(pair.line.origin, pair.point)))
             text = self._ruler(names.of_slide("s", slide), "", reading.measured(along))
-        elif pair.line.named:
-            self.measured.add(frozenset((origin, point)))
-            line = names.pair(origin, point)
-            text = self._ruler(f"l_{line}", line, reading.distance(origin, point))
-        else:
-            return  # where it has come to lie is all there is of it
-        yield Sentence(reading.say("derivation.measured values", values=text))
+            yield Sentence(reading.say("derivation.measured values", values=text))
 
 
 def _crossing(reading: Reading, step: kinds.Meet, circle: kinds.Arc) -> str:

@@ -5,17 +5,19 @@ from __future__ import annotations
 from cmath import phase, rect
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
 from math import degrees, pi, remainder
 
 from graphkin.base.geometry import dot
+from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME, Driver, KeyPath, Pose
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
 from graphkin.say.dimensions import SIGNED, beside, drawn_value, driven, guide_angle, link_sizes, radii, stated_angle
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
-from graphkin.say.numbers import direction, given_figure, heading, number
+from graphkin.say.numbers import direction, given_figure, heading, inclination, number
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.sizes import Size, length_unit, sized
 from graphkin.say.structure import redundant_constraints
@@ -32,7 +34,7 @@ def problem_data(reading: Reading) -> Iterator[Entry]:
     yield Heading(reading.say("solution.given"))
     yield from map(Sentence, _dimensions(reading))
     drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
-    yield Sentence(reading.say("derivation.given", drivers=between.join(drivers)))
+    yield Sentence(reading.say("derivation.given", drivers=between.join(drivers), which=int(len(drivers) > 1)))
     if reading.mechanism.poses:
         poses = []  # conditions that held when the mechanism was drawn
         for k, pose in enumerate(reading.mechanism.poses):
@@ -92,7 +94,8 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
             start = reading.say(f"derivation.driven {kind} free", slide=slide)
         else:
             start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.whole)
-        return reading.joined([start, *(_slid(reading, driver.link, size) for size in rates)])
+        planes: tuple[Plane, ...] = ("velocity", "acceleration")
+        return reading.joined([start, *map(partial(_slid, reading, driver.link), planes, rates)])
     texts = [_rated(size, reading.note(reading.sense(size.value))) for size in rates]
     if driver.vector is None or shown is None:
         key = "derivation.driven wheel" if driver.vector is None else "derivation.driven line free"
@@ -104,12 +107,13 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     return reading.joined([reading.say(key, which=words.get("line") == words["link"], **words), *texts])
 
 
-def _slid(reading: Reading, slide: str, size: Size) -> str:
-    """The rate of a driven slide: with its sign as it is called `ṡ_ram`, else in the sense in which s_ram changes."""
+def _slid(reading: Reading, slide: str, plane: Plane, size: Size) -> str:
+    """The rate of a driven slide: with its sign as it is called `ṡ_ram`, else in the sense in which s_ram changes, or
+    towards which it is changed."""
     if size.symbol.startswith(SIGNED):
         return size.whole if size.value else f"{size.symbol} = 0"
     words = {"s": names.of_slide("s", slide), "which": size.value < 0}
-    return _rated(size, reading.note(reading.say("derivation.slide sense", **words)))
+    return _rated(size, reading.note(reading.say(f"derivation.slide sense {plane}", **words)))
 
 
 def _rated(size: Size, sense: str) -> str:
@@ -134,7 +138,9 @@ def _dimensions(reading: Reading) -> Iterator[str]:
         places = _as_typed(reading, link, path)
         points = [names.point(p) + _place(reading, place, (*path, p), unit) for p, place in places.items()]
         key = "solution.shape" if link in placed else "solution.frame points" if points else "solution.frame"
-        yield say(key, points=reading.joined(points), **words)
+        own = link == FRAME and words["link"] == say("linkages.frame")  # it says itself what it is
+        if points or not own:
+            yield say(key, points=reading.joined(points), which=int(own), **words)
     for kind, sentence in PAIR_SENTENCES.items():
         for pair in mechanism.of(kind):
             yield sentence(reading, pair)
@@ -285,7 +291,11 @@ def _lying(reading: Reading, line: Line, path: KeyPath, slide: Slide | None = No
         along = f"{given_figure(direction(line.direction))}°"
         if direction(line.direction) % 90:
             along = _angle(reading, phase(line.direction), stated, signed=True)
-        return reading.say("solution.line", start=through, heading=heading(along, reading.lang))
+        if either:
+            return reading.say("solution.line", start=through, heading=inclination(along, reading.lang))
+        counted = names.of_slide("s", slide.name) if slide is not None and slide.named else ""
+        key = "solution.line counted" if counted else "solution.line"
+        return reading.say(key, start=through, heading=heading(along, reading.lang), s=counted)
     shape, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
     apart = (ends for ends in combinations(points, 2) if abs(shape.arm(*ends)) > reading.noise)
     # where no file says it, a line is measured from the points of γ, else from the link's first

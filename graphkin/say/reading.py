@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
 
 
-TOO_SHORT_MM = 0.5  # shorter lines are not drawn on paper
+TOO_SHORT_MM = 0.5  # shorter lines are hardly seen on paper
 _AXES = {"0°": "x", "180°": "x", "90°": "y", "270°": "y"}
 
 
@@ -118,7 +118,7 @@ class Reading:
         return self.say("common.note", note=text) if text else ""
 
     def too_short(self, length_mm: float) -> str:
-        """A note on a length that no pencil draws."""
+        """A note on a length that is hardly seen; whether a detail shows it, only the sheet knows."""
         return self.say("derivation.too short") if 0 < length_mm < TOO_SHORT_MM else ""
 
     def sense(self, value: float) -> str:

@@ -118,7 +118,7 @@ class RollingRelation:
                 name = reading.displacement(names.SLIDING[plane], other)
                 terms.append((-share / own, name, Operand(reading.sliding(other, plane))))
         turning, turned = f" {self.symbol(wheel)}", self._figure(wheel)
-        if track != FRAME:
+        if track != FRAME and not reading.translates(track):
             turning, turned = f"({turning[1:]} − {self.symbol(track)})", turned - self._figure(track)
         size = Operand(abs(contact.radii[1]))
         terms.append((-contact.on_slide / own, f"{self.radius(1)}{turning}", size * turned))

@@ -111,14 +111,14 @@ def sized(
     if stated is None:
         used = length_unit(reading) if dimension == "length" else unit
         own = f"{given_figure(in_unit(value, used, dimension))} {used}"
-        return size if used == unit else replace(size, written=own, worked=f" = {size.figure}")
+        return size if used == unit else replace(size, written=own, worked=_worked(size, used))
     figure, other = _split(stated.written) if isinstance(stated.written, str) else ("", unit)
     if (printed := _PRINTED.get(other, other)) == unit:
         return replace(size, written=_with_unit(stated_figure(size.value), unit))
     if sum(letter.isdigit() for letter in figure) > MOST_TYPED:
         figure = stated_figure(in_unit(abs(value), other, dimension))
     sign = "−" if value < 0 else ""
-    size = replace(size, written=f"{sign}{figure.lstrip('+-')} {printed}", worked=f" = {size.figure}")
+    size = replace(size, written=f"{sign}{figure.lstrip('+-')} {printed}", worked=_worked(size, printed))
     if printed in _TURNS:  # n1 = 60 r/min, and ω1 = 2πn1/60 of it
         turns = "n" + symbol.removeprefix("ω")
         comma = reading.say("common.and")
@@ -128,6 +128,11 @@ def sized(
 
 def _with_unit(figure: str, unit: str) -> str:
     return f"{figure}{'' if unit == '°' else ' '}{unit}"
+
+
+def _worked(size: Size, stated: str) -> str:
+    """The value once more in the unit of the solution, which calculates in metres and gives lengths in mm."""
+    return "" if stated == "m" else f" = {size.figure}"
 
 
 def _split(text: str) -> tuple[str, str]:

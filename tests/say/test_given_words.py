@@ -174,9 +174,8 @@ def told(key: str, stated: str | float, text: str) -> bool:
     figure, unit = stated.split(maxsplit=1) if isinstance(stated, str) else (str(stated), "")
     value, close = float(figure), 1e-9 if sum(map(str.isdigit, figure)) <= COMPUTED else 1e-5
     if key in ("angle", "tilt") and unit in ("", "deg") and not value % 90:
-        axes = ("horizontally to the right", "vertically upwards", "horizontally to the left", "vertically downwards")
         along = ("along", "parallel to", "the link's own axis", "stays on a line of link") if value == 0 else ()
-        if any(said in text for said in (axes[round(value / 90) % 4], *along)):
+        if any(said in text for said in (("horizontally", "vertically")[round(value / 90) % 2], *along)):
             return True
     unit = {"rpm": "r/min", "deg": "°"}.get(unit, unit)
     for printed in re.finditer(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text):
