@@ -19,7 +19,7 @@ labels, headings, equations, and tables; numbers of steps, and plain words on th
 SMALL = 0.7  # size of sub- and superscripts, against the letters they belong to
 _DROP, _RISE = 0.22, -0.40
 _ASCENT, _DESCENT = 0.68, 0.20
-_BOLD = 1.08  # the width of bold letters, as a part of plain ones
+_BOLD = 1.08  # the width of bold letters, as a part of plain ones; figures are as wide
 
 _ROMAN = (
     "250 333 408 500 500 833 778 180 333 333 500 564 250 333 250 278 500 500 500 500 500 500 500 500 500 500 278 278 "
@@ -77,7 +77,7 @@ def is_wide(letter: str) -> bool:
 
 def run_width(run: Run, size: float) -> float:
     """Width of a run of a label lettered at `size` [mm]."""
-    return advance(run.text, run.italic) * run_size(run, size) * (_BOLD if run.bold else 1.0)
+    return advance(run.text, run.italic) * run_size(run, size) * (_BOLD if run.bold and run.text[:1].isalpha() else 1.0)
 
 
 def run_size(run: Run, size: float) -> float:
