@@ -101,11 +101,6 @@ def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Se
     return _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens).showing(_about(about)).panel
 
 
-def has_knot(panel: Panel) -> bool:
-    """True where a detail may relieve a panel's labels."""
-    return bool(_knots(panel.figure.wanted, panel.burdens))
-
-
 @frozen
 class _DetailDrawing:
     """A panel with the details it has so far; prime: after their numerals; burdens: of its labels on the eye, as far as
@@ -121,7 +116,7 @@ class _DetailDrawing:
         """With the one more detail that relieves it most, None where none does."""
         whole, free, best = burden(self.burdens), FreeRoom(self.panel.scene), None
         least = whole - SAVED + _CLOSE
-        for knot, held in sorted(_knots(self.panel.figure.wanted, self.burdens).items(), key=lambda each: -each[1]):
+        for knot, held in sorted(knots(self.panel.figure, self.burdens).items(), key=lambda each: -each[1]):
             if whole - held < least and (view := self._view(knot, free)) is not None:  # were its labels no burden
                 other = self._with(view)
                 own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
@@ -182,24 +177,25 @@ def _alone(want: LabelRequest) -> LabelRequest:
     return replace(want, label=first, parts=())
 
 
-def _knots(wanted: Sequence[LabelRequest], burdens: Array) -> dict[_DetailCircle, float]:
-    """For each radius the circle about what is near one label and weighs most, if that is enough; and that weight."""
-    knots = dict[_DetailCircle, float]()
-    if not 0 < len(wanted) <= MANY:
-        return knots
-    start = np.array([want.start for want in wanted])
-    end = np.array([want.start if want.end is None else want.end for want in wanted])
-    about = np.array([want.place for want in wanted])[:, None]
+def knots(figure: Figure, burdens: Array) -> dict[_DetailCircle, float]:
+    """Where a detail may relieve labels: for each radius the circle about what is near one of them and weighs most, if
+    that is enough; and that weight."""
+    found = dict[_DetailCircle, float]()
+    if not 0 < len(figure.wanted) <= MANY:
+        return found
+    start = np.array([want.start for want in figure.wanted])
+    end = np.array([want.start if want.end is None else want.end for want in figure.wanted])
+    about = np.array([want.place for want in figure.wanted])[:, None]
     far = np.maximum(abs(start - about), abs(end - about))
-    nameless = np.array([bool(want.of) for want in wanted]) & (burdens >= UNCLEAR)
+    nameless = np.array([bool(want.of) for want in figure.wanted]) & (burdens >= UNCLEAR)
     for radius in _RADII:
         held = far <= radius + _ON
         inside = held[(held @ burdens).argmax()]
         knot = np.count_nonzero(inside) > _FEW or nameless[inside].any()
         if burdens[inside].sum() >= SAVED and knot:
             lighter = burden(burdens) - burden(np.where(inside, 0.0, burdens))
-            knots[_about([*start[inside], *end[inside]])] = lighter
-    return knots
+            found[_about([*start[inside], *end[inside]])] = lighter
+    return found
 
 
 def _about(places: Sequence[Place]) -> _DetailCircle:

@@ -24,7 +24,7 @@ from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.sheet.composition import DetailRoom, Planes, SheetContents, Style
-from graphkin.sheet.detail import DETAILS, SAVED, has_knot
+from graphkin.sheet.detail import DETAILS, SAVED, knots
 from graphkin.sheet.label_requests import CRAMMED
 from graphkin.sheet.labels import UNCLEAR, burden
 from graphkin.sheet.layout import Layout, cut_to
@@ -108,11 +108,13 @@ class Arrangement:
 
     @classmethod
     def on(cls, contents: SheetContents, papers: Sequence[Paper]) -> Arrangement:
-        """On the smallest paper that holds all, some blocks in the strip if need be. Raises TooLargeForPaper."""
+        """On the smallest paper that holds all, some blocks in the strip if need be; cut where it is tight. Raises
+        TooLargeForPaper."""
         try:
-            return cls(*contents.laid_out(papers))
+            made = cls(*contents.laid_out(papers))
         except TooLargeForPaper as error:
             raise error.at(contents.drawing.method.mechanism.where("scales", error.key)) from None
+        return made.cut if contents.tight else made
 
     @property
     def cut(self) -> Arrangement:
@@ -151,7 +153,7 @@ class Arrangement:
         planes = [plane for plane in self.contents.drawing.planes if plane != "position" and self.overfull <= 1]
         return {plane: DetailRoom(DETAILS[burden(panel.burdens) > 2 * SAVED])
                 for plane, panel in zip(planes, map(self.panel, planes), strict=True)
-                if (panel.burdens >= UNCLEAR).sum() <= _CROWD and has_knot(panel)}  # fmt: skip
+                if (panel.burdens >= UNCLEAR).sum() <= _CROWD and knots(panel.figure, panel.burdens)}  # fmt: skip
 
     @cached_property
     def panel(self) -> Callable[[Plane], Panel]:
@@ -179,7 +181,7 @@ def _arranged(drawing: Planes, contents: Callable[[Planes], SheetContents], pape
         return Arrangement(kept, layout)
     with suppress(TooLargeForPaper):
         alike = Arrangement.on(kept, [other for other in papers_for(paper) if other.area >= best.sold.area])
-        return alike.cut if paper is None or own.tight else alike
+        return alike if paper else alike.cut
     return cheapest(own, paper)
 
 
@@ -200,14 +202,16 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
         elif (price := next(bounds, -1.0)) >= 0:
             heapreplace(tried, (price, number, best, bounds))
         else:
-            return best.cut if paper is None or contents.tight else best
+            return best if paper else best.cut
 
 
 def _arrangements(contents: SheetContents, papers: Sequence[Paper]) -> Iterator[Arrangement]:
-    """Those on papers: with the details that are known to be wanted, else without, and with those that it wants."""
+    """Those on papers: with the details that are known to be wanted, else without, and with those that it wants; cut to
+    small ones a paper may have no room for them among its letters."""
     yield (one := Arrangement.on(contents, papers))
-    if not contents.detailed and (knots := one.knotted):
-        yield Arrangement.on(replace(contents, detailed=knots), papers)
+    if not contents.detailed and (small := one.knotted):
+        for rooms in (small, dict.fromkeys(small, DetailRoom(DETAILS[1])))[: 1 + contents.tight]:
+            yield Arrangement.on(replace(contents, detailed=rooms), papers)
 
 
 def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:

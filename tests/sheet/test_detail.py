@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from graphkin import Drawing
-from graphkin.files import library
+from graphkin.files import library, loads
 from graphkin.sheet.arrows import side_by_side
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.label_candidates import Arrows
@@ -115,6 +115,23 @@ def test_every_language_magnifies_the_same_parts() -> None:
     english, chinese = (sorted(radii)[: len(radii) // 2] for radii in circles)  # the smaller ones are about the parts
     assert len(english) == 2
     assert chinese == pytest.approx(english)
+
+
+CRANK = """
+frame = { A = [0, 0] }
+links = { 1.AB = 30, 2.BC = 100, 3.points = ["C"] }
+slide = [{ block = "3", point = "C", guide = "frame", through = [0, 10], angle = 180 }]
+driver = [{ vector = "AB", angle = 100, omega = -20, alpha = 30 }]
+sketch = { C = [-100, 10], B = [-5, 30] }
+scales = { acceleration = 0.15 }
+"""
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_a_figure_that_is_cut_has_room_for_its_detail(lang) -> None:
+    """The figure of a handout has the detail that the whole sheet has."""
+    figure = Drawing.of(loads(CRANK)).sheet(lang=lang, only="acceleration", tight=True)
+    assert sum(isinstance(mark, Disc) and mark.pen == "centre" for mark in figure.marks) == 2
 
 
 @pytest.mark.parametrize("turn", [1, -1j, cmath.rect(1, 2.5)])
