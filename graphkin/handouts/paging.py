@@ -8,8 +8,9 @@ from graphkin.base.value import frozen
 from graphkin.handouts import document
 from graphkin.handouts.document import Block
 
-_PAGE, _EARLY, _LATE, _LONE, _OVER = 0.2, 0.01, 0.05, 0.05, 3.0  # costs of a page, of a drawing before the end of its
-# text or on the page after it, of a line alone, of no room
+_PAGE, _EARLY, _LATE, _BEYOND, _LONE, _OVER = 0.2, 0.01, 0.05, 0.2, 0.05, 3.0
+# costs of a page, of a drawing before the end of its text or on the page after it, there with text of the next section
+# before it, of a line alone, of no room
 _LEAST = 0.18  # a last page has that much of its height, or more
 
 _FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom)  # stay with what leads
@@ -85,6 +86,7 @@ def pages(parts: Sequence[PagePart], heights: Sequence[float], room: float) -> l
                 total = cost + _cost(used / room, end == len(texts))
                 early = placed is not None and placed in page
                 total += _EARLY * early + _LATE * (owed is not None)
+                total += _BEYOND * (owed is not None and drawings.get(texts[end - 1]) != owed)
                 total += _LONE * _lone([parts[k] for k in page], parts[texts[end]] if end < len(texts) else None)
                 if key not in best or total < best[key][0]:
                     best[key] = total, [*before, page]

@@ -75,6 +75,16 @@ def test_pages_turn_where_least_is_empty():
     assert paging.pages([], [], 100) == []
 
 
+def test_a_drawing_stands_before_the_next_section():
+    """Where a page more is not the price of it: half a page is left empty rather."""
+    text = paging.PagePart((Paragraph(plain("x")),))
+    head = paging.PagePart((HandoutHeading(plain("x")), Paragraph(plain("x"))))
+    drawing = paging.PagePart((Paragraph(plain("x")),), of=0)
+    parts = [head, text, drawing, head, text, text, text]
+    assert paging.pages(parts, [40, 10, 62, 25, 10, 20, 20], 100) == [[0, 1], [2, 3, 4], [5, 6]]
+    assert paging.pages(parts, [40, 10, 70, 25, 10, 20, 10], 100) == [[0, 1, 3, 4], [2, 5, 6]]
+
+
 def test_no_line_of_a_section_stands_alone():
     text = paging.PagePart((Paragraph(plain("x")),))
     head = paging.PagePart((HandoutHeading(plain("x")), Paragraph(plain("x"))))
