@@ -10,7 +10,7 @@ from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label
 
-_MANY = 10  # rows of a table that are as high as one would have them
+_MANY, _FEW = 10, 3  # rows of a table that are as high as one would have them; under gridded paper
 
 Stage = Literal["problem", "blank", "half", "solution"]
 
@@ -87,7 +87,7 @@ class HandoutTable:
     @property
     def row(self) -> float:
         """The height of a row [mm]: of many there is less room for each."""
-        return 5.7 if self.printed else 7.5 if len(self.rows) <= _MANY else 6.0
+        return 5.7 if self.printed else 7.5 if len(self.rows) <= (_FEW if self.under else _MANY) else 6.0
 
 
 @frozen

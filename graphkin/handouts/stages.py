@@ -15,7 +15,7 @@ from graphkin.errors import Lang, NotBetween, NothingToGoOn, Where
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
-from graphkin.handouts.worksheet import answers_room, empty_rows, measured, room, worth
+from graphkin.handouts.worksheet import answers_room, empty_rows, measured, room, rows_to_measure, worth
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.letters import lettered
 from graphkin.say import entry
@@ -155,15 +155,16 @@ def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     yield document.NewPage()
     yield document.HandoutHeading(plain(say(f"sheet.plane {plane}", problem.lang)))
     drawn = plane == "position"
-    entries = (each for section in problem.parts if section.plane == plane for each in section.entries)
+    entries = [each for section in problem.parts if section.plane == plane for each in section.entries]
     equations = [each for each in entries if isinstance(each, entry.VectorEquation)]
     for _ in () if drawn else problem.construction(plane).equations[:MOST_EQUATIONS]:
         yield empty_rows(problem, equations, TERMS[plane])
     grid = room(problem, plane)
+    table = [] if drawn else [measured(problem, rows_to_measure(entries, plane), grid.width)]
     tall = grid.height > ROOM.imag
-    yield from [measured(problem, 1, grid.width)] if tall and not drawn else []
+    yield from table if tall else []
     yield from _gridded(problem, plane, grid)
-    yield from [] if tall or drawn else [measured(problem, 3, grid.width)]
+    yield from [] if tall else table
 
 
 def _gridded(problem: HandoutProblem, plane: Plane, grid: document.GridRoom) -> Iterator[Block]:

@@ -16,8 +16,9 @@ from graphkin.handouts.problem import ROOM, HandoutProblem
 from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import EDGE, Centre, Moving, Rotation, Track, at_position
+from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.entry import VectorEquation
+from graphkin.say.entry import Calculation, Entry, VectorEquation
 from graphkin.say.problems import positions
 from graphkin.sheet.lettering import Label, formula, plain, point_label
 from graphkin.sheet.mechanism_figure import shown_places
@@ -25,6 +26,7 @@ from graphkin.sheet.window import corners
 
 _MORE = 1.2
 _EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
+_ROWS = 3  # of a table to measure into, at least
 _STEP = 10.0  # rooms are so many millimetres, or a multiple of it
 
 
@@ -89,6 +91,12 @@ def measured(problem: HandoutProblem, count: int, under: float = 0.0) -> Handout
     """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
     heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("vector", "measured", "value"))
     return HandoutTable(heads * 2, (((),) * 6,) * count, under)
+
+
+def rows_to_measure(entries: Sequence[Entry], plane: Plane) -> int:
+    """Rows enough for every vector that a solution measures in a polygon, two in each; for no few of them less."""
+    scaled = (each.formulas[0] for each in entries if isinstance(each, Calculation) and each.formulas)
+    return max(_ROWS, math.ceil(sum(first.startswith(f"{names.SCALE[plane]}·") for first in scaled) / 2))
 
 
 @frozen

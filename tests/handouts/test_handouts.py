@@ -20,10 +20,10 @@ import graphkin
 from graphkin.cli import main
 from graphkin.files import library, loads
 from graphkin.handouts import handout, problem, typst
-from graphkin.handouts.document import GridRoom, HandoutPicture, Paragraph, TermRows
+from graphkin.handouts.document import GridRoom, HandoutPicture, HandoutTable, Paragraph, TermRows
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
-from graphkin.handouts.typst import pdf
+from graphkin.handouts.typst import page_count, pdf
 from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.photo.markers import MARKERS, MOST, digits
@@ -127,6 +127,14 @@ def test_a_worksheet_tells_nothing_by_its_rooms(name):
     texts = [machine.text + f"# {k}" for k in range(6)]
     again = [next(b for b in handout([graphkin.loads(text)], "blank", "en").blocks if isinstance(b, GridRoom)) for text in texts]
     assert len({room.pole for room in again}) > 2
+
+
+def test_a_worksheet_has_room_for_all_that_is_measured():
+    """Eight vectors of p3-14's velocities: a row for two of them."""
+    blocks = handout([graphkin.load("p3-14")], "blank", "en").blocks
+    (table,) = (block for block in blocks if isinstance(block, HandoutTable) and block.under)
+    assert len(table.rows) == 4
+    assert page_count(pdf(handout([graphkin.load("p3-14")], "blank", "en"))) == 2
 
 
 @pytest.mark.parametrize(("lang", "said"), [("en", "line at 150° to +x"), ("zh", "与 +x 成 150°")])
