@@ -171,7 +171,7 @@ def _eccentricities(reading: Reading) -> list[Size]:
     of the places where they begin from that of the first of all."""
     machine, fixed, every = reading.mechanism, reading.plot.facts.shapes[FRAME], list[Size]()
     letters = contact_letters(reading.method.structure)
-    every_line: list[tuple[Pair, Line | None, str, str]] = [
+    every_line: list[tuple[Slide | RollingContact, Line | None, str, str]] = [
         *((roll, roll.line, roll.centre, letters[roll.name]) for roll in machine.of(RollingContact)),
         *((slide, slide.line, slide.point, slide.point) for slide in machine.slides if slide.stands_for is None),
     ]
@@ -186,14 +186,26 @@ def _eccentricities(reading: Reading) -> list[Size]:
             places = [*_coordinates(path, points[0]), *_coordinates(("frame", line.origin), points[0])]
             off, symbol = aside(along, place - fixed[points[0]]), f"e_{names.point(name)}"
             size = sized(reading, symbol, off, "length", *places, shape=span)
-            every.append(replace(size, derived=abs(along.real * along.imag) > 1e-9))
+            size = replace(size, derived=abs(along.real * along.imag) > 1e-9)
+            if not line.named and (pair.named or size.derived):
+                stated = (1 + 0j, 1j) if size.derived else (1 + 0j if abs(along.real) > abs(along.imag) else 1j,)
+                every += _start(reading, line, points[0], path, name, stated)
+            every.append(size)
         elif points == [line.origin] != [first := lines[0][1].origin]:
-            away, places = place - fixed[first], _coordinates((*machine.path(pair), "through"), first)
-            for sign, part, axis in (("x", away.real, 1 + 0j), ("y", away.imag, 1j)):
-                span = Span(fixed[first], place, axis, (first, line.origin))
-                symbol = f"{sign}_{names.point(name)},0"  # where its displacement is 0
-                every += [sized(reading, symbol, part, "length", *places, shape=span)] * (abs(part) > reading.noise)
+            every += _start(reading, line, first, (*machine.path(pair), "through"), name)
     return every
+
+
+def _start(
+    reading: Reading, line: Line, first: str, path: KeyPath, name: str, axes: tuple[complex, ...] = (1 + 0j, 1j)
+) -> Iterator[Size]:
+    """The coordinates of where a fixed line begins, from the first place on."""
+    corner, place = (reading.plot.facts.shapes[FRAME][point] for point in (first, line.origin))
+    for axis in axes:
+        part, span = float(dot(axis, place - corner)), Span(corner, place, axis, (first, line.origin))
+        if abs(part) > reading.noise:
+            symbol = f"{'x' if axis.real else 'y'}_{names.point(name)},0"  # where its displacement is 0
+            yield sized(reading, symbol, part, "length", *_coordinates(path, first), shape=span)
 
 
 def stated_angle(reading: Reading, angle: float, path: KeyPath) -> float:

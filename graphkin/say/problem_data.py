@@ -185,22 +185,32 @@ def _start(reading: Reading, line: Line, path: KeyPath) -> str:
     return names.point(line.origin) if named else _place(reading, place or 0j, (*path, "through"))
 
 
+def _begins(reading: Reading, line: Line, path: KeyPath, told: str) -> str:
+    """The same behind what is told of the line: its coordinates are not said twice."""
+    start = _start(reading, line, path)
+    return reading.say("solution.there") if not line.named and start in told else start
+
+
 def _slide(reading: Reading, pair: Slide) -> str:
     """The block and the guide on which it slides, by what the file says of the line."""
     words = {"block": reading.link(pair.block) if pair.block is not None else "", "point": names.point(pair.point)}
     words |= {"guide": "", "tilt": ""}
     path = reading.mechanism.path(pair)
-    if pair.named:  # ` (ram, displacement s_ram)`: the file's name of the pair, where its block is not called so
-        title = reading.slide_name(pair.name)
-        own = pair.block is not None and reading.link(pair.block) == title
-        start = _start(reading, pair.line, path)
-        displacement = reading.say("solution.displacement", s=names.of_slide("s", pair.name), start=start)
-        words["guide"] = reading.note(displacement if own else reading.joined([title, displacement]))
+    where = _lying(reading, pair.line, path, pair)
+    if pair.named:  # ` (ram, displacement s_ram from C)`: the file's name of the pair, where its block is not called so
+        title, s = reading.slide_name(pair.name), names.of_slide("s", pair.name)
+        notes = [] if pair.block is not None and reading.link(pair.block) == title else [title]
+        start, told = _begins(reading, pair.line, path, where), s in where  # its displacement, with the line
+        if not told and start == reading.say("solution.there"):
+            where += reading.say("solution.displacement on line", s=s, start=start, centre=words["point"])
+        elif not told:
+            notes.append(reading.say("solution.displacement", s=s, start=start))
+        words["guide"] = reading.note(reading.joined(notes)) if notes else ""
     if axis := _axis(reading, pair):  # `; the direction of A→B is the guide's turned by 30° ..`
         turned = remainder(round(degrees(pair.tilt), 9), 360)
         angle = {"angle": _angle(reading, pair.tilt, (*path, "tilt")), "sense": reading.sense(turned)}
         words["tilt"] = reading.say("solution.tilt" if turned else "solution.tilt none", line=axis, **angle)
-    kind, where = "pin" if pair.block is None else "block", _lying(reading, pair.line, path, pair)
+    kind = "pin" if pair.block is None else "block"
     if pair.guide == FRAME:
         return reading.say(f"solution.{kind} on frame", line=where, **words)
     return reading.say(f"solution.{kind} on link", link=reading.link(pair.guide), where=where, **words)
@@ -237,11 +247,12 @@ def _rolling(reading: Reading, pair: RollingContact) -> str:
         where = reading.say("solution.touch", which=pair.internal)
         return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
     path = reading.mechanism.path(pair)
+    track = _track(reading, pair.line, path)
     side = reading.say("solution.wheel side", which=not pair.left, centre=words["centre"])
     if pair.named:  # `; s_wheel is the displacement of C along it from E`
-        start, s = _start(reading, pair.line, path), names.of_slide("s", pair.name)
+        start, s = _begins(reading, pair.line, path, track), names.of_slide("s", pair.name)
         side += reading.say("solution.displacement on line", s=s, start=start, centre=words["centre"])
-    return reading.say("solution.rolls on line", line=_track(reading, pair.line, path), side=side, **words)
+    return reading.say("solution.rolls on line", line=track, side=side, **words)
 
 
 def _cam(reading: Reading, pair: Cam) -> str:

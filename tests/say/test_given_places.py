@@ -9,6 +9,7 @@ from graphkin.files import library
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.dimensions import dimensions
+from graphkin.say.problem_data import problem_data
 from graphkin.say.reading import Reading
 
 SHIFTED = """
@@ -48,6 +49,55 @@ def test_places_of_the_frame_and_of_driven_slides(name: str, texts: list[str]) -
 
 def test_coordinates_count_from_the_first_point() -> None:
     assert said(loads(SHIFTED))[:2] == ["x_AD = 50 mm", "y_AD = 20 mm"]
+
+
+RAM = """
+frame = { O = [0, 0] }
+[links.1]
+points = ["B"]
+[links.2]
+BC = 90
+[links.3]
+points = ["C"]
+[[slide]]
+name = "ram"
+block = "1"
+point = "B"
+guide = "frame"
+through = %s
+angle = %s
+[[slide]]
+block = "3"
+point = "C"
+guide = "frame"
+through = "O"
+angle = 0
+[[driver]]
+slide = "ram"
+at = 12
+velocity = "10 mm/s"
+[sketch]
+C = [90, 0]
+B = [10, 20]
+"""
+
+
+@pytest.mark.parametrize(("through", "angle", "texts"), [
+    ("[-20, 10]", 40, ["x_B,0 = −20 mm", "y_B,0 = 10 mm"]),
+    ("[15, 25]", 0, ["x_B,0 = 15 mm", "e_B = 25 mm"]),  # how far off it lies is the other coordinate
+])  # fmt: skip
+def test_the_start_of_a_guide_is_told_as_the_file_states_it(through: str, angle: int, texts: list[str]) -> None:
+    """Of a line without a letter the distance alone does not tell where a displacement begins."""
+    told = [text for text in said(loads(RAM % (through, angle))) if text[:2] in ("x_", "y_", "e_")]
+    assert told[: len(texts)] == texts
+    assert len(told) == (3 if angle else 2)
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_coordinates_of_a_start_are_said_once(lang: str) -> None:
+    method = plan(loads(RAM % ("[-20, 10]", 40)))
+    told = [str(entry) for entry in problem_data(Reading(method, replay_all(method), {}, lang))]
+    assert sum(text.count("(−20, 10)") for text in told) == 1
 
 
 STATED = """

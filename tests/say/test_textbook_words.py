@@ -109,7 +109,8 @@ def test_an_acceleration_points_towards_where_the_displacement_grows_or_shrinks(
 @pytest.mark.parametrize(("text", "en", "zh"), [
     (WHITWORTH, "a fixed guide through O4, vertically.", "导路过 O4，竖直。"),
     (SLIDER_CRANK, "a fixed guide through (0, 10) mm, at 240° to +x.", "导路过 (0, 10) mm，与 x 轴正向成 240°。"),
-    (RACK, "through (60, −45) mm, s_rack counted horizontally to the right;", "导路过 (60, −45) mm，s_rack 的正向水平向右；"),
+    (RACK, "through (60, −45) mm, displacement s_rack counted from there horizontally to the right;",
+     "导路过 (60, −45) mm，位移 s_rack 自该处起算，正向水平向右；"),
 ])  # fmt: skip
 def test_a_guide_has_a_sense_only_where_something_is_counted_along_it(text: str, en: str, zh: str) -> None:
     assert en in told(text)
