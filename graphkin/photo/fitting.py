@@ -27,7 +27,7 @@ _ASIDE, _SHORT = 0.35, 4.0  # a line that is not short passes no farther beside 
 _DISTRUST = 3.0  # so many times less than it lays corners the hand counts where it is told how well they are known
 _AROUND = 0.4  # a line has no ink farther from its edges, all in all, beside the hand's wobble [mm]
 _LEFT, _CLOSE = 5.0, 1.2  # longer ink, and no farther off, may be a line [mm]
-_DRAWN = 0.5  # a line has ink over so much of its length
+_DRAWN, COVERED = 0.5, 0.75  # a line has ink over so much of its length; one that is surely there, over so much
 _THROUGH = 0.03  # a line goes so near by the corners at its ends, beside the hand's wobble [mm]
 _END = 0.15, 0.4  # where a line ends is known so well; the same where others do, too [mm]
 _AHEAD = np.cos(np.radians(35))  # strokes that leave under a smaller angle hide where a line ends
@@ -74,7 +74,7 @@ class Fit:
         for stroke in self._apart(drawn_strokes(self.way, self.at)):
             ends = self.at[[stroke.tail, stroke.head]]
             line = line_near(self.ink, ends, reach, spread, stroke.goes_on)
-            if line.covered < _DRAWN and self.ink.is_printed(ends).all():
+            if line.covered < COVERED and self.ink.is_printed(ends).all():
                 line = Line.printed(ends, self.ink.printed)
             astray = max(abs(line.beside(end)) for end in ends) > reach / 2 + _ASTRAY
             if stroke.needed or (line.covered > 0.95 and not astray):

@@ -8,14 +8,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.photo.fitting import ONE, Fit
+from graphkin.photo.fitting import COVERED, ONE, Fit
 from graphkin.photo.ink import STRANGE, Ink, Page
 from graphkin.photo.predicted import Way
 from graphkin.photo.searching import MISSING, SLIP, Candidate, candidates
 from graphkin.photo.sheets import SheetRoom, Unsure
 
 _SHORT = 4.0  # shorter lines may have less ink [mm]
-_COVERED = 0.75  # a stroke has ink over so much of its length
 _NOWHERE = 5.0  # where the standard deviation is larger nothing is known [mm]
 _OFF = 0.2  # corners with a larger standard deviation are not sure [mm]
 _ALIKE, _APART = 6.0, 0.4  # constructions that score so alike and lie so far apart are not told apart [mm]
@@ -127,7 +126,7 @@ class _Fit(Fit):
         key = self.way.letters
         for stroke, line in self.lines.items():
             length = abs(self.at[stroke.head] - self.at[stroke.tail])
-            if stroke.needed and line.covered < _COVERED and length > _SHORT:
+            if stroke.needed and line.covered < COVERED and length > _SHORT:
                 yield Unsure("no ink", tuple(key[k] for k in (stroke.tail, stroke.head) if k != self.pole))
         for k, letter in enumerate(key):
             drawn = [line for s, line in self.lines.items() if k in (s.tail, s.head) and line.covered > 0.5]

@@ -187,7 +187,7 @@ def _arcs(
         starts = [towards * cmath.rect(1, sense * math.radians(turn)) for turn in turns]
         ways = product((radius, radius + _APART) if radius + _APART < reach else (radius,), starts)
         free = {(r, start): [clearance(skeleton, at + r * start * half**k) for k in (2, 1)] for r, start in ways}
-        radius, start = max(free, key=lambda way: (min(_OFF, free[way][0]), -way[0], free[way][1]))
+        radius, start = max(free, key=lambda way: (free[way][0] > _OFF, -way[0], free[way][1]))
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         figure.marks += symbols.spin(at, start * half, sense * symbols.SWEEP, radius, step, shows)
         # off the link, on the side where its angle is not

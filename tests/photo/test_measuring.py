@@ -64,7 +64,7 @@ def test_an_arrow_along_the_printed_line_is_drawn():
     """The line through the pole hides it."""
     work = work_of("s4-ex2", "mistake", Case("s4-ex2", "mistake", 1015, False).seed, wobble=False)
     found = readings_of(work)
-    assert all(0 < one.off < 0.25 for one in found["velocity"].unsure)
+    assert all(0 < one.off < 0.3 for one in found["velocity"].unsure)
     assert worst(work, found) < 0.35
 
 

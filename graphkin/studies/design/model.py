@@ -16,7 +16,7 @@ import numpy as np
 from graphkin.base.geometry import Array, Real, cross, meet_circles, number, place
 from graphkin.base.value import bulky, frozen
 from graphkin.construction.drafting import Board, Drafting, replay
-from graphkin.errors import GraphkinError, NoQuickReturn, OneCondition, WantedRange
+from graphkin.errors import GraphkinError, OneCondition, WantedRange
 from graphkin.studies.linkages import FourBar, GuideBar, Linkage, Report, SliderCrank, report
 
 Kind = Literal["rocker", "slider", "guide-bar", "coupler", "angles"]
@@ -161,9 +161,7 @@ def angle_within(name: str, value: float | None, high: float) -> None:
 
 
 def ratio_within(k: float, high: float = 3.0) -> None:
-    """Raises WantedRange for a time ratio outside 1 < K < high, where theta is 90 deg at 3; NoQuickReturn for 1."""
-    if k == 1:
-        raise NoQuickReturn
+    """Raises WantedRange for a time ratio outside 1 < K < high: at 1 there is no quick return, at 3 theta is 90 deg."""
     if not 1 < k < high:
         raise WantedRange("K", f"{k:g}", "1", f"{high:g}")
 

@@ -23,6 +23,7 @@ from graphkin.base.geometry import Array, Real, Value, cross, number
 from graphkin.construction.drafting import Board, ChosenPoint, Drafting, DraftLayOff, DraftMeasure, DraftMeet, replay
 from graphkin.construction.drafting.pencil import theta_of
 from graphkin.construction.drafting.steps import Parallel, Perpendicular, Reckon, Slanted, Stage, Step, Through
+from graphkin.errors import NoQuickReturn
 from graphkin.studies.design import model
 from graphkin.studies.design.crank_circle import Chord, bounds, family, steps_to_centre, worth_of
 from graphkin.studies.design.model import Design, Family, Kind, Reason, Solution
@@ -99,7 +100,7 @@ def slider(
     One condition more picks one from the family: offset (negative: the guide passes on the other side of A), length of
     crank or rod [m], or the least transmission angle [rad]. With none, the one with the largest of these is taken.
 
-    Raises WantedRange, OneCondition.
+    Raises WantedRange, OneCondition; NoQuickReturn for K = 1.
 
     >>> best = slider(0.040, 1.2, offset=0.015).best
     >>> round(best.a * 1e3, 3), round(best.b * 1e3, 3)
@@ -108,6 +109,8 @@ def slider(
     conditions = {"offset": offset, "crank": crank, "rod": rod, "gamma_min": gamma_min}
     model.positive(stroke=stroke, offset=abs(offset) if offset is not None else None, crank=crank, rod=rod)
     model.angle_within("gamma_min", gamma_min, math.pi / 2)
+    if k == 1:
+        raise NoQuickReturn
     model.ratio_within(k)
     name = model.one_of(conditions)
     values = {"H": stroke, "K": k} | ({name: abs(conditions[name] or 0.0)} if name else {})
