@@ -1,8 +1,10 @@
-"""Mechanisms of the library as they are drawn: many tests look at one drawing, which each process makes once."""
+"""Mechanisms of the library as they are drawn: many tests look at one drawing, which each process makes once; and
+where those of other textbooks are."""
 
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 
 from graphkin import Drawing
 from graphkin.construction import Plot
@@ -10,6 +12,8 @@ from graphkin.errors import Lang
 from graphkin.files import library
 from graphkin.planning import Method
 from graphkin.sheet import Sheet, Style
+
+TEXTBOOK = Path(__file__).parent / "cases" / "textbook"
 
 
 @cache

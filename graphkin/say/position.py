@@ -207,12 +207,11 @@ class PositionReader(Tangents):
 
     def _guide(self, locus: kinds.Ray | kinds.Arc) -> str:
         """The fixed guide that a line is, which stands there already."""
-        direction = locus.direction if isinstance(locus, kinds.Ray) else None
-        if not isinstance(locus, kinds.Ray) or not isinstance(direction, terms.AlongGuide):
+        if not (isinstance(locus, kinds.Ray) and isinstance(locus.direction, terms.AlongGuide)):
             return ""
-        pair = self.reading.method.structure.slides[direction.slide]
+        pair = self.reading.method.structure.slides[locus.direction.slide]
         own = pair.guide == FRAME and pair.line.origin == locus.through
-        return self.reading.path(direction.slide) if own else ""
+        return self.reading.path(locus.direction.slide) if own else ""
 
     def _locus(self, locus: kinds.Ray | kinds.Arc) -> str:
         reading = self.reading

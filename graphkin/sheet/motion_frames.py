@@ -72,16 +72,15 @@ def motion_frames(
     """
     replay_all(method)
     once = course(method)
-    moved = once.on if once.full_turn and once.turns() > 1 else once
+    moved = once.on if (turns := once.turns()) > 1 else once
     prove(moved)
     aside = stride(method, moved.path.pace, _ASIDE_DEG, _ASIDE_PART)
     times = [t + 2 * aside if any(abs(t - change.at) < aside for change in moved.path.changes) else t
-             for t in moved.evenly(count)]  # fmt: skip
+             for t in moved.evenly(count, turns)]  # fmt: skip
     plots = [replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))) for t in times]
-    back = not (moved.full_turn and moved.turns())
     papers = [one for one in papers_for(paper) if one.width > one.height or paper]  # as screens are
     values = _running_values(moved, times)
-    figures = [MotionFigure(method, plots, plane, lang, back, values.get(plane, ()))
+    figures = [MotionFigure(method, plots, plane, lang, not turns, values.get(plane, ()))
                for plane in ((only,) if only else PLANES)]  # fmt: skip
     extents = {figure.plane: figure.extent(figure.smaller) for figure in figures}
     layout = lay_out(extents, Strip().height, papers, freely=True)

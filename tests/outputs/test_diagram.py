@@ -14,6 +14,7 @@ from typing import Any
 import matplotlib
 import numpy as np
 import pytest
+from library_sheets import TEXTBOOK
 
 import graphkin
 from graphkin import files as loading
@@ -516,8 +517,6 @@ def test_no_curve_of_the_other_axis_lies_on_one():
         assert zero == pytest.approx(-shown[other].axes.get_ylim()[0] / np.ptp(shown[other].axes.get_ylim()))
         assert np.mean((abs(heights[0] - heights[1]) < 0.01) & (abs(heights[0] - zero) > 0.05)) < 0.05
 
-
-TEXTBOOK = Path(__file__).parents[1] / "cases" / "textbook"
 
 
 @pytest.mark.parametrize(("lang", "lines"), [

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from every_family import FAMILIES as EVERY
 from every_family import OTHERS
+from library_sheets import TEXTBOOK
 from random_mechanisms import (
     DYADS,
     cam,
@@ -205,8 +206,6 @@ def test_every_figure_of_any_file_is_given(family: str) -> None:
     for seed in range(3):
         assert_told(EVERY[family](seed))
 
-
-TEXTBOOK = Path(__file__).parents[1] / "cases" / "textbook"
 
 
 @pytest.mark.parametrize("path", [*WRITTEN, *sorted(TEXTBOOK.glob("*.toml"))], ids=lambda path: path.stem)

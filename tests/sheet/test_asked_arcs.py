@@ -7,13 +7,14 @@ import math
 from collections.abc import Iterator
 
 import pytest
-from library_sheets import library_sheet
+from library_sheets import TEXTBOOK, library_sheet
 
-from graphkin.files import loads
+from graphkin.files import load, loads
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
-from graphkin.sheet.marks import ArcMark, Place, PointMark, Stroke, Text
+from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text
+from graphkin.sheet.skeleton import off_stretch
 
 BOWL = """
 ask = ["omega wheel", "alpha wheel", "v P", "a P"]
@@ -101,73 +102,6 @@ B = [150, 100]
 M = [-100, 200]
 E = [-400, 400]
 """
-PIN_ON_PLANET = """
-ask    = ["omega 2", "v B", "a B", "v C", "a C", "omega 3"]
-[frame]
-name = "环"
-O = [0, 0]
-[links.H]
-OA = 40
-[links.2]
-AB = 24
-[links.3]
-BC = 120
-[links.4]
-points = ["C"]
-[[gear]]
-links = ["frame", "2"]
-centres = ["O", "A"]
-radii = [70, 30]
-internal = true
-[[slide]]
-block = "4"
-point = "C"
-guide = "frame"
-through = "O"
-angle = 230
-[[pose]]
-vector = "AB"
-angle = 190
-[[driver]]
-vector = "OA"
-angle = 160
-omega = 6
-alpha = 4
-[sketch]
-A = [-38, 14]
-B = [-61, 9]
-C = [-110, -100]
-"""
-GEARED_FIVE_BAR = """
-ask = ["omega 3", "alpha 3", "v P", "a P"]
-[frame]
-name = "1"
-O2 = [0, 0]
-O5 = ["-4 in", "-3 in"]
-[links.2]
-O2A = "1.5 in"
-[links.3]
-AP = "5 in"
-[links.4]
-CP = "4.5 in"
-[links.5]
-O5C = "2 in"
-[[gear]]
-links = ["2", "5"]
-centres = ["O2", "O5"]
-radii = ["2 in", "3 in"]
-[[pose]]
-vector = "O5C"
-angle = 210
-[[driver]]
-vector = "O2A"
-angle = 60
-omega = "100 deg/s"
-[sketch]
-A = [19, 33]
-C = [-145, -101]
-P = [-90, 15]
-"""
 
 
 @pytest.mark.parametrize(("text", "asked"), [
@@ -212,7 +146,7 @@ def test_no_arc_of_a_link_without_a_pivot_can_be_read_about_another_place(name: 
 
 def test_the_arc_of_a_wheel_is_about_its_centre() -> None:
     """A planet with a bar from its middle to the pin of a connecting rod."""
-    method = plan(loads(PIN_ON_PLANET))
+    method = plan(load(TEXTBOOK / "hypocycloid.toml"))
     page = sheet(method, replay_all(method))
     centre = next(mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.name == "A")
     [own] = [arc for head, arc in turning_arcs(page) if head.shows and head.shows.link == "2"]
@@ -220,7 +154,7 @@ def test_the_arc_of_a_wheel_is_about_its_centre() -> None:
 
 
 def test_the_number_of_a_wheel_stands_off_the_bars_of_others() -> None:
-    method = plan(loads(GEARED_FIVE_BAR))
+    method = plan(load(TEXTBOOK / "gearfive.toml"))
     page = sheet(method, replay_all(method))
     bars = {mark.shows.link: mark.places for mark in page.marks
             if isinstance(mark, Stroke) and mark.shows and mark.shows.form == "bar"}  # fmt: skip
@@ -228,17 +162,11 @@ def test_the_number_of_a_wheel_stands_off_the_bars_of_others() -> None:
     numbers = {mark.label[0].text: mark.at for mark in letters if len(mark.label) == 1}
     for wheel, others in (("2", "34"), ("5", "34")):
         for other in others:
-            assert off(numbers[wheel] + 1 - 1.2j, bars[other]) > 5, (wheel, other)
-
-
-def off(place: Place, ends: tuple[Place, ...]) -> float:
-    """The distance of a place from a stretch [mm]."""
-    along = (place - ends[0]) / (ends[-1] - ends[0])
-    return abs(along - min(1.0, max(0.0, along.real))) * abs(ends[-1] - ends[0])
+            assert off_stretch(numbers[wheel] + 1 - 1.2j, *bars[other]) > 5, (wheel, other)
 
 
 def test_a_chinese_sheet_takes_the_paper_of_the_english_one() -> None:
-    method = plan(loads(GEARED_FIVE_BAR))
+    method = plan(load(TEXTBOOK / "gearfive.toml"))
     plot = replay_all(method)
     english, chinese = (sheet(method, plot, lang=lang) for lang in ("en", "zh"))
     assert (english.paper.name, english.scales) == (chinese.paper.name, chinese.scales)
@@ -252,4 +180,4 @@ def test_the_head_of_a_driver_s_arc_is_off_its_ground(name: str) -> None:
     ground = [mark.places for mark in marks if isinstance(mark, Stroke) and mark.pen in ("hatch", "outline")
               and len(mark.places) == 2]  # fmt: skip
     assert heads
-    assert all(off(place, line) > 0.8 for head in heads for place in head for line in ground if len({*line}) == 2)
+    assert all(off_stretch(place, *line) > 0.8 for head in heads for place in head for line in ground)

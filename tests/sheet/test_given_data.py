@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 
+from library_sheets import TEXTBOOK
+
 from graphkin.construction import Plot
-from graphkin.files import loads
+from graphkin.files import load, loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.say.dimensions import sizes
@@ -92,38 +94,9 @@ def test_two_lines_at_one_point_have_angles_with_two_symbols() -> None:
     assert max(symbols.values()) == 1
 
 
-CRUSHER = """
-ask    = ["omega 6", "alpha 6", "v K", "a K"]
-[frame]
-name = "1"
-A = [0, 0]
-D = [-380, -900]
-F = [520, 60]
-[links.2]
-AB = 30
-[links.3]
-BC = 890
-[links.4]
-DC = 380
-[links.5]
-CE = 400
-[links.6]
-shape = { F = [0, 0], E = [-130, -930], K = [120, -800] }
-[[driver]]
-vector = "AB"
-angle = 160
-omega = "250 r/min"
-[sketch]
-B = [-28, 10]
-C = [-10, -880]
-E = [389, -865]
-K = [640, -740]
-"""
-
-
 def test_an_extension_line_begins_at_what_is_measured() -> None:
     """Not at a joint of other links that happens to be in line with it, from which nothing is measured."""
-    method = plan(loads(CRUSHER))
+    method = plan(load(TEXTBOOK / "crusher.toml"))
     page = sheet(method, replay_all(method))
     points = {mark.name: mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"}
     assert abs((points["C"] - points["A"]).real) < 0.1, "they are in line"

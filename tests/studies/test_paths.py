@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from library_sheets import TEXTBOOK
 from si_values import si
 
 import graphkin
@@ -171,8 +172,6 @@ def test_a_solution_answers_where_a_point_is(ask: str, answers: list[str]) -> No
     said = CliRunner().invoke(main, ["explain", "-", "--lang", "en"], input=text).stdout
     assert all(answer in said for answer in answers)
 
-
-TEXTBOOK = Path(__file__).parents[1] / "cases" / "textbook"
 
 
 def test_a_path_goes_on_until_the_mechanism_repeats() -> None:

@@ -192,10 +192,11 @@ class Course:
         """SI unit of the swept driver's values."""
         return driven(not self.angular)
 
-    def evenly(self, count: int) -> list[float]:
-        """Places on the path in the order of the motion, evenly: round until it repeats, else there and back."""
+    def evenly(self, count: int, turns: int) -> list[float]:
+        """Places on the path in the order of the motion, evenly: so many turns, so many places each; of none there and
+        back."""
         sense = -1.0 if self.driver.rate < 0 else 1.0
-        if self.full_turn and (turns := self.turns()):
+        if turns:
             return [sense * float(t) for t in np.arange(turns * count) * (TURN / count)]
         short = _SHORT_OF_STOP * (self.path.last - self.path.first)
         low, high = self.path.first + short, self.path.last - short
@@ -241,8 +242,9 @@ class Course:
         return replace(self, path=trace(self.method, self.path.pace, low, high, (self.path, 0.0)))
 
     def turns(self, *points: str) -> int:
-        """After so many full turns of the driver these points, or all, go their ways again; 0 of more than `SEEN`."""
-        return self._turns(points, 1) or self.on._turns(points, SEEN)
+        """After so many full turns of the driver these points, or all, go their ways again; 0 of more than `SEEN`, and
+        where it does not turn fully."""
+        return (self._turns(points, 1) or self.on._turns(points, SEEN)) if self.full_turn else 0
 
     def _turns(self, points: tuple[str, ...], most: int) -> int:
         t = math.copysign(TURN, self.driver.rate or 1.0) * (np.arange(most + 1)[:, None] - np.array([0.02, 0.15, 0.4]))

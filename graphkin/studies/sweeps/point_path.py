@@ -88,7 +88,7 @@ def point_path(method: Method, point: str, values: tuple[float, ...] | None = No
         raise UnknownPoint(where, point, points)
     course = course_from(method, values)
     prove(course)
-    turns = course.turns(point) if course.full_turn else 0
+    turns = course.turns(point)
     if course.full_turn:  # in the sense in which the driver turns
         low, high = 0.0, math.copysign((turns or 1) * TURN, course.driver.rate or 1.0)
         course = course.on if turns > 1 else course
