@@ -199,7 +199,8 @@ def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterat
     coupled = len(said) > bool(step.chains)  # ruler and triangle may find a way there
     key = "contacts.closed in themselves" if floats else "contacts.together, coupled" if coupled else alone
     equations = capitalized(reading.say("contacts.and both").join(said))
-    yield Sentence(reading.say(key, unknowns=unknowns, equations=equations))
+    row = f"{unknowns} {reading.say('sheet.together')}"
+    yield Sentence(reading.say(key, unknowns=unknowns, equations=equations), row=row)
     for link in dict.fromkeys(members):
         value = reading.turning(link, plane)
         yield Calculation(polygon.rate(link), (), "", abs(value), polygon.rate_unit, reading.sense(value))

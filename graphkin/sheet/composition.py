@@ -265,7 +265,7 @@ class SheetContents:
             steps = drawing.construction(plane).steps
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
                 notes[plane] = plain(say("sheet.fitted", drawing.lang))
-            elif any(isinstance(step, Simultaneous) for step in steps):
+            elif plane not in drawing.ladders and any(isinstance(step, Simultaneous) for step in steps):
                 notes[plane] = plain(say("sheet.together", drawing.lang))
         return notes
 

@@ -216,8 +216,10 @@ def ladder(entries: Iterable[Entry], rows: tuple[str, str], plane: Plane, method
         if isinstance(entry, VectorEquation):
             equations.append((entry, None))
         elif isinstance(entry, Sentence) and entry.act is not None:  # of several that are solved together, of all
-            equations = [(equation, first or entry.act) for equation, first in equations]
-            equations += [(entry.row, entry.act)] if entry.row else []
+            equations = [(equation, first if isinstance(equation, str) else first or entry.act)
+                         for equation, first in equations]  # fmt: skip
+        if isinstance(entry, Sentence) and entry.row:
+            equations.append((entry.row, entry.act))
     acts = [act for equation, act in equations if act is not None and not isinstance(equation, str)]
     told = {act for equation, act in equations if isinstance(equation, str)}
     needs = [[*_at_once(own, told)] for own in acts_of_equations(method, plane, acts)]
@@ -225,9 +227,9 @@ def ladder(entries: Iterable[Entry], rows: tuple[str, str], plane: Plane, method
     blocks, steps = list[EquationBlock](), iter(needs)
     for equation, act in equations:
         page = None if act is None else act.page
-        if isinstance(equation, str) and act is not None and act not in known:
-            row = (((),) * 3, (formula(equation), (), ()))
-            blocks.append(EquationBlock(row, page, (act.number,), high=LINE * LABEL))
+        if isinstance(equation, str) and act not in known:
+            row, numbers = (((),) * 3, (formula(equation), (), ())), () if act is None else (act.number,)
+            blocks.append(EquationBlock(row, page, numbers, high=LINE * LABEL))
         elif isinstance(equation, VectorEquation):
             own = () if act is None else next(steps)
             terms = ((formula(name), formula(way), formula(size)) for name, way, size in equation.columns)
