@@ -19,7 +19,7 @@ from graphkin.sheet import symbols
 from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, between, joined, link_label, quantity_label, vector_label
-from graphkin.sheet.marks import Mark, Place, Shows
+from graphkin.sheet.marks import ArcMark, Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton, crossing
 from graphkin.sheet.wheels import circles, follower
 from graphkin.sheet.window import Figure
@@ -28,6 +28,8 @@ _REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0
 """How far a fixed guide is drawn to each side of its block; away from a bar over it, and where it ends unseen under the
 block [mm]."""
 _OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its block under a smaller angle
+_CROSSING = (14, 22), (31, 40, 48)  # where a crank's arc, which crosses it, begins before it [deg]
+_ASIDE = 1.5 * symbols.SWEEP  # from the middle of an arc to that of another behind it
 _APART, _OFF = 3.0, 2.0  # between two arcs about one point, or two arrows of one slide; of a head from lines [mm]
 Ends = tuple[Place, Place]
 _LONG, _WITHIN = 11.0, 10.0  # of the arrows of a driven slide; a larger wheel has room for them [mm]
@@ -163,38 +165,49 @@ def drives(skeleton: Skeleton, method: Method) -> Figure:
             at, tip = (skeleton.at(point) for point in driver.vector)
             if abs(tip - at) >= 1:
                 towards, radius = (tip - at) / abs(tip - at), min(9.0, max(6.0, 0.45 * abs(tip - at)))
-                _arcs(skeleton, driver, figure, driver.vector, radius, towards, (14, 22), 0.8 * abs(tip - at))
+                _arcs(skeleton, driver, figure, driver.vector, radius, towards, _CROSSING, 0.8 * abs(tip - at))
         elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
             for wheel in [each for each in wheels_of(skeleton.mechanism) if each.link == driver.link][:1]:
                 radius = min(9.0, max(4.0, 0.6 * wheel.radius / skeleton.window.scale))
-                _arcs(skeleton, driver, figure, (wheel.centre,), radius, 1, range(0, 360, 45))
+                _arcs(skeleton, driver, figure, (wheel.centre,), radius, 1, [range(0, 360, 45)])
     return figure
 
 
 def _arcs(
     skeleton: Skeleton, driver: Driver, figure: Figure, on: tuple[str, ...], radius: float,
-    towards: complex, turns: Sequence[int], reach: float = 0.0,
+    towards: complex, turns: Sequence[Sequence[int]], reach: float = 0.0,
 ) -> None:  # fmt: skip
-    """An arc about the first point, one for each sense; turns: where it may begin after `towards` [deg]; reach [mm]."""
+    """An arc about the first point, one for each sense; turns: where it may begin after `towards` [deg], the later ones
+    if its head lies on something else; reach [mm]."""
     at, seen_from = skeleton.at(on[0]), driver.from_link if driver.from_link != FRAME else ""
     motions = ("ω", driver.rate), ("α", driver.acceleration)
     senses = {letter: math.copysign(1, value) for letter, value in motions if value}
     links = (link for link in (driver.link, driver.from_link) if link != FRAME)
     called, step = between([*map(skeleton.mechanism.called, links)]), skeleton.step(*on)
+    radii = (radius, radius + _APART) if radius + _APART < reach else (radius,)
     for sense in dict.fromkeys(senses.values()):
         text = [letter for letter in senses if senses[letter] == sense]
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
-        starts = [towards * cmath.rect(1, sense * math.radians(turn)) for turn in turns]
-        ways = product((radius, radius + _APART) if radius + _APART < reach else (radius,), starts)
-        free = {(r, start): [clearance(skeleton, at + r * start * half**k) for k in (2, 1)] for r, start in ways}
-        radius, start = max(free, key=lambda way: (free[way][0] > _OFF, -way[0], free[way][1]))
+        starts = {towards * cmath.rect(1, sense * math.radians(turn)): -k for k, some in enumerate(turns) for turn in some}
+        before = [arc for arc in figure.marks if isinstance(arc, ArcMark) and arc.centre == at]
+        ways = [way for way in product(radii, starts) if _bare(way[0], way[1] * half, before)]
+        beyond = max((arc.radius + _APART for arc in before), default=radius)
+        free = {(r, start): [clearance(skeleton, at + r * start * half**k) for k in (2, 1)]
+                for r, start in ways or product([beyond], starts)}  # fmt: skip
+        radius, start = max(free, key=lambda way: (free[way][0] > _OFF, starts[way[1]], -way[0], free[way][1]))
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         figure.marks += symbols.spin(at, start * half, sense * symbols.SWEEP, radius, step, shows)
         # off the link, on the side where its angle is not
-        beyond = start * half ** (1.5 if (sense > 0) == ((driver.value or 0.0) >= 0) else 0.0)
+        off = start * half ** (1.5 if (sense > 0) == ((driver.value or 0.0) >= 0) else 0.0)
         label = joined([quantity_label(letter, called) for letter in text])
-        figure.wanted.append(LabelRequest(label, at + beyond * radius, gap=0.3, away=beyond, step=step))
-        radius += _APART
+        figure.wanted.append(LabelRequest(label, at + off * radius, gap=0.3, away=off, step=step))
+
+
+def _bare(radius: float, middle: complex, arcs: Sequence[ArcMark]) -> bool:
+    """True for an arc about a point that lies beside none of others about it; middle: its direction."""
+    beside = (cmath.phase(middle * cmath.rect(1, -arc.start - arc.sweep / 2)) for arc in arcs
+              if abs(arc.radius - radius) < _APART)  # fmt: skip
+    return all(abs(angle) > _ASIDE for angle in beside)
 
 
 def clearance(skeleton: Skeleton, *places: Place, more: Sequence[Ends] = ()) -> float:
