@@ -80,20 +80,27 @@ class DimensionLines:
             case Span() as span:
                 start, end = self.skeleton.window(span.start), self.skeleton.window(span.end)
                 step = self.skeleton.step(*span.points)
-                parted = span.form == "bar" and self._through(start, end, 0.3)
+                shared = set.intersection(*(set(owners.get(point, ())) for point in span.points))
+                centres = {disc(self.skeleton, link) for link in shared} - {""}
+                parted = span.form == "bar" and (
+                    self._through(start, end, 0.3) or not (centres or self._joined(start, end)))
                 label = formula(size.bare.figure)
                 named = formula(size.text) if parted or span.form in ("measured", "radius") else label
                 along = self.skeleton.window.turned(span.along)
-                if parted:  # from end to end, past the joints and blocks between
+                if parted:  # from end to end, past the joints and blocks between, or where no bar lies
                     yield from self._dimension(start, end, along, label, step)
-                shared = set.intersection(*(set(owners.get(point, ())) for point in span.points))
-                centres = {disc(self.skeleton, link) for link in shared} - {""}
                 if span.form != "apart" and centres <= {*span.points}:  # else nothing is drawn between them on a wheel
                     yield from self._beside(start, end, named, step, span.form == "measured")
                 if span.form in ("bar", "apart") and not parted:
                     yield from self._dimension(start, end, along, label, step)
             case Corner() | None:
                 pass
+
+    def _joined(self, start: Place, end: Place) -> bool:
+        """True where a bar goes from one to the other."""
+        along = (end - start) / abs(end - start) if start != end else 1
+        bars = (bar for link in self.skeleton.mechanism.moving for bar in self.skeleton.drawn(link))
+        return any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in bars)
 
     def _through(self, start: Place, end: Place, near: float) -> bool:
         """True of a line that passes a joint between its ends, as near as that."""
@@ -138,8 +145,7 @@ class DimensionLines:
         if abs(end - start) <= box(label, LABEL)[0] + (6 if measured else 4) * HINGE:
             return
         along, pieces = (end - start) / abs(end - start), list[tuple[Place, Place]]()
-        bars = self.skeleton.segments if measured else ()
-        if measured and not any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in bars):
+        if measured and not self._joined(start, end):
             pieces = self.free.pieces(start + along * 2 * HINGE, end - along * 2 * HINGE)
         lines = [Stroke(piece, "measured", step=step) for piece in pieces]
         for gap, t, side in product(_GAPS, _ALONG, (1, -1)):

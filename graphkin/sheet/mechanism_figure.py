@@ -22,7 +22,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import BREAK, Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line, off_stretch
+from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line, lines_through, off_stretch
 from graphkin.sheet.window import Figure, Window
 
 _JOINED = 4.8  # lines that cross so near to a joint meet there: a break would leave a crumb [mm]
@@ -148,16 +148,12 @@ def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
 def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:
     """A bar, or the outline of three and more points; points inside it hang on two corners."""
 
-    def line(through: Sequence[int], pen: PenName, closed: bool = False) -> Stroke:
+    def line(through: Sequence[int], pen: PenName, closed: bool) -> Stroke:
         shows = Shows(link, "bar", tuple(names[k] for k in through))
         fill: Fill = "tint" if closed else "none"
         return Stroke(tuple(places[k] for k in through), pen, closed, fill, shows, step)
 
-    if (ends := in_line(places)) is not None:
-        return [line(ends, "visible")]
-    around = hull(places)
-    hung = ((sorted(around, key=lambda c: abs(places[c] - at)), k) for k, at in enumerate(places) if k not in around)
-    return [line(around, "outline", closed=True), *(line((one, k, other), "visible") for (one, other, *_), k in hung)]
+    return [line(through, "outline" if closed else "visible", closed) for through, closed in lines_through(places)]
 
 
 def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:

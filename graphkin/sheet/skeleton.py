@@ -95,8 +95,20 @@ class Skeleton:
         return [bar for link in self.mechanism.moving for bar in self.bars(link)]
 
     def bars(self, link: str) -> Iterator[tuple[Place, Place]]:
+        """Stretches between any two of its points, and along its guides."""
         places = [self.at(p) for p in self.named(link)]
         yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
+        yield from self._guide_bars(link)
+
+    def drawn(self, link: str) -> Iterator[tuple[Place, Place]]:
+        """Those of them that are drawn."""
+        places = [self.at(p) for p in self.named(link)]
+        for through, closed in lines_through(places) if len(places) > 1 else ():
+            ends = [places[k] for k in through]
+            yield from pairwise([*ends, *ends[:closed]])
+        yield from self._guide_bars(link)
+
+    def _guide_bars(self, link: str) -> Iterator[tuple[Place, Place]]:
         for slide in self.guides(link):
             cylinder = self.is_cylinder(slide)
             yield (self.at(slide.line.origin), self.at(slide.point)) if cylinder else self.guide_bar(slide)
@@ -142,6 +154,19 @@ def in_line(places: list[Place]) -> tuple[int, int] | None:
     along = places[last] - places[first]
     on_it = all(abs((along.conjugate() * (p - places[first])).imag) < 0.05 * abs(along) for p in places)
     return (last, first) if on_it or abs(along) < 1e-9 else None
+
+
+def lines_through(places: list[Place]) -> Iterator[tuple[tuple[int, ...], bool]]:
+    """The lines that join points of a link, by their numbers, True where closed: a bar, or the outline of three and
+    more; points inside it hang on two corners."""
+    if (ends := in_line(places)) is not None:
+        yield ends, False
+        return
+    around = hull(places)
+    yield tuple(around), True
+    for k in (k for k in range(len(places)) if k not in around):
+        one, other, *_ = sorted(around, key=lambda corner: abs(places[corner] - places[k]))
+        yield (one, k, other), False
 
 
 def hull(places: list[Place]) -> list[int]:

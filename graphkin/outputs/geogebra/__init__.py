@@ -10,6 +10,7 @@ import io
 import math
 import zipfile
 from collections.abc import Mapping
+from itertools import pairwise
 
 from graphkin.base.geometry import number, place
 from graphkin.construction import Fit, Plane, Plot
@@ -23,7 +24,7 @@ from graphkin.planning import Method
 from graphkin.sheet.lettering import point_label, vector_label
 from graphkin.sheet.paper import LETTERS, UNITS
 from graphkin.sheet.polygons import arrows
-from graphkin.sheet.skeleton import hull, in_line
+from graphkin.sheet.skeleton import lines_through
 from graphkin.sheet.window import PLANES
 
 __all__ = ["TriedOut", "ggb"]
@@ -122,9 +123,9 @@ def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
         places = [place(plot.position[name]) for name in names]
         if len(places) < 2:
             continue
-        bar, around = in_line(places), hull(places)
-        for one, other in zip(around, (*around[1:], around[0]), strict=True) if bar is None else (bar,):
-            state.protocol.segment(points[names[one]], points[names[other]])
+        for through, closed in lines_through(places):
+            for one, other in pairwise((*through, *through[:closed])):
+                state.protocol.segment(points[names[one]], points[names[other]])
     for slide in machine.slides:
         if slide.line.origin in points:
             state.protocol.line(points[slide.line.origin], state.protocol.direction(state.guide(slide.name).point))
