@@ -21,6 +21,7 @@ from graphkin.sheet.label_requests import CRAMMED, LONGEST, SIGN, LabelCandidate
 from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import Obstacles, obstacles
 from graphkin.sheet.paper import Room
+from graphkin.sheet.symbols import HINGE
 
 _NEARER = 0.3  # by so much, to the eye [mm]
 _OFF = 3.0  # letters farther off a point are not beside it [mm]
@@ -176,7 +177,7 @@ class Arrows:
                 least = apart[:, 1:].min(axis=1, initial=np.inf) - _NEARER
                 strange[rows] = (apart[:, 0] > want.gap + _OFF) & (apart[:, 0] > least)
                 own[:] = want.gap >= SIGN  # a circle is about many lines
-                for lines in ((self.start[~own], self.end[~own]), self.bars)[: 1 + want.between]:
+                for lines in ((self.start[~own], self.end[~own]), self.bars)[: 1 + (want.between or 0 < want.gap <= HINGE)]:
                     strange[rows] |= self._crossed(middle, np.full(len(rows), want.start), *lines)
         return strange
 
