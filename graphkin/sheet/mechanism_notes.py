@@ -9,6 +9,8 @@ from dataclasses import field, replace
 from functools import cached_property, partial
 from itertools import combinations, islice, product, tee
 
+import numpy as np
+
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
@@ -18,11 +20,13 @@ from graphkin.planning.method import rate_found
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Corner, Size
+from graphkin.sheet.boxes import beyond
 from graphkin.sheet.dimension_lines import DimensionLines, angle_label, extension_lines
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, quantity_label
 from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
+from graphkin.sheet.obstacles import arc_places, bounds
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
@@ -104,11 +108,14 @@ class MechanismNotes:
         return marks
 
     def _ways(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
-        """Places of an arc with its letter, in the colour of the polygon."""
+        """Places of an arc with its letter, in the colour of the polygon; last those where that letter, or another's,
+        would be nearer to a foreign arc."""
         plane, link = plane_of(turn), turn.link
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._turns[turn])
         label = quantity_label(turn.letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
+        alike = [mark for mark in free.marks if isinstance(mark, ArcMark | Text) and mark.accent == plane]
+        unclear = list[tuple[Arc, list[Mark]]]()
         for place in islice(self._places(link, free, beside), _TRIED):
             points, radius, middle, crossing, sweep = place
             at, half = self._middle(points), cmath.rect(1, -sense * sweep / 2)
@@ -116,8 +123,13 @@ class MechanismNotes:
             for away in (middle / half, middle * half) if crossing else (middle,):
                 want = LabelRequest(label, at + away * radius, gap=0.9, away=away, step=step)
                 if letters := next(free.also(arc).letters([want])):
-                    yield place, [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
-                                  for mark in (*arc, *letters)]  # fmt: skip
+                    marks = [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
+                             for mark in (*arc, *letters)]  # fmt: skip
+                    if _apart(marks, alike):
+                        yield place, marks
+                    else:
+                        unclear.append((place, marks))
+        yield from unclear
 
     def _places(self, link: str, free: FreeRoom, beside: Arc | None) -> Iterator[Arc]:
         """Places with room for such an arc, beside another first: by a pivot, about a coupler's middle, or a point."""
@@ -162,3 +174,16 @@ class MechanismNotes:
         for point, radius, middle in product([centre] if centre else points if not bars else (), _RADII, _AROUND):
             if radius < max(rims, default=math.inf) + _RIM:
                 yield (point,), radius, middle, False, SWEEP
+
+
+def _apart(new: Sequence[Mark], others: Sequence[Mark]) -> bool:
+    """True where the letters of an arc are nearest to it, and those of others to theirs."""
+
+    def off(text: Text, marks: Sequence[Mark]) -> float:
+        left, top, right, bottom = bounds([text])
+        around = [np.array([[at.real], [at.imag]]) for arc in marks if isinstance(arc, ArcMark) for at in arc_places(arc)]
+        low, high = np.array([[left], [top]]), np.array([[right], [bottom]])
+        return min((float(beyond(low, high, at, at)[0]) for at in around), default=math.inf)
+
+    pairs = ((text, own, foreign) for own, foreign in ((new, others), (others, new)) for text in own)
+    return all(off(text, own) < off(text, foreign) for text, own, foreign in pairs if isinstance(text, Text))
