@@ -237,16 +237,18 @@ def _arms(skeleton: Skeleton, corner: Corner, lines: Sequence[tuple[Place, Place
 def _arc_with_room(
     skeleton: Skeleton, corner: Corner, arms: Sequence[tuple[complex, float]], others: Sequence[Place]
 ) -> tuple[float, tuple[Place, ...]]:
-    """The radius of the arc that lies farthest from links, other arcs and ends of arms [mm], and its places."""
+    """The radius of the arc that lies farthest from links, other arcs and ends of arms [mm], and its places; of those
+    that cross links alike, from the other arcs."""
     at, start = skeleton.window(corner.at), cmath.phase(arms[0][0])
-    tried = list[tuple[float, float, tuple[Place, ...]]]()
+    tried = list[tuple[tuple[float, float], float, tuple[Place, ...]]]()
     for radius in _RADII:
         off = math.copysign(min(2 / radius, abs(corner.turn) / 2), corner.turn)
         arc = arc_places(ArcMark(at, radius, start - off, 2 * off - corner.turn))
         ends = [at + arm * (radius + _BEYOND) for arm, reach in arms if not reach]
         on = [reach - radius - HINGE for _, reach in arms if reach]
-        apart = [abs(place - other) for place in arc for other in others]
-        tried.append((round(min([_CLEAR, *on, *apart, clearance(skeleton, *arc, *ends)]), 1), radius, arc))
+        apart = min([_CLEAR, *(abs(place - other) for place in arc for other in others)])
+        free = min([apart, *on, clearance(skeleton, *arc, *ends)])
+        tried.append(((round(free, 1), round(apart, 1)), radius, arc))
     return max(tried, key=lambda each: each[0])[1:]
 
 
