@@ -160,7 +160,7 @@ def guide_sizes(reading: Reading) -> Iterator[Size]:
                     other = names.of_link(size.symbol[0], machine.called(line.link))
                     yield replace(size, symbol=other) if size.symbol in taken else size
                     taken.add(size.symbol)
-        if isinstance(pair, Slide) and degrees(pair.tilt) % 90:
+        if isinstance(pair, Slide) and round(degrees(pair.tilt), 6) % 90:
             shape = Corner(reading.at(pair.point), reading.guide(pair.name), pair.tilt, (pair.point,))
             path = (*machine.path(pair), "tilt")
             yield sized(reading, f"δ_{names.point(pair.point)}", pair.tilt, "angle", path, shape=shape)

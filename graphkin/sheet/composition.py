@@ -189,6 +189,7 @@ Block = WrittenLines | Ladder | TableBlock | DetailRoom
 _FEET: Mapping[BlockName, bool] = {"paths": False, "equations": False, "detail": True, "tables": True}
 """The order in which blocks find their corners; True for those that are meant for the foot of a room."""
 _IN_STRIP: tuple[BlockName, ...] = ("equations", "tables")  # those that may stand there, too, the first given up first
+_LARGER = 3  # a polygon that is to be larger counts as one of so many times its labels
 
 
 @frozen
@@ -198,6 +199,7 @@ class SheetContents:
     given, tables  of the strip; of the planes, in the shapes that they may have
     low, without   blocks that stand in the strip, not with their figures; blocks for which no paper is large enough
     detailed  the planes in which what lies too close together is drawn once more, magnified, and the room for it
+    larger    the polygons that are to be larger than their number of labels asks for
     stages, said, scales  over the lines of the pencil, for single steps; room for the sentence of one [mm]; those kept
     """
 
@@ -208,6 +210,7 @@ class SheetContents:
     low: frozenset[tuple[Plane, BlockName]] = frozenset()
     without: frozenset[BlockName] = frozenset()
     detailed: Mapping[Plane, DetailRoom] = field(default_factory=dict)
+    larger: frozenset[Plane] = frozenset()
     stages: bool = False
     said: float = 0.0
     scales: Mapping[Plane, float] = field(default_factory=dict)
@@ -235,7 +238,8 @@ class SheetContents:
         extents = dict[Plane, Extent]()
         for plane, extent in self.drawing.extents.items():
             blocks = tuple((tuple(s.size for s in shapes), _FEET[name]) for name, shapes in self.blocks[plane].items())
-            extents[plane] = replace(extent, blocks=blocks, given=self.scales.get(plane, extent.given))
+            labels = extent.labels * (_LARGER if plane in self.larger else 1)
+            extents[plane] = replace(extent, blocks=blocks, given=self.scales.get(plane, extent.given), labels=labels)
         return extents
 
     @cached_property

@@ -212,6 +212,8 @@ def _arrangements(contents: SheetContents, papers: Sequence[Paper]) -> Iterator[
     if not contents.detailed and (small := one.knotted):
         for rooms in (small, dict.fromkeys(small, DetailRoom(DETAILS[1])))[: 1 + contents.tight]:
             yield Arrangement.on(replace(contents, detailed=rooms), papers)
+            if not contents.tight:
+                yield Arrangement.on(replace(contents, detailed=rooms, larger=frozenset(small)), papers)
 
 
 def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
