@@ -15,7 +15,7 @@ from graphkin.errors import Lang, NotBetween, NothingToGoOn, Where
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
-from graphkin.handouts.worksheet import answers_room, empty_rows, measured, room, rows_to_measure, worth
+from graphkin.handouts.worksheet import answers_room, empty_rows, measured, room, to_measure, worth
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.letters import lettered
 from graphkin.say import entry
@@ -160,7 +160,7 @@ def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     for _ in () if drawn else problem.construction(plane).equations[:MOST_EQUATIONS]:
         yield empty_rows(problem, equations, TERMS[plane])
     grid = room(problem, plane)
-    table = [] if drawn else [measured(problem, rows_to_measure(entries, plane), grid.width)]
+    table = [] if drawn else [measured(problem, to_measure(entries, plane), grid.width)]
     tall = grid.height > ROOM.imag
     yield from table if tall else []
     yield from _gridded(problem, plane, grid)
@@ -256,7 +256,7 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
             yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
             yield from blocks_of(lead, problem.lang, problem.points)
             yield empty_rows(problem, [following])
-            yield measured(problem, 2)
+            yield measured(problem, 4)
 
 
 def _so_far(problem: HandoutProblem, plane: Plane, last: int) -> list[Block]:

@@ -26,7 +26,7 @@ from graphkin.sheet.window import corners
 
 _MORE = 1.2
 _EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
-_ROWS = 3  # of a table to measure into, at least
+_FEW, _MANY = 6, 10  # vectors for which a table to measure into has room at least, or two beside each other
 _STEP = 10.0  # rooms are so many millimetres, or a multiple of it
 
 
@@ -88,15 +88,16 @@ def empty_rows(problem: HandoutProblem, equations: Sequence[VectorEquation], ter
 
 
 def measured(problem: HandoutProblem, count: int, under: float = 0.0) -> HandoutTable:
-    """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
+    """Room for what is read off: a vector, its length on paper, its value; two beside each other, of many three."""
     heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("vector", "measured", "value"))
-    return HandoutTable(heads * 2, (((),) * 6,) * count, under)
+    beside = 2 if count <= _MANY else 3
+    return HandoutTable(heads * beside, (((),) * 3 * beside,) * math.ceil(count / beside), under)
 
 
-def rows_to_measure(entries: Sequence[Entry], plane: Plane) -> int:
-    """Rows enough for every vector that a solution measures in a polygon, two in each; for no few of them less."""
+def to_measure(entries: Sequence[Entry], plane: Plane) -> int:
+    """Room enough for every vector that a solution measures in a polygon; for no few of them less."""
     scaled = (each.formulas[0] for each in entries if isinstance(each, Calculation) and each.formulas)
-    return max(_ROWS, math.ceil(sum(first.startswith(f"{names.SCALE[plane]}·") for first in scaled) / 2))
+    return max(_FEW, sum(first.startswith(f"{names.SCALE[plane]}·") for first in scaled))
 
 
 @frozen
