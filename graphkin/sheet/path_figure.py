@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 
 _FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
 _TICK, _NUMBERED = 0.9, 1.5  # half of a tick [mm]
-_LONGEST = 16.0  # the longest velocity [mm]
+_LONGEST, _GREAT = 16.0, 3.0  # the longest velocity [mm]; so many times most others it is left out
 
 
 def clipped(
@@ -66,9 +67,13 @@ class Paths:
 
     @property
     def scale(self) -> float:
-        """Of the velocities [(m/s)/mm]."""
-        fastest = max((curve.fastest for curve in self.curves), default=0.0)
-        return finest(complex(fastest, 0.0), complex(_LONGEST, _LONGEST))
+        """Of the velocities, but for those that are far greater than most, as near a dead point [(m/s)/mm]."""
+        usual = min(self._speeds[-1:] + [_GREAT * self._speeds[len(self._speeds) // 2]] if self._speeds else [0.0])
+        return finest(complex(usual, 0.0), complex(_LONGEST, _LONGEST))
+
+    @cached_property
+    def _speeds(self) -> list[float]:
+        return sorted(abs(tick.velocity) for curve in self.curves for tick in curve.ticks)
 
     def figure(self, window: Window) -> Figure:
         return Figure.of(entry for curve in self.curves for entry in self._entries(curve, window))
@@ -92,7 +97,7 @@ class Paths:
             if tick.numbered:
                 value = plain(curve.shown(tick.value))
                 yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LEAST, spare=True)
-            if self.arrows:
+            if self.arrows and abs(tick.velocity) <= _LONGEST * self.scale:
                 yield from arrow(at, at + window.turned(tick.velocity) / (self.scale * window.times), "velocity")
 
     @property
@@ -104,6 +109,8 @@ class Paths:
             lines.append(formula(say("sheet.ticks", self.lang, step=step, driver=driver)))
             if self.arrows:
                 lines.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
+                if self._speeds[-1] > _LONGEST * self.scale:
+                    lines.append(plain(say("sheet.left out", self.lang, length=f"{_LONGEST:g}")))
             if self.arrows and one.seconds is not None:
                 lines.append((*plain(say("sheet.every", self.lang)), *number(one.seconds), *plain(" s")))
         return lines

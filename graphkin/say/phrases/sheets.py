@@ -18,6 +18,7 @@ PHRASES: Phrases = {
     "sheet.path of": ("path of {point}", "{point} 的轨迹"),
     "sheet.ticks": ("ticks every {step} of {driver}", "{driver} 每隔 {step} 一刻度"),
     "sheet.arrows": ("arrows: 1 mm is ", "箭头：1 mm 表示 "),
+    "sheet.left out": ("arrows of over {length} mm are left out", "长于 {length} mm 的箭头从略"),
     "sheet.every": ("from arrow to arrow ", "相邻箭头相隔 "),
     "sheet.also": ("also {symbol}", "另取 {symbol}"),
     "sheet.step": ("Sheet {number} of {count}", "第 {number} 张，共 {count} 张"),
