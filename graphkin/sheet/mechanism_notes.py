@@ -41,6 +41,8 @@ _TOLD = 5.0  # a shorter length is told by words alone [mm]
 _TRIED = 24  # so many places are tried for an arc whose letter finds no room beside it
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
+_OTHER, _AROUND_IT = 4.0, math.radians(115)
+"""An arc that crosses its link nearer to a point would look as if it turned about that [mm]; a wider one does not."""
 _RIM = 4.0  # an arc farther beyond a wheel's rim would look like another's [mm]
 
 Arc = tuple[tuple[str, ...], float, complex, bool, float]
@@ -151,6 +153,11 @@ class MechanismNotes:
     def _middle(self, points: Sequence[str]) -> Place:
         return sum(map(self.skeleton.at, points)) / len(points)
 
+    def _alone(self, points: Sequence[str], radius: float, arm: complex) -> bool:
+        """Whether no point is near where an arc crosses its link: it would look as if it turned about that."""
+        crossing = self._middle(points) + radius * arm / abs(arm)
+        return all(abs(self.skeleton.at(point) - crossing) > _OTHER for point in self.skeleton.points)
+
     def _arcs(self, link: str, second: bool) -> Iterator[Arc]:
         owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
@@ -165,11 +172,13 @@ class MechanismNotes:
         pairs = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2) if not pivot]
         pairs.sort(key=lambda pair: -abs(pair[1]))
         for (pair, arm), radius, way in product(pairs, _RADII if second else _MIDDLE, (1, -1)):
-            if abs(arm) > 2 * radius + 4:
-                yield pair, radius, way * arm / abs(arm), True, max(SWEEP, min(_WIDE, _LONG / radius))
+            sweep = max(SWEEP, min(_WIDE, _LONG / radius))
+            if abs(arm) > 2 * radius + 4 and (sweep > _AROUND_IT or self._alone(pair, radius, way * arm)):
+                yield pair, radius, way * arm / abs(arm), True, sweep
         for radius, (pair, arm), way in product(_RADII, pairs, (1, -1)):
-            if abs(arm) > 2 * radius:
-                yield (pair[way < 0],), radius, way * arm / abs(arm), True, SWEEP
+            about = (pair[way < 0],)
+            if abs(arm) > 2 * radius and self._alone(about, radius, way * arm):
+                yield about, radius, way * arm / abs(arm), True, SWEEP
         rims = [radius for at, radius in circles(skeleton) if centre and at == skeleton.at(centre)]
         for point, radius, middle in product([centre] if centre else points if not bars else (), _RADII, _AROUND):
             if radius < max(rims, default=math.inf) + _RIM:

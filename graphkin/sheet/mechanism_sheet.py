@@ -206,14 +206,17 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
 
 
 def _arrangements(contents: SheetContents, papers: Sequence[Paper]) -> Iterator[Arrangement]:
-    """Those on papers: with the details that are known to be wanted, else without, and with those that it wants; cut to
-    small ones a paper may have no room for them among its letters."""
+    """Those on papers: with the details that are known to be wanted, else without, and with those that it wants, those
+    polygons larger, too; cut to small ones a paper may have no room for them among its letters."""
     yield (one := Arrangement.on(contents, papers))
     if not contents.detailed and (small := one.knotted):
         for rooms in (small, dict.fromkeys(small, DetailRoom(DETAILS[1])))[: 1 + contents.tight]:
-            yield Arrangement.on(replace(contents, detailed=rooms), papers)
-            if not contents.tight:
-                yield Arrangement.on(replace(contents, detailed=rooms, larger=frozenset(small)), papers)
+            yield (one := Arrangement.on(replace(contents, detailed=rooms), papers))
+        if not contents.tight:  # and larger, with the mechanism as it is
+            kept = {**contents.scales, "position": one.layout.scales["position"]}
+            same = [paper for paper in papers if paper.area == one.sold.area]
+            with suppress(TooLargeForPaper):
+                yield Arrangement.on(replace(contents, detailed=small, larger=frozenset(small), scales=kept), same)
 
 
 def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
