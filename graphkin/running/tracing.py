@@ -7,7 +7,7 @@ are fitted it is continued from position to position.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -18,7 +18,7 @@ from graphkin.construction import Meet, Plot, Swing, replay
 from graphkin.errors import TooFar
 from graphkin.model.quantities import EDGE, driven
 from graphkin.planning import Method
-from graphkin.planning.refusals import Crossing
+from graphkin.planning.refusals import Crossing, key_of
 from graphkin.running.continuation import continued
 from graphkin.running.path import DriverPath, along, stride, turned, with_nodes
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART, choice_of, crossings, event_at, first_touching
@@ -88,18 +88,17 @@ def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
     while side * (end - begin) > 1e-6 * step:
         count = int(np.ceil(abs(end - begin) / step)) + 2
         seen, t, plot = _seen(method, path, np.linspace(begin, end, count))
-        touches: list[tuple[float, Crossing, bool]] = []
-        for crossing in crossings(method):
-            if (met := first_touching(method, seen, t, crossing, plot)) is not None:
-                touches.append((met[0], crossing, met[1]))
+        touches = _touches(method, seen, t, plot, crossings(method))
         if not touches:
             return seen
         # the first stop or change point among them
         nearest = min(abs(place - t[0]) for place, _, _ in touches)
-        here = [entry for entry in touches if abs(entry[0] - t[0]) < nearest + 1e-3 * abs(t[1] - t[0])]
-        place, crossing, passes = here[0]
-        choices = tuple(choice for _, other, through in here if through for choice in choice_of(other))
-        event, path = event_at(method, crossing, place, choices if passes else ()), seen
+        close = 1e-3 * abs(t[1] - t[0])
+        here = [entry for entry in touches if abs(entry[0] - t[0]) < nearest + close]
+        if here[0][2]:
+            here = _as_it_goes_through(method, seen, here, close, side * step)
+        place, crossing, _ = here[0]
+        event, path = event_at(method, crossing, place, _choices(here)), seen
         if path.nodes is not None:  # none beyond the event
             at, tables = path.nodes
             kept = at <= event.at if event.at > 0 else at >= event.at
@@ -109,6 +108,44 @@ def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
         path = replace(path, changes=(*path.changes, event))
         begin = event.at + side * 1e-3 * step
     return path
+
+
+Touching = tuple[float, Crossing, bool]
+"""Where on a path the loci of a crossing touch, or part, and whether the mechanism goes through."""
+
+
+def _touches(
+    method: Method, path: DriverPath, t: np.ndarray, plot: Plot, looked_at: Iterable[Crossing]
+) -> list[Touching]:
+    """The first of each crossing that has any at t."""
+    found = ((crossing, first_touching(method, path, t, crossing, plot)) for crossing in looked_at)
+    return [(met[0], crossing, met[1]) for crossing, met in found if met is not None]
+
+
+def _choices(here: Sequence[Touching]) -> tuple[int, ...]:
+    """The choices that change over there; none where the path ends."""
+    return tuple(choice for _, crossing, _ in here for choice in choice_of(crossing)) if here[0][2] else ()
+
+
+def _as_it_goes_through(
+    method: Method, path: DriverPath, here: Sequence[Touching], close: float, step: float
+) -> list[Touching]:
+    """All crossings that touch at one change point, or what ends the path there. Some are seen only on the way through:
+    with the old choices the path goes back beyond it, and there their loci may lie on each other, or part."""
+    through = [entry for entry in here if entry[2]]
+    place, first, _ = here[0]
+    while True:
+        event = event_at(method, first, place, _choices(through))
+        beyond = replace(path, changes=(*path.changes, event))
+        seen, t, plot = _seen(method, beyond, place + step * np.array([-1.0, -0.5, 0.5, 1.0]))
+        known = {key_of(crossing) for _, crossing, _ in through}
+        others = [crossing for crossing in crossings(method) if key_of(crossing) not in known]
+        more = [entry for entry in _touches(method, seen, t, plot, others) if abs(entry[0] - place) < close]
+        if not more:
+            return through
+        if not more[0][2]:
+            return more[:1]
+        through += more[:1]  # what hangs on it touches, or not, as it goes through
 
 
 def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, np.ndarray, Plot]:

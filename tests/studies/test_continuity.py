@@ -50,6 +50,68 @@ def test_linkages_that_fold_go_on_smoothly(linkage: str, wheel: str):
         hold_continuous(folding(linkage, wheel, seed))
 
 
+SCISSORS = """
+frame = {{ name = "1", A = [0, 0], Q = [520, -45] }}
+[links]
+2.shape = {{ A = [0, 0], M = [640, 0], N = [910, 0], C = [1280, 0] }}
+3.shape = {{ B = [0, 0], M = [640, 0], D = [1280, 0] }}
+4.shape = {{ D = [0, 0], P = [400, 160], E = [1200, 0] }}
+5.points = ["B"]
+6.points = ["C"]
+{links}
+[[slide]]
+name = "floor"
+block = "5"
+point = "B"
+guide = "frame"
+through = "A"
+angle = 0
+[[slide]]
+name = "table"
+block = "6"
+point = "C"
+guide = "4"
+through = "D"
+toward = "E"
+{driver}
+[sketch]
+B = [1150, 0]
+C = [1150, 560]
+D = [0, 560]
+M = [575, 280]
+N = [820, 400]
+P = [400, 720]
+{sketch}
+"""
+JACK = """
+[links.7]
+points = ["Q"]
+[[slide]]
+name = "jack"
+block = "8"
+point = "N"
+guide = "7"
+tilt = 180
+[[driver]]
+slide = "jack"
+at = 520
+velocity = "25 mm/s"
+"""
+LEVER = '[[driver]]\nvector = "AC"\nangle = 30\nomega = 1'
+SECOND = "9.CF = 900\n10.DF = 900"
+
+
+@pytest.mark.parametrize(("links", "driver", "sketch"), [
+    ("8.NN1 = 300", JACK, ""), ("", LEVER, ""), (SECOND, LEVER, "F = [575, 1300]"),
+])  # fmt: skip
+def test_what_touches_only_on_the_way_through_a_change_point_is_gone_through_with_it(links: str, driver: str, sketch: str):
+    """Upright scissors: B meets A, and C meets D, though the old crossing would leave C and D together from there on."""
+    scissors = loads(SCISSORS.format(links=links, driver=driver, sketch=sketch))
+    moved = course(plan(scissors))
+    assert [change.kind for change in moved.path.changes] == ["right angle"] * len(moved.path.changes) != []
+    hold_continuous(scissors, turns=1)
+
+
 @pytest.mark.many
 @pytest.mark.parametrize("family", [*(DYADS if COUNT else ()), *FAMILIES])
 def test_random_mechanisms_go_on_smoothly(family: str):
