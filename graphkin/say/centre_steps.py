@@ -14,16 +14,17 @@ from graphkin.base.value import frozen
 from graphkin.construction import drafting
 from graphkin.construction.drafting import DraftMeet, Far, LineStep, Pricked, Stage, drawn_through
 from graphkin.errors import Lang
-from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.model.quantities import Centre
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Entry, Heading, Sentence
-from graphkin.say.numbers import coordinates, exact, number
+from graphkin.say.numbers import coordinates, exact, number, sense
 from graphkin.say.reading import Reading
 from graphkin.studies.centres import Centres, centres, place
 from graphkin.studies.centres.instant_centres import shortest
+from graphkin.studies.centres.levers import DrivenEnd, driven_ends, driven_point, given_drivers
 
 NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot: "circular slot"}
 """The line of which the common normal is the normal, for each kind of pair that slips."""
@@ -80,6 +81,24 @@ class CentreReader:
         at = complex(read(at.real), read(at.imag))
         return coordinates(1000 * at, self.lang, 1000 * noise)
 
+    def given(self, driver: Driver) -> str:
+        """The given speed of a driver: `v_C = 0.2 m/s`, `ω1 = 10 rad/s (counter-clockwise)`."""
+        name = self.driven_rate(driver)
+        if driver.kind == "slide":
+            signed = driven_point(self.mechanism, driver)[2] != FRAME
+            return f"{name} = {number(driver.rate if signed else abs(driver.rate))} m/s"
+        return f"{name} = {number(abs(driver.rate))} rad/s{self.say('common.note', note=sense(driver.rate, self.lang))}"
+
+    def driven_rate(self, driver: Driver) -> str:
+        """The symbol of a driver's speed: `ω1`, `ω21` of a link that is driven from another, `v_C`, `ṡ_..`."""
+        called = self.mechanism.called
+        if driver.kind == "slide":
+            point, _, guide = driven_point(self.mechanism, driver)
+            return f"v_{names.point(point)}" if guide == FRAME else names.of_slide("ṡ", driver.link)
+        if driver.from_link != FRAME:
+            return names.relative("ω", called(driver.link), called(driver.from_link))
+        return names.of_link("ω", called(driver.link))
+
     def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
         """The number of centres, those by definition, the others in order; `together`: pairs of links without one."""
         count = len(self.mechanism.links)
@@ -106,6 +125,8 @@ class CentreReader:
                 reason = self.say("centres.several freedoms", count=count) if count > 1 else ""
                 words |= {"point": names.point(step.point), "reason": reason or self.say("centres.lines coincide")}
                 words |= self._links(self.found.centring.links[step.name])
+                if stage.say == "velocities":
+                    words["how"] = self._velocities_behind(stage)
             case DraftMeet():
                 first, second = (self._line(step, line) for line in stage.lines)
                 words |= {"first": first, "second": second, "met": self.say("centres.met", place=words["place"])}
@@ -119,6 +140,27 @@ class CentreReader:
             case _:
                 assert_never(step)
         return self.say(f"centres.found {stage.say}", **words)
+
+    def _velocities_behind(self, stage: Stage) -> str:
+        """The velocities that give a pole: those of two points of the link that drivers have, else the polygon."""
+        pair = self.found.centring.links[stage.last.name]
+        known = [one.last.name for one in self.found.centring.stages]
+        ends = driven_ends(self.found, pair[1], known[: known.index(stage.last.name)]) if pair[0] == FRAME else []
+        if len(ends) < 2:
+            rates = self.say("common.list").join(map(self.driven_rate, given_drivers(self.mechanism)))
+            return self.say("centres.by polygon", rates=rates)
+        first, second = map(self._driven_end, ends[:2])
+        return self.say("centres.by two velocities", link=self.link(pair[1]), first=first, second=second)
+
+    def _driven_end(self, end: DrivenEnd) -> str:
+        """`v_P13 = ω1 P01P13 = 0.754 m/s`."""
+        formula = f"{self.driven_rate(end.driver)} {self._joined((end.seat, end.centre))}"
+        return f"v_{names.point(end.centre)} = {formula} = {number(end.speed)} m/s"
+
+    def _joined(self, ends: Sequence[str]) -> str:
+        """`P12P14`, `P0,arm P13`: the line between two centres."""
+        letters = [names.point(end) for end in ends]
+        return ("" if all(letter[1:].isdigit() for letter in letters) else " ").join(letters)
 
     def _links(self, pair: tuple[str, str]) -> dict[str, str]:
         return {"first": self.link(pair[0]), "second": self.link(pair[1])}
@@ -134,9 +176,7 @@ class CentreReader:
         links = self.say("common.list").join(map(self.link, sorted(three, key=self._order.__getitem__)))
         far = [end for end in ends if self.is_far(end)]
         if not far:
-            letters = [names.point(end) for end in ends]
-            between = "" if all(letter[1:].isdigit() for letter in letters) else " "
-            return self.say("centres.join", line=between.join(letters), links=links)
+            return self.say("centres.join", line=self._joined(ends), links=links)
         if len(far) == 2:
             first, second = map(names.point, ends)
             return self.say("centres.at infinity", first=first, second=second, links=links)

@@ -22,7 +22,7 @@ from graphkin.say.solution_goal import SolutionGoal
 from graphkin.say.text_table import table
 from graphkin.studies.centres import Centres, advantages
 from graphkin.studies.centres.lever_board import BoardNumber, Lever
-from graphkin.studies.centres.levers import Levers, driven_point
+from graphkin.studies.centres.levers import Levers, given_drivers
 
 _FORMS: Mapping[str, tuple[str, Callable[..., Formula | str]]] = {
     "same": ("{}", lambda value: ""),
@@ -76,7 +76,7 @@ def centre_entries(found: Centres, lang: Lang, scale: float | None = None) -> It
 def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
     """The mechanical advantage of each link against the driver, by the ratios of the centres' distances."""
     mechanism = found.method.mechanism
-    driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
+    driver = given_drivers(mechanism)[0]
     for link, value in advantages(found).items():
         senses = say("centres.same", lang) if value > 0 else say("centres.opposite", lang)
         out, drives = (mechanism.called(one) for one in (link, driver.link))
@@ -184,28 +184,18 @@ class LeverReader:
 def _velocities(reader: CentreReader, scale: float) -> Iterator[Entry]:
     """The velocities that the file asks for, or all rotations where it asks for none; scale of the drawing [m/mm]."""
     yield Heading(reader.say("centres.using"))
-    driver = next((driver for driver in reader.mechanism.drivers if driver.rate), None)
-    if driver is None:
+    if not any(driver.rate for driver in reader.mechanism.drivers):
         yield Sentence(reader.say("centres.resting"))
         return
     yield Sentence(reader.say("centres.scale", scale=names.SCALE["position"], value=number(scale)))
     levers = LeverReader(reader, Levers(reader.found, scale))
-    if driver.kind == "slide":  # `v_C = 0.2 m/s`
-        point, _, guide = driven_point(reader.mechanism, driver)
-        name = f"v_{names.point(point)}" if guide == FRAME else names.of_slide("ṡ", driver.link)
-        rate = f"{name} = {number(abs(driver.rate) if guide == FRAME else driver.rate)} m/s"
-    else:  # `ω1 = 10 rad/s (counter-clockwise)`
-        called, note = reader.mechanism.called, reader.say("common.note", note=sense(driver.rate, reader.lang))
-        name = levers.rate(driver.link)
-        if driver.from_link != FRAME:
-            name = names.relative("ω", called(driver.link), called(driver.from_link))
-        rate = f"{name} = {number(abs(driver.rate))} rad/s{note}"
-    yield Sentence(reader.say("centres.given", what=rate))
-    yield from map(levers.entry, levers.levers.start(driver))
+    drivers = given_drivers(reader.mechanism)
+    yield Sentence(reader.say("centres.given", what=reader.say("common.list").join(map(reader.given, drivers))))
+    yield from map(levers.entry, levers.levers.given())
     lines = set[str]()
     asked = {text.strip(): parts(reader.mechanism, text) for text in reader.mechanism.ask}
     if not any(halves and halves[0].word in ("omega", "v") for halves in asked.values()):
-        links = [link for link in reader.mechanism.moving if link != driver.link]
+        links = [link for link in reader.mechanism.moving if link not in {driver.link for driver in drivers}]
         asked |= {f"omega {link}": (Rotation("omega", link, link),) for link in links}
     for halves in asked.values():
         for entry in _quotient(levers, *halves) if len(halves) == 2 else _answer(levers, *halves):

@@ -18,7 +18,7 @@ from graphkin.model.quantities import named
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import names
-from graphkin.say.centre_velocities import centre_entries, explain_centres
+from graphkin.say.centre_velocities import advantage_lines, centre_entries, explain_centres
 from graphkin.say.entry import Calculation, Sentence
 from graphkin.studies.centres import Centres, centres
 
@@ -179,3 +179,66 @@ def test_nothing_is_said_of_speeds_where_no_driver_moves():
     text = "\n".join(explain_centres(still, "en"))
     assert "No driver moves" in text
     assert len(still.centring.links) == 6
+
+
+DIFFERENTIAL = """
+frame = {{ name = "0", O = [0, 0] }}
+ask = ["omega 3"]
+[links]
+sun.points = ["O"]
+ring.points = ["O"]
+3.PM = 14
+arm.OP = 60
+[[gear]]
+links = ["sun", "3"]
+centres = ["O", "P"]
+radii = [40, 20]
+[[gear]]
+links = ["ring", "3"]
+centres = ["O", "P"]
+radii = [80, 20]
+internal = true
+[[driver]]
+link = "sun"
+omega = -20
+[[driver]]
+link = "ring"
+omega = {ring}
+[[pose]]
+vector = "OP"
+angle = 130
+[[pose]]
+vector = "PM"
+angle = 20
+"""
+"""A planet between two driven wheels: omega_3 = (v_ring - v_sun) over the distance of the contacts."""
+FIVE_BAR = """
+frame = { name = "1", A = [0, 0], E = [110, -14] }
+links = { 2.AB = 41, 3.BC = 77, 4.CD = 69, 5.ED = 36 }
+driver = [{ vector = "AB", angle = 117, omega = -6 }, { vector = "ED", angle = 95, omega = -2 }]
+sketch = { B = [-19, 36], C = [45, 75], D = [107, 22] }
+"""
+
+
+def _told(text: str, lang) -> tuple[str, list[str]]:
+    method = plan(loading.loads(text))
+    of = centres(method, replay_all(method))
+    return "\n".join(explain_centres(of, lang)), list(advantage_lines(of, lang))
+
+
+def test_of_several_drivers_each_is_given_and_a_pole_is_from_what_is_given():
+    text, advantages = _told(DIFFERENTIAL.format(ring=7), "en")
+    assert "Given: ω_sun = 20 rad/s (clockwise), ω_ring = 7 rad/s (counter-clockwise)." in text
+    # by hand: 20 * 0.04 = 0.8 m/s at the sun, 7 * 0.08 = 0.56 m/s the other way at the ring, 40 mm from there
+    assert re.search(r"From the velocities of two points of link 3, v_\S+ = ω_sun .* = 0\.8 m/s and v_\S+ = ω_ring .* = 0\.56 m/s", text)
+    assert "= 34 rad/s (counter-clockwise" in text
+    assert not advantages  # each of the drivers has a power of its own: no ratio of speeds is one of torques
+    text, advantages = _told(FIVE_BAR, "zh")
+    assert "由速度图（按给定的 ω2、ω5 作出）求得" in text
+    assert "已知：ω2 = 6 rad/s（顺时针）、ω5 = 2 rad/s（顺时针）" in text
+    assert not advantages
+
+
+def test_a_driver_that_rests_holds_its_link_and_the_other_has_an_advantage():
+    """With the ring held the arm turns a third as fast as the sun (Willis: 1 + 80/40): three times the torque."""
+    assert any("= 3 (same sense)" in line for line in _told(DIFFERENTIAL.format(ring=0), "en")[1])

@@ -38,9 +38,12 @@ PHRASES: Phrases = {
     "centres.met": ("where the two lines meet, {place}", "两线交点，{place}"),
     "centres.met far": ("the lines are parallel, so {name} → ∞ at {angle}", "两线平行，故 {name} → ∞，方向 {angle}"),
     "centres.met infinity": ("so {name} → ∞ at {angle}", "故 {name} → ∞，方向 {angle}"),
-    "centres.found velocities": ("{name} cannot be found by three-centre lines alone: {reason}. From velocities: "
+    "centres.found velocities": ("{name} cannot be found by three-centre lines alone: {reason}. {how}: "
                                  "where links {first} and {second} have one velocity, {place}.",
-                                 "{name} 仅用三心定理不能确定：{reason}。由速度求得：构件 {first}、{second} 在该点速度相同，{place}。"),
+                                 "{name} 仅用三心定理不能确定：{reason}。{how}：构件 {first}、{second} 在该点速度相同，{place}。"),
+    "centres.by polygon": ("From the velocity polygon, drawn with {rates}", "由速度图（按给定的 {rates} 作出）求得"),
+    "centres.by two velocities": ("From the velocities of two points of link {link}, {first} and {second}",
+                                  "由构件 {link} 上两点的速度 {first}、{second} 求得"),
     "centres.several freedoms": ("the mechanism has {count} degrees of freedom, and the centre depends on how the "
                                  "drivers move",
                                  "机构有 {count} 个自由度，该瞬心与各原动件运动的比例有关"),

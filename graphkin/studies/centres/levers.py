@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import cmath
 import heapq
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
 from math import inf, isfinite, log10
 
 from graphkin.base.geometry import number
+from graphkin.base.value import frozen
 from graphkin.construction.drafting import Far, Reckon, Stage, Traced
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.studies.centres.instant_centres import Centres
@@ -30,6 +31,42 @@ def driven_point(mechanism: Mechanism, driver: Driver) -> tuple[str, str, str]:
     return point, next(moved), track
 
 
+def given_drivers(mechanism: Mechanism) -> list[Driver]:
+    """The drivers that move; the first where none does."""
+    return [driver for driver in mechanism.drivers if driver.rate] or [mechanism.drivers[0]]
+
+
+def _from_frame(mechanism: Mechanism, driver: Driver) -> bool:
+    """True of a driver that moves a link against the frame."""
+    return driven_point(mechanism, driver)[2] == FRAME if driver.kind == "slide" else driver.from_link == FRAME
+
+
+@frozen
+class DrivenEnd:
+    """A centre of a link with one that is driven: as a point of either it has the velocity [m/s] that the driver gives.
+
+    seat  the centre about which the driver turns
+    """
+
+    driver: Driver
+    seat: str
+    centre: str
+    speed: float
+
+
+def driven_ends(centres: Centres, link: str, known: Collection[str]) -> list[DrivenEnd]:
+    """The centres of a link with links that turn by drivers of their own, each of these found before."""
+    ends = list[DrivenEnd]()
+    for driver in given_drivers(centres.method.mechanism):
+        if driver.kind == "slide" or driver.from_link != FRAME or driver.link == link:
+            continue
+        seat, centre = centres.name(FRAME, driver.link), centres.name(driver.link, link)
+        arm, at = centres.finite(FRAME, driver.link), centres.finite(driver.link, link)
+        if arm is not None and at is not None and {seat, centre} <= {*known}:
+            ends.append(DrivenEnd(driver, seat, centre, abs(driver.rate * (at - arm))))
+    return ends
+
+
 @dataclass
 class Levers(LeverBoard):
     """Motions that are given, and those carried on from link to link.
@@ -40,6 +77,16 @@ class Levers(LeverBoard):
     costs: dict[tuple[str, str], float] = field(default_factory=dict)
 
     # --- given motions --------------------------------------------------------------------------
+
+    def given(self) -> list[Lever]:
+        """The first motions by the driver that moves first, then what others state of links against the frame."""
+        first, *others = given_drivers(self.mechanism)
+        levers = self.start(first)
+        for driver in others:
+            link = driven_point(self.mechanism, driver)[1] if driver.kind == "slide" else driver.link
+            if _from_frame(self.mechanism, driver) and link not in self.turning:
+                levers += self.start(driver)
+        return levers
 
     def start(self, driver: Driver) -> list[Lever]:
         """The first motions, of the driven link or of the one it is driven from."""
@@ -209,8 +256,7 @@ def _cost(centres: Centres, size: float, base: str, link: str) -> float:
 def carried_through(centres: Centres, scale: float = 0.0) -> Levers:
     """The motions of all links that levers reach, from the first driver that moves. scale: as of `Levers`."""
     levers = Levers(centres, scale)
-    drivers = levers.mechanism.drivers
-    levers.start(next((driver for driver in drivers if driver.rate), drivers[0]))
+    levers.given()
     for link in levers.mechanism.moving:
         levers.along(levers.path(link) or [])
     return levers
@@ -220,10 +266,13 @@ def advantages(centres: Centres) -> dict[str, float]:
     """Mechanical advantage of each link that turns with a frame hinge: its torque by the driver's, without losses.
 
     Power in is power out, so it is omega of the driver by omega of the link: P1j Pij / P1i Pij turned over. Empty
-    where the driver does not turn.
+    where the driver does not turn, and where another moves: it has a power of its own, and a ratio of speeds is none
+    of torques.
     """
     levers, mechanism = carried_through(centres), centres.method.mechanism
-    driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
+    driver, *others = given_drivers(mechanism)
+    if others:
+        return {}
     if driver.kind == "slide" or driver.from_link != FRAME or not isfinite(levers.omega(driver.link)):
         return {}
     hinged = {link for hinge in mechanism.hinges if FRAME in hinge.links for link in hinge.links} - {FRAME, driver.link}
