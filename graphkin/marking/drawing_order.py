@@ -7,7 +7,7 @@ from math import inf
 from typing import assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Equation, Measure, Roll, Simultaneous, Step
+from graphkin.construction import Construction, Equation, Measure, Roll, Simultaneous, Step, TurnOf
 from graphkin.marking.answers import ArrowPlaces, Ends
 from graphkin.marking.scene import drawn_by
 from graphkin.model.quantities import Quantity, kinds
@@ -47,7 +47,8 @@ class _Order:
     """The places of corners, rotations and arrows of both polygons, gone through step by step."""
 
     def __init__(self, method: Method, arrows: ArrowPlaces) -> None:
-        self.turns, self.arrows = method.facts().turns, arrows
+        facts = method.facts()
+        self.turns, self.frame, self.arrows = facts.turns, facts.turns[facts.frame].base, arrows
         self.corners: dict[tuple[str, str], DrawnAt] = {}
         self.rotations: dict[tuple[str, str], DrawnAt] = {}
         self.ends: dict[Ends, DrawnAt] = {}
@@ -86,8 +87,10 @@ class _Order:
                 drawn = self._latest(*arrow[0])
                 return drawn if drawn.rank < inf else self.ends.get(arrow[0], drawn)
             case kinds.Rotation(word="omega" | "alpha"):
-                base = self.turns[quantity.link].base if quantity.link in self.turns else quantity.link
-                return self.rotations.get((quantity.word, base), DrawnAt(0))
+                turn = self.turns.get(quantity.link, TurnOf(quantity.link))
+                if turn.base == self.frame and not turn.drivers:  # of a link that does not turn nothing is drawn
+                    return DrawnAt(self.planes["velocity" if quantity.word == "omega" else "acceleration"])
+                return self.rotations.get((quantity.word, turn.base), DrawnAt(0))
             case kinds.Component():
                 return self.place(quantity.whole)
             case kinds.Quotient():

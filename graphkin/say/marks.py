@@ -178,7 +178,8 @@ def joined(texts: Iterable[str], lang: Lang) -> str:
     if len(each) == 1:
         return each[0]
     more = [say("marks.more", lang, count=len(each) - _SETS)] if len(each) > _SETS else []
-    return say("marks.one of", lang, mistakes=say("marks.or", lang).join([*each[:_SETS], *more]))
+    shown = [say("marks.each", lang, number=k, mistake=text) for k, text in enumerate(each[:_SETS], 1)]
+    return say("marks.one of", lang, mistakes=say("common.semicolon", lang).join([*shown, *more]))
 
 
 def mistake_kind(id: str, lang: Lang) -> str:

@@ -23,6 +23,7 @@ from graphkin.errors import CannotWrite, NoFile, NotAnOverride, NotAResult, Unre
 from graphkin.homework.platforms import from_record, read_results, write_results
 from graphkin.homework.platforms.class_report import class_report, report_record, report_text, write_class_figure
 from graphkin.homework.platforms.class_table import read_overrides
+from graphkin.homework.platforms.feedback import Feedback, diagnosis, next_step, under_table
 from graphkin.homework.platforms.learning_platforms import LARGEST, canvas, moodle
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.result import ResultPicture, points_of
@@ -437,6 +438,47 @@ def test_stages(reveal, hidden, told, tmp_path: Path):
 
 
 # --- overrides --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("reveal", ["hint", "mistake", "answer"])
+def test_of_mistakes_that_are_not_told_apart_the_next_step_picks_none(reveal):
+    slip = {"id": "slip", "way": "", "of": "omega 3", "form": ""}
+    mistakes = [{"ids": ["diameter-for-radius", "slip"], "probability": 0.95, "margin": 3.0, "explains": ["omega 3"],
+                 "names": [[name("diameter-for-radius", "v_B", "2 l_AB")], [slip]]}]  # fmt: skip
+    (result,) = results(record(1, mistakes=mistakes))
+    step = next_step(Feedback(result, "en", reveal))
+    assert "do not tell which" in step
+    assert "Look again at the lengths." in step
+    assert "Work the first value that is marked wrong through again." in step
+    assert ": (1) v_B with 2 l_AB (diameter for radius, or half a length); (2) a slip in ω3 (everything after it" in "\n".join(
+        diagnosis(result, "en", "mistake")
+    )
+
+
+def _in_the_wrong_sense_beside_a_wrong_one() -> dict:
+    """omega 5 is wrong, and leaves the right way first; omega 3 has the wrong sense alone; a F is ten times too large."""
+    half = {"verdict": "wrong", "sense": "wrong", "tolerance": 0.05}
+    quantities = {
+        "omega 3": quantity(1.0, 0.5, "rad/s", given=1.82, right=-1.82, **half),
+        "a F": quantity(1.0, 0.0, "m/s^2", given=37.0, right=3.704, tolerance=0.1, verdict="wrong"),
+        "omega 5": quantity(1.0, 0.0, "rad/s", given=-1.0, right=2.0, tolerance=0.05, verdict="wrong"),
+    }
+    return record(1, quantities=quantities, mistakes=[], departure={"quantity": "omega 5", "left": [], "right": []})
+
+
+def test_page_and_report_name_the_same_value_first():
+    (result,) = results(_in_the_wrong_sense_beside_a_wrong_one())
+    assert next_step(Feedback(result, "en", "answer")) == "Go back to ω5 and work on from there."
+    assert "ω5 is the first value that leaves the right way" in "\n".join(diagnosis(result, "en", "answer"))
+    assert {step.name: step.first for step in class_report([result]).steps} == {"omega 3": 0, "a F": 0, "omega 5": 1}
+
+
+@pytest.mark.parametrize("reveal", ["hint", "mistake", "answer"])
+def test_a_shifted_decimal_point_is_told_beside_other_errors(reveal):
+    (result,) = results(_in_the_wrong_sense_beside_a_wrong_one())
+    text = "\n".join(under_table(Feedback(result, "en", reveal)))
+    assert ("a_F: ten times what it should be: look at the decimal point." in text) == (reveal != "hint")
+    assert text.count("decimal point") == (reveal != "hint")
 
 
 def override(path: Path, points: dict[str, str], encoding: str = "utf-8-sig", separator: str = ",") -> None:

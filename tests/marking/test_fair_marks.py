@@ -116,6 +116,16 @@ def test_where_nothing_fits_the_first_step_off_the_way_is_named():
     assert found.departure.right == ("a_B2", "a^k_B3B2", "a^r_B3B2")
 
 
+def test_a_link_that_does_not_turn_is_looked_at_after_what_is_drawn():
+    """omega 3 of a slider is 0 without a drawing: another number there is no first step of one."""
+    asked = "omega 2", "v C", "omega 3"
+    right = {entry.text: entry.right for entry in marker("fig3-1", *asked).key.entries}
+    found = marked(marker("fig3-1", *asked), **{"omega 2": 1.37 * right["omega 2"], "v C": 5.3 * right["v C"], "omega 3": -2.0})
+    assert not found.diagnosis.explanations
+    assert found.departure is not None
+    assert found.departure.text == "v C"
+
+
 def test_one_value_that_vetoes_no_other():
     """All six say that the Coriolis term is reversed; that another mistake says little of them does not matter."""
     assert ids(of_ex3_1(0.325, -4.02, 1.11, 2.60, 4.55, -38.5)) == ("coriolis-reversed",)

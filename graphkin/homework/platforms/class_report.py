@@ -99,7 +99,8 @@ def class_report(results: Iterable[Result]) -> ClassReport:
         for line in result.lines:
             lines.setdefault(line.text, []).append(line)
         failed = [line.text for verdict in _FAILED for line in result.lines if line.verdict == verdict]
-        first.update(failed[:1])
+        left = [] if result.departure is None else [result.departure.text]  # in the order of the drawing
+        first.update([*left, *failed][:1])
         for best in result.suspicions[:1]:
             by_set.setdefault(tuple(sorted(best.ids)), []).append(best)
     steps = (_step(name, some, first[name]) for name, some in lines.items())

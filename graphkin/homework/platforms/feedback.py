@@ -14,6 +14,7 @@ from graphkin.homework.platforms.question import in_letters
 from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import SLIP, Explanation, Habit
+from graphkin.marking.mistakes.conversions import PLACES
 from graphkin.marking.records import Judged
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
@@ -118,12 +119,12 @@ def next_step(page: Feedback) -> str:
     """The one thing to do next; nothing where all is right."""
     result, lang = page.result, page.lang
     if page.reveal == "hint" and result.suspicions:
-        return "".join(_hints(result.suspicions[0], lang)[:1])
+        return _look(result.suspicions[0], lang)
     for kind, names in _to_do(result):
         if names:
             asked = [line.text for line in result.lines if line.points and line.text in names] or names
             listed = as_on_sheets(result, say("common.list", lang).join(asked[:_NAMED]))
-            look = "".join(_hints(result.suspicions[0], lang)[:1]) if kind == "mistake" else ""
+            look = _look(result.suspicions[0], lang) if kind == "mistake" else ""
             return say(f"feedback.next {kind}", lang, look=look, names=listed)
     return ""
 
@@ -138,8 +139,10 @@ def _to_do(result: Result) -> Iterator[tuple[str, list[str]]]:
     if result.suspicions:
         yield "mistake", [*result.suspicions[0].explains]
     yield "unit", [line.text for line in wrong if not line.unit_right]
-    yield "sense", sense
-    yield "departure", [result.departure.text] if result.departure is not None else []
+    left = [result.departure.text] if result.departure is not None else []
+    if not left or left[0] in sense:  # else another value leaves the right way before these
+        yield "sense", sorted(sense, key=lambda text: text not in left)
+    yield "departure", left
     yield "wrong", [line.text for line in wrong][:1]
     yield "equation", [str(one.term) for one in result.faults]
     yield "missing", [line.text for line in result.lines if line.verdict == "missing" and line.points]
@@ -214,6 +217,18 @@ def arithmetic(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> Iter
         own = say("common.list", lang).join(values)
         agrees = say("feedback.yes" if line.verdict == "carried" else "feedback.no", lang)
         yield say("feedback.carried", lang, own=own, value=shown(line.carried, line.unit), agrees=agrees)
+    if useful and reveal != "hint" and (form := shifted_point(line)):
+        yield say(f"feedback.point {form}", lang)
+
+
+def shifted_point(line: Judged) -> str:
+    """How a wrong value is off by its decimal point alone, `10` or `1/10` times what it should be; "" where not so."""
+    if line.verdict != "wrong" or line.given is None or not line.unit_right or line.of_equations:
+        return ""
+    meant = [line.right, *([] if line.carried is None else [line.carried])]
+    given = line.given
+    return next((form for form, factor in PLACES.items() for value in meant
+                 if value and abs(given / factor - value) <= line.tolerance), "")  # fmt: skip
 
 
 def shown(value: float, unit: str) -> str:
@@ -254,6 +269,13 @@ def habit(one: Habit, lang: Lang) -> str:
 def _hints(one: Explanation | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(SLIP if id == SLIP else MISTAKES[id].topic for id in one.ids if id in (SLIP, *MISTAKES))
     return [mistake_hint(topic, lang) for topic in topics]
+
+
+def _look(one: Explanation, lang: Lang) -> str:
+    """Where to look again; of several places that the values do not tell apart none is picked."""
+    hints = _hints(one, lang)
+    places = say("feedback.between", lang).join(hints)
+    return say("feedback.next one of", lang, places=places) if len(hints) > 1 else places
 
 
 def suspected(one: Explanation, lang: Lang) -> str:

@@ -26,7 +26,7 @@ from graphkin.outputs.svg import inline
 from graphkin.planning.asked import plane_of
 from graphkin.running import replay_all
 from graphkin.say.catalogue import say
-from graphkin.say.marks import mistakes_together
+from graphkin.say.marks import distinct_mistakes, mistakes_together
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Text
 from graphkin.sheet.mistake_sheet import mistake_sheets
@@ -113,7 +113,8 @@ class PolygonPictures:
         label = [say("pictures.position", lang, at=at)] if at > 1 else []
         if changed is not None:
             shows = as_on_sheets(result, mistakes_together(mistake, lang))
-            label.append(say("pictures.shows", lang, mistake=shows))
+            alone = len(distinct_mistakes(mistakes_together(each, lang) for each in names)) == 1
+            label.append(say("pictures.shows", lang, which=alone, mistake=shows))
             red = any(mark.new for sheet in sheets for mark in sheet.marks)
             label += [say("pictures.red", lang)] if red else []
         bracketed = any(isinstance(mark, Text) and mark.label[:1] == plain("(") for one in sheets for mark in one.marks)

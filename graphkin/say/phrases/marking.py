@@ -28,7 +28,7 @@ PHRASES: Phrases = {
                             "look at its directions and sizes again",
                             "{quantity} 是第一个偏离正确解法的量：该处应按 {equation} 作图，请检查其中各矢量的方向和大小"),
     "marks.look": ("look: {remark}", "请核对：{remark}"),
-    "marks.or": (" / ", " / "),
+    "marks.each": ("({number}) {mistake}", "（{number}）{mistake}"),
     "marks.together": (", together with ", "，同时"),
     "marks.more": ("{count} more", "另有 {count} 种"),
     "marks.note": ("note: {note}", "提示：{note}"),
@@ -178,7 +178,7 @@ PHRASES: Phrases = {
                                       "正确作图（同样的作图误差，试 {problems}）：{wrong} 有量被判错，{named} 被误诊。"),
     # === mistakes
     # what was done: {of}, what the mistake was made with; {form}, with what. A noun phrase, after `is consistent with`
-    "mistakes.made slip": ("a slip in {of}; everything after it follows from it", "{of} 有误，其后各量均由它正确推得"),
+    "mistakes.made slip": ("a slip in {of} (everything after it follows from it)", "{of} 有误，其后各量均由它正确推得"),
     "mistakes.made driver-reversed": ("the sense of the driver {of} taken the other way round",
                                       "原动件 {of} 的转向（或移动方向）取反"),
     "mistakes.made driver-reversed all": ("the senses of all drivers taken the other way round", "所有原动件的转向（或移动方向）都取反"),
@@ -221,7 +221,7 @@ PHRASES: Phrases = {
     "mistakes.made normal-outward": ("the normal acceleration {of} laid off outward", "法向加速度 {of} 画成背离转动中心"),
     "mistakes.made normal-doubled": ("the normal acceleration {of} twice as large", "法向加速度 {of} 大了一倍"),
     "mistakes.made normal-not-laid-off": ("the normal acceleration {of} calculated, but not laid off", "法向加速度 {of} 已算出但未画入"),
-    "mistakes.made diameter-for-radius": ("{of} with {form}: diameter for radius, or half a length", "求 {of} 用了 {form}（直径与半径混淆）"),
+    "mistakes.made diameter-for-radius": ("{of} with {form} (diameter for radius, or half a length)", "求 {of} 用了 {form}（直径与半径混淆）"),
     "mistakes.made coriolis-omitted": ("the Coriolis acceleration {of} left out", "漏掉科氏加速度 {of}"),
     "mistakes.made coriolis-reversed": ("the Coriolis acceleration {of} pointing the other way", "科氏加速度 {of} 的指向反了"),
     "mistakes.made coriolis-half": ("the factor 2 missing in the Coriolis acceleration {of}", "科氏加速度 {of} 漏乘系数 2"),

@@ -51,7 +51,7 @@ PHRASES: Phrases = {
     "pictures.under right over": ("grey: right; black: with the mistake", "灰线：正确；黑线：含此错误"),
     "pictures.under right own": ("grey: right; black: yours, as measured", "灰线：正确；黑线：你的图（实测）"),
     "pictures.under mistake own": ("grey: with the mistake; black: yours, as measured", "灰线：含此错误；黑线：你的图（实测）"),
-    "pictures.shows": ("Drawn with this mistake: {mistake}.", "按此错误所画：{mistake}。"),
+    "pictures.shows": ("Drawn with [one of the mistakes that fit|this mistake]: {mistake}.", "按[其中一种可能|此]错误所画：{mistake}。"),
     "pictures.between": (" ", ""),
     "pictures.red": ("Red: laid off or directed otherwise than it should be, or left out; the rest only follows.",
                        "红色：大小或方向画错（或漏画）之处，其余为其后果。"),
