@@ -76,7 +76,8 @@ class HandoutProblem:
     @cached_property
     def _sections(self) -> tuple[Section, ...]:
         sections: list[tuple[entry.Heading, list[entry.Entry]]] = []
-        for each in derivation(self.told.method, self.told.plot, self._keys, self.lang, everything=False):
+        told, whole = self.told, self.drawing.method
+        for each in derivation(told.method, told.plot, self._keys, self.lang, everything=False, uncut=whole):
             if isinstance(each, entry.Heading):
                 sections.append((each, []))
             else:

@@ -153,7 +153,9 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
 def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     """Empty equations, gridded paper with the pole, a table to measure into; of the mechanism the paper alone."""
     yield document.NewPage()
-    yield document.HandoutHeading(plain(say(f"sheet.plane {plane}", problem.lang)))
+    heading = say(f"sheet.plane {plane}", problem.lang)
+    several = positions(problem.drawing.mechanism)  # this paper is for the first
+    yield document.HandoutHeading(plain(say("handouts.of first", problem.lang, what=heading) if several else heading))
     drawn = plane == "position"
     entries = [each for section in problem.parts if section.plane == plane for each in section.entries]
     equations = [each for each in entries if isinstance(each, entry.VectorEquation)]

@@ -18,18 +18,12 @@ from graphkin.model.quantities.kinds import relative
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 from graphkin.proof.roads import Proved, proved
+from graphkin.running import driver_values
 from graphkin.studies.centres import centres, place
 
-__all__ = ["driver_values", "results"]
+__all__ = ["results"]
 
 Json = Mapping[str, Plain]
-
-
-def driver_values(method: Method) -> Iterator[tuple[float, ...]]:
-    """The drawn position, then one for each value of `also`: drivers that list several move on together."""
-    drivers = method.drivers
-    for k in range(-1, max((len(driver.also) for driver in drivers), default=0)):
-        yield tuple(d.also[k] if 0 <= k < len(d.also) else (d.value or 0.0) for d in drivers)
 
 
 def results(

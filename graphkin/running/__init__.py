@@ -10,7 +10,7 @@ and a `replay_program` carries them out, as NumPy calls or as a C function.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from graphkin.base.geometry import Real
 from graphkin.construction import Plot, replay
@@ -18,7 +18,14 @@ from graphkin.errors import ValueForEach
 from graphkin.planning import Method
 from graphkin.planning.refusals import refuse_bad_positions, refuse_contacts_apart
 
-__all__ = ["replay_all"]
+__all__ = ["driver_values", "replay_all"]
+
+
+def driver_values(method: Method) -> Iterator[tuple[float, ...]]:
+    """The drawn position, then one for each value of `also`: drivers that list several move on together."""
+    drivers = method.drivers
+    for k in range(-1, max((len(driver.also) for driver in drivers), default=0)):
+        yield tuple(d.also[k] if 0 <= k < len(d.also) else (d.value or 0.0) for d in drivers)
 
 
 def replay_all(method: Method, values: Sequence[Real] | None = None, compiled: bool | None = None) -> Plot:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
 from math import degrees, radians
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Plane, Plot
-from graphkin.errors import Lang
+from graphkin.errors import GraphkinError, Lang
 from graphkin.files.values import DIMENSIONS
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.quantities import Quantity, kinds
@@ -19,6 +19,7 @@ from graphkin.model.units import EDGE
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import by_pose, shown
 from graphkin.proof.readings import readings
+from graphkin.running import driver_values, replay_all
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation, text_lines
 from graphkin.say.equations import equation
@@ -28,6 +29,7 @@ from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries
 from graphkin.say.position import PositionReader
 from graphkin.say.problem_data import problem_data, solution_head
+from graphkin.say.problems import position_lines
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import in_unit, length_unit
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
@@ -235,23 +237,62 @@ def explain(
 
 def derivation(
     method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, everything: bool = True,
-    only: Plane = "acceleration", ruler: Ruler | None = None, as_planned: bool = False,
+    only: Plane = "acceleration", ruler: Ruler | None = None, as_planned: bool = False, uncut: Method | None = None,
 ) -> Iterator[Entry]:  # fmt: skip
-    """The solution as data; `as_planned`: every act of the polygons, though a driver at rest may make them easier."""
+    """The solution as data.
+
+    as_planned  every act of the polygons, though a driver at rest may make them easier
+    uncut       the method with all steps, which moves the mechanism, where this one has been cut to what is needed
+    """
     reading = Reading(*shown(method, plot), scales, lang, ruler, apart=as_planned)
     goal = solution_goal(reading, everything, only)
     body = drawn_acts(goal, as_planned)
     acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
     steps = {act.number for act in acts if act.numbered}
     yield from problem_data(reading)
+    others = [] if as_planned else _other_positions(method, plot)
+    yield from map(Sentence, position_lines(reading.mechanism, lang) if others else ())
     yield from goal.question()
     yield from solution_head(reading, ("length", *goal.parts), leaves_out=len(steps) < max(steps, default=0))
+    yield from [Sentence(reading.say("solution.first position"))] if others else []
     yield from body
     answers = AnswerLines(goal, {entry.name: entry.value for entry in body if isinstance(entry, Calculation)})
     yield from answers.entries()
+    yield from answers_elsewhere(goal, uncut or method, others)
     if ruler is not None:
         exactly = replace(reading, plot=ruler.right, ruler=None)
         yield from deviations(answers, solution_goal(exactly, everything, only))
+
+
+def _other_positions(method: Method, plot: Plot) -> list[tuple[float, ...]]:
+    """Driver values of the further positions that the file asks for; none where the plot is of another than its own."""
+    own = zip(plot.facts.values, method.facts().values, strict=True)
+    return [*driver_values(method)][1:] if all(value is first or value == first for value, first in own) else []
+
+
+def answers_elsewhere(
+    goal: SolutionGoal, method: Method, positions: Sequence[tuple[float, ...]]
+) -> Iterator[Entry]:
+    """The answers at further positions, which are solved in the same way; of one that is not reached, why.
+
+    method  that moves the mechanism: of the one that the goal is told by the position may be drawn by a pose
+    """
+    if not (positions and goal.wanted):
+        return
+    reading = goal.reading
+    yield Sentence(reading.say("solution.elsewhere"))
+    heads = [*position_lines(reading.mechanism, reading.lang)][2:]
+    for head, values in zip(heads, positions, strict=True):
+        yield Sentence(head)
+        try:
+            plot = replay_all(method, values)
+        except GraphkinError as problem:
+            yield Sentence(problem.message(reading.lang), item=True)
+            continue
+        told, shown_there = shown(method, plot)
+        there = replace(goal, reading=replace(reading, method=told, plot=shown_there, ruler=None))
+        for entry in map(AnswerLines(there, {}).entry, AnswerLines(there, {}).answerable):
+            yield replace(entry, formulas=(), numbers="") if isinstance(entry, Calculation) else entry
 
 
 def drawn_acts(goal: SolutionGoal, as_planned: bool = False) -> list[Entry]:

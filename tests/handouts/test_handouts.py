@@ -419,3 +419,11 @@ def test_what_a_pencil_allows_is_in_plain_figures():
     allowed = re.findall(r"± ?([^<]*)", text)
     assert max(float(one) for one in allowed) >= 100
     assert not any("e" in one for one in allowed)
+
+
+def test_a_solution_has_the_answers_at_further_positions_and_grids_say_of_which_they_are():
+    mechanism = graphkin.loads(library.text("ex3-3").replace("[[driver]]", "[[driver]]\nalso = [61]", 1))
+    text = re.sub("<[^>]*>", "", html(handout([mechanism], "solution", "en")))
+    assert text.count("#2") == 3  # among the positions, in their remark, before the answers
+    assert "for position #1" in html(handout([mechanism], "blank", "en"))
+    assert "for position #1" not in html(handout([library.load("ex3-3")], "blank", "en"))

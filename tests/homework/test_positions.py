@@ -27,7 +27,8 @@ from graphkin.marking.marker import Marker
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.key_json import key_of, key_text
 from graphkin.outputs.marks_json import record
-from graphkin.results import driver_values, results
+from graphkin.results import results
+from graphkin.running import driver_values
 from graphkin.say.entry import text_lines
 
 NAMES = ("ex3-1", "scotch-yoke", "curved-slot")

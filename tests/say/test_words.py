@@ -13,6 +13,7 @@ from calculator import calculated, hold
 from click.testing import CliRunner
 from random_mechanisms import cam, circular_slot, epicyclic, geared_five_bar, rolling, triad
 
+from graphkin.analytic import motion
 from graphkin.cli import main
 from graphkin.construction import Plot
 from graphkin.errors import GraphkinError, Lang
@@ -537,3 +538,34 @@ sketch = { B = [30, 60] }
     text = "\n".join(whole(*drawn(follower), "en"))
     assert "drawn without turning: 4." in text
     assert "can only translate" not in text
+
+
+ALSO = """
+ask = ["v C", "omega 3", "a_n CD", "P13"]
+frame = { A = [0, 0], D = [80, 0] }
+links = { 1.AB = 30, 2.BC = 70, 3.DC = 60 }
+driver = [{ vector = "AB", angle = 60, omega = 10, also = [150, 700] }]
+sketch = { C = [80, 60] }
+"""
+
+
+@pytest.mark.parametrize("lang", LANGS)
+def test_further_positions_have_their_answers_at_the_end(lang: Lang):
+    """A solution works out the first; what it finds at the others stands under its answer, by the analysis of each."""
+    method, plot = drawn(ALSO)
+    lines = explain(method, plot, SCALES, lang)
+    head = [line.strip() for line in lines if line.strip().startswith("#")]
+    assert head == [f"#{k}{':' if lang == 'en' else '：'}{' ' * (lang == 'en')}AB = {at}°" for k, at in ((1, 60), (2, 150), (3, 700), (2, 150), (3, 700))]
+    start = max(k for k, line in enumerate(lines) if line.strip().startswith("#2"))
+    for k, at in enumerate((150, 700)):
+        omega = float(motion(method.mechanism, [radians(at)]).omega["3"])
+        own = lines[start + 5 * k : start + 5 * k + 5]
+        assert any(line.strip().startswith(f"ω3 = {number(abs(omega))} rad/s") for line in own), own
+        assert ("counter-clockwise" in "".join(own) or "逆时针" in "".join(own)) == (omega > 0)
+    assert phrase("solution.first position", lang) in "\n".join(lines)
+
+
+def test_a_further_position_that_is_not_reached_is_said():
+    method, plot = drawn(ALSO.replace("AB = 30", "AB = 60").replace("[150, 700]", "[180]"))
+    text = "\n".join(explain(method, plot, SCALES, "en"))
+    assert re.search(r"#2: AB = 180°\n.*dead point", text)

@@ -26,8 +26,7 @@ from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
 from graphkin.proof.readings import mechanism_at, readings
 from graphkin.proof.roads import proved
-from graphkin.results import driver_values
-from graphkin.running import replay_all
+from graphkin.running import driver_values, replay_all
 
 _LARGEST = 64 << 20
 _PAGE = complex(130.0, 97.0)  # of any figure that is drawn as large as a page allows, of every polygon [mm]

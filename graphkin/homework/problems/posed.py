@@ -19,8 +19,7 @@ from graphkin.model.quantities import Rotation, read
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 from graphkin.proof.roads import proved
-from graphkin.results import driver_values
-from graphkin.running import replay_all
+from graphkin.running import driver_values, replay_all
 from graphkin.running.drawn_sides import drawn_sides
 
 Refused = Literal["assembly", "elsewhere", "dead point", "short", "taken", "untold", "unlike"]
