@@ -6,6 +6,7 @@ And back: a `Mechanism` that is read has its file, which can be given other valu
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
@@ -15,6 +16,7 @@ from graphkin.files.draft import Draft, check_joints, check_questions, check_siz
 from graphkin.files.source import Deferred, decoded_text, mechanism_name, read_bytes, read_text, read_toml
 from graphkin.files.toml import Document
 from graphkin.model import mechanism
+from graphkin.model.quantities.reading import spelled_out
 
 if TYPE_CHECKING:
     from graphkin.files.builder import Builder
@@ -175,9 +177,17 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
         slide_titles=slide_titles, stories=_titles(file.text), given=Deferred(partial(stated_values, document)),
         worth={**dict.fromkeys(file.ask, 1.0), **file.points.worth}, follows=CREDIT[file.points.follows],
     )  # fmt: skip
+    machine = _spelled_out(machine)
     check_questions(draft, machine)
     draft.stop_if_wrong()
     return machine
+
+
+def _spelled_out(machine: MechanismFile) -> MechanismFile:
+    """The mechanism with its questions as quantities are written everywhere."""
+    ask = tuple(spelled_out(machine, question) for question in machine.ask)
+    worth = {spelled_out(machine, question): points for question, points in machine.worth.items()}
+    return machine if ask == machine.ask and worth == machine.worth else replace(machine, ask=ask, worth=worth)
 
 
 def _named(values: Mapping[str, object] | None, more: Mapping[str, object]) -> dict[str, object]:

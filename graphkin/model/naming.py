@@ -64,6 +64,18 @@ def pair(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> tuple[S
     return None
 
 
+def clear(mechanism: Mechanism, text: str) -> str:
+    """One or two sites as they are written everywhere: `B@guide,B@block` of BguideBblock, where a link is a word."""
+    if "@" in text or text in mechanism.points:
+        return text
+    one = seen(mechanism, text)
+    sites = (one,) if one is not None else pair(mechanism, text) or ()
+    links = [mechanism.called(site.link) if site.explicit else "" for site in sites]
+    if not any(link and not link.isdigit() for link in links):
+        return text
+    return ",".join(f"{site.point}@{link}" if link else site.point for site, link in zip(sites, links, strict=True))
+
+
 def common_link(mechanism: Mechanism, of: Seen, seen_from: Seen) -> str | None:
     """The moving link on which both sites lie, so that one turns about the other."""
     first, second = _links(mechanism, of), _links(mechanism, seen_from)

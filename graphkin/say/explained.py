@@ -93,6 +93,8 @@ class AnswerLines:
             case Moving():
                 size, vector = self.value(quantity), complex(quantity.vector(self._motions))
                 note = self.reading.heading(vector) if size else ""
+                if size and (turned := self._turned_round(quantity)):
+                    note = say("common.and").join((say("solution.opposite", name=turned), note))
                 worked = self._worked(quantity) if size and name not in self.calculated else ((), "")
                 return Calculation(name, *worked, size, unit.sign, note)
             case Component():
@@ -140,7 +142,7 @@ class AnswerLines:
                 site, method = quantity.site, self.reading.method
                 holding = method.mechanism.owners.get(site.point, ())
                 links = {site.link, *(holding if site.link in holding else ())}
-                labels = [self.goal.symbol(quantity), self._other_name(quantity)]
+                labels = [self.goal.symbol(quantity), self._other_name(quantity), self._turned_round(quantity)]
                 for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
                     if node.site is not None and node.site.point == site.point and node.site.link in links:
                         labels.append(names.vector(f"{quantity.letter}_{node.of}"))
@@ -171,6 +173,22 @@ class AnswerLines:
                 for one, other in zip(term.sites, quantity.sites, strict=True)
             ):  # fmt: skip
                 return name
+        return ""
+
+    def _turned_round(self, quantity: Moving) -> str:
+        """The name by which the solution has worked out the same motion seen from the other point, where it is the
+        opposite: `v_B3B2` of `v B2B3`; "" where it is not so, or where it has this one."""
+        if quantity.seen_from is None or self.goal.symbol(quantity) in self.calculated or self._other_name(quantity):
+            return ""
+        other = replace(quantity, site=quantity.seen_from, seen_from=quantity.site)
+        vectors = (complex(one.vector(self._motions)) for one in (quantity, other))
+        if not self.reading.usual.cut(abs(sum(vectors)), quantity.unit):
+            construction = self.reading.method.velocity if quantity.letter == "v" else self.reading.method.acceleration
+            for term in construction.vectors().values():
+                ends = [(site.point, site.link) for site in term.sites]
+                if term.part == quantity.part and ends == [(site.point, site.link) for site in other.sites]:
+                    name = names.vector(term.name(construction.plane))
+                    return name if name in self.calculated else ""
         return ""
 
     def _worked(self, quantity: Moving) -> tuple[tuple[str, ...], Formula | str]:

@@ -20,6 +20,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import explain
+from graphkin.say.catalogue import phrase
 from graphkin.say.centre_velocities import explain_centres
 from graphkin.say.figures import Operand, figures, signed_sum, squared, written
 from graphkin.say.linkages import lines as linkage_lines
@@ -53,7 +54,9 @@ def test_centres_are_worth_what_they_print(name: str) -> None:
 
 
 def rates(lines: list[str]) -> dict[str, str]:
-    """What each calculation ends with, its unit and sense with it, by what it is called."""
+    """What each calculation ends with, its unit and sense with it, by what it is called; at the first position."""
+    elsewhere = phrase("solution.elsewhere", "en")
+    lines = lines[: next((k for k, line in enumerate(lines) if line.strip() == elsewhere), None)]
     ends = [line.strip().split(" = ") for line in lines if " = " in line]
     return {parts[0]: found[0] for parts in ends if (found := re.match(rf"{NUMBER} (rad|m)/s", parts[-1]))}
 

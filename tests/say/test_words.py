@@ -569,3 +569,56 @@ def test_a_further_position_that_is_not_reached_is_said():
     method, plot = drawn(ALSO.replace("AB = 30", "AB = 60").replace("[150, 700]", "[180]"))
     text = "\n".join(explain(method, plot, SCALES, "en"))
     assert re.search(r"#2: AB = 180°\n.*dead point", text)
+
+
+YOKE = """
+ask = ["v C", {asked}]
+frame = {{ name = "5", O = [0, 0], K = [60, -12] }}
+[links]
+crank.OA = 37.5
+block.points = ["A"]
+yoke.shape = {{ C = [0, 0], D = [20, 60] }}
+[[slide]]
+block = "block"
+point = "A"
+guide = "yoke"
+through = "C"
+toward = "D"
+[[slide]]
+block = "yoke"
+point = "C"
+guide = "frame"
+through = "K"
+angle = 0
+tilt = 71.565
+name = "ram"
+[[driver]]
+vector = "OA"
+angle = 128
+omega = -15
+[sketch]
+C = [-40, -12]
+D = [-20, 48]
+"""
+
+
+@pytest.mark.parametrize("asked", ["AblockAyoke", "A@block A@yoke", "A@block, A@yoke", "A@block,A@yoke"])
+@pytest.mark.parametrize("lang", LANGS)
+def test_one_quantity_has_one_spelling_and_its_opposite_is_told(asked: str, lang: Lang):
+    method, plot = drawn(YOKE.format(asked=f'"v {asked}", "a_r {asked}"'))
+    assert method.mechanism.ask == ("v C", "v A@block,A@yoke", "a_r A@block,A@yoke")
+    text = "\n".join(explain(method, plot, SCALES, lang))
+    assert "AblockAyoke" not in text
+    for symbol in ("v_", "aʳ_"):
+        opposite = phrase("solution.opposite", lang).format(name=f"{symbol}A_yoke,A_block")
+        assert re.search(rf"(?m)^ +{symbol}A_block,A_yoke = [\d.]+ m/s²?[ （(]+{opposite}", text)
+
+
+def test_a_quantity_that_the_solution_has_itself_is_not_called_an_opposite():
+    method, plot = drawn(YOKE.format(asked='"v A@yoke,A@block"'))
+    assert "opposite of" not in "\n".join(explain(method, plot, SCALES, "en"))
+
+
+def test_points_of_a_link_that_is_a_word_are_suggested_as_they_are_written():
+    with pytest.raises(GraphkinError, match=re.escape("A@block,A@yoke")):
+        drawn(YOKE.format(asked='"v A3A2"'))

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from graphkin import errors
 from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.naming import Seen, pair, seen
+from graphkin.model.naming import Seen, clear, pair, seen
 from graphkin.model.pairs import RollingContact, Slide
 from graphkin.model.quantities import kinds
 from graphkin.model.quantities.kinds import Axis, Quantity, has_part
@@ -28,6 +28,7 @@ _AXES: dict[str, Axis] = {"x": "x", "y": "y"}
 _GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
 _OF_TWO = ("a_n", "a_t", "a_k", "a_r")  # parts of an acceleration seen from another point
 _LONGEST = 500  # of a text that may name a quantity, in letters
+_APART = r"(@[^\s,，]+)(?:\s*[,，]\s*|\s+)(?=[^\s,，@]+@)"  # two sites that are written `A@yoke A@block`
 _AT = r"\s*[#＃]\s*([1-9][0-9]{0,3})(?![0-9])"
 _TYPED = r"(?<![A-Za-z0-9_])(?:(?:omega|alpha|theta) (?:e [crg]\d+|[\w'′]+)|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
 
@@ -118,6 +119,16 @@ def respelled(text: str, write: Callable[[str], str]) -> str:
     return re.sub(_TYPED, lambda typed: write(typed[0]), text)
 
 
+def spelled_out(mechanism: Mechanism, text: str) -> str:
+    """A text with the points of links that are words as they are written everywhere: `v B@guide,B@block`."""
+
+    def write(typed: str) -> str:
+        word, of = typed.split(" ", 1)
+        return typed if word in ("theta", "omega", "alpha", "s") else f"{word} {clear(mechanism, of)}"
+
+    return respelled(re.sub(_APART, r"\1,", text), write)
+
+
 def quietly(mechanism: Mechanism, text: str) -> Quantity | None:
     """The quantity of `read`, None also for a text that names nothing."""
     try:
@@ -129,8 +140,8 @@ def quietly(mechanism: Mechanism, text: str) -> Quantity | None:
 def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
     if (links := centre_of(mechanism, text)) is not None:
         return kinds.Centre("P", text[1:], links)
-    words = _ONE.fullmatch(text)
-    if words is None or len(text) > _LONGEST:
+    words = _ONE.fullmatch(text := re.sub(_APART, r"\1,", text)) if len(text) <= _LONGEST else None
+    if words is None:
         return None
     word, of = words.groups()
     if word not in WORDS:
@@ -141,6 +152,7 @@ def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
         if near and (of in mechanism.links or seen(mechanism, of) is not None):
             raise errors.NotOneOf(where, word, WORDS)
         return None
+    of = of if word in ("theta", "omega", "alpha", "s") else clear(mechanism, of)
     if word in ("theta", "omega", "alpha"):
         # of a moving link; the frame's is only shown
         if of not in mechanism.moving and of != mechanism.frame:
@@ -225,6 +237,6 @@ def _coincident(mechanism: Mechanism, point: str, *links: str) -> str:
     """`P1P2`, or `P@pin,P@wheel`, as it would be read again."""
     names = [mechanism.called(link) for link in links]
     short = "".join(point + name for name in names)
-    both = pair(mechanism, short)
+    both = pair(mechanism, short) if all(map(str.isdigit, names)) else None
     plain = both is not None and tuple((site.point, site.link) for site in both) == tuple((point, x) for x in links)
     return short if plain else ",".join(f"{point}@{name}" for name in names)
