@@ -1,14 +1,14 @@
 """Formulas with their figures put in: `0.01 × 27.12/(0.001 × 69.2)`.
 
-What is printed is worth what stands behind it: factors have four digits, and where the result would come out otherwise
-by half a unit of its last digit a fifth, rounded up or down as the result needs it; seldom more. So every result is the
-right one to its last digit, whatever road led to it, and whoever puts the figures into a calculator gets it.
+What is printed is worth what stands behind it: factors are rounded to four digits, and to more where the result would
+come out otherwise by half a unit of its last digit. So every result is the right one to its last digit, whatever road
+led to it, and whoever puts the figures into a calculator gets it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import ceil, cos, floor, isclose, log10, radians, sin
+from math import cos, floor, log10, radians, sin
 from typing import Literal
 
 from graphkin.base.value import frozen
@@ -45,10 +45,6 @@ class Formula:
         """The number that a calculator makes of `text`."""
         raise NotImplementedError
 
-    def rounded(self, digits: int, up: bool) -> Formula:
-        """The same with figures of so many digits that make its result greater, or less."""
-        return self
-
     @property
     def level(self) -> int:
         """The strength with which its signs bind."""
@@ -76,12 +72,6 @@ class Operand(Formula):
     def worth(self, digits: int) -> float:
         read = to_digits(self.value, digits)
         return read * read if self.square else read
-
-    def rounded(self, digits: int, up: bool) -> Formula:
-        if isclose(to_digits(self.value, digits), self.value, rel_tol=_CLOSE):
-            return self
-        unit = 10.0 ** (floor(log10(abs(self.value))) - digits + 1)
-        return Operand((ceil if up else floor)(self.value / unit) * unit, self.square)
 
 
 @frozen
@@ -123,10 +113,6 @@ class Joined(Formula):
             first = f"({first})"
         second = self.second.bracketed(self.level + (self.sign in "/−"), digits)
         return f"{first}/{second}" if self.sign == "/" else f"{first} {self.sign} {second}"
-
-    def rounded(self, digits: int, up: bool) -> Formula:
-        second = self.second.rounded(digits, up != (self.sign in "/−"))
-        return Joined(self.sign, self.first.rounded(digits, up), second)
 
     def worth(self, digits: int) -> float:
         one, other = self.first.worth(digits), self.second.worth(digits)
@@ -188,10 +174,11 @@ def written(formula: Formula, result: float, digits: int = DIGITS) -> str:
         return formula.text()
     printed = number(result, digits=digits)
     room = half_unit(printed) * (1 + _CLOSE)
-    candidates = [(formula, digits + more) for more in range(_MOST_DIGITS - digits + 1)]
-    candidates[2:2] = [(formula.rounded(digits + 1, up), digits + 1) for up in (True, False)]
-    shown = (one.text(d) for one, d in candidates if abs(one.worth(d) - as_read(printed)) <= room)
-    return next(shown, formula.text(_MOST_DIGITS))
+    counts = range(digits, _MOST_DIGITS + 1)
+    return next(
+        (formula.text(count) for count in counts if abs(formula.worth(count) - as_read(printed)) <= room),
+        formula.text(_MOST_DIGITS),
+    )
 
 
 def to_digits(value: float, digits: int) -> float:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import re
 from functools import cache
 from math import cos, radians
 from pathlib import Path
 
 import book
+import numpy as np
 import pytest
-from calculator import NUMBER, calculated, hold
+from calculator import NUMBER, calculated, hold, last_digit
 from golden import GOLDEN, LANGUAGES
 from random_mechanisms import epicyclic
 
@@ -24,6 +26,7 @@ from graphkin.say.catalogue import phrase
 from graphkin.say.centre_velocities import explain_centres
 from graphkin.say.figures import Operand, figures, signed_sum, squared, written
 from graphkin.say.linkages import lines as linkage_lines
+from graphkin.say.numbers import number
 from graphkin.sheet import scales_of
 from graphkin.studies.centres import centres
 from graphkin.studies.linkages import FourBar, GuideBar, Linkage, SliderCrank, report
@@ -53,10 +56,15 @@ def test_centres_are_worth_what_they_print(name: str) -> None:
     assert counts[0] == counts[1] >= 1
 
 
+def elsewhere(lines: list[str]) -> int:
+    """The line from which on a solution tells answers at further positions; its end where there are none."""
+    head = phrase("solution.elsewhere", "en")
+    return next((k for k, line in enumerate(lines) if line.strip() == head), len(lines))
+
+
 def rates(lines: list[str]) -> dict[str, str]:
     """What each calculation ends with, its unit and sense with it, by what it is called; at the first position."""
-    elsewhere = phrase("solution.elsewhere", "en")
-    lines = lines[: next((k for k, line in enumerate(lines) if line.strip() == elsewhere), None)]
+    lines = lines[: elsewhere(lines)]
     ends = [line.strip().split(" = ") for line in lines if " = " in line]
     return {parts[0]: found[0] for parts in ends if (found := re.match(rf"{NUMBER} (rad|m)/s", parts[-1]))}
 
@@ -108,8 +116,9 @@ def test_what_is_read_by_hand_is_worth_what_it_prints(name: str) -> None:
 
 def astray(lines: list[str]) -> list[str]:
     """Answers of vectors and rotations that are another figure than what the solution has found."""
-    start, end = lines.index("Answer"), lines.index("Beside the exact values")
-    assert len([line for line in lines[start:end] if line.startswith("  ")]) == len(lines[end:]) - 1
+    start, beside = lines.index("Answer"), lines.index("Beside the exact values")
+    end = min(beside, elsewhere(lines))
+    assert len([line for line in lines[start:end] if line.startswith("  ")]) == len(lines[beside:]) - 1
     found = {part for line in lines[:start] for part in re.findall(rf"{NUMBER} (?:rad|m)/s²?", line)}
     told = [line for line in lines[start:end] if re.search(r" = .*/s²?", line) and "/" not in line.split(" = ")[0]]
     return [line for line in told if re.findall(rf"{NUMBER} (?:rad|m)/s²?", line)[-1] not in found]
@@ -168,6 +177,23 @@ def test_more_digits_where_four_do_not_suffice() -> None:
     speed, scale = figures(1.50042, 0.05)
     assert written(speed / scale, 1.50042 / 0.05) == "1.5004/0.05"
     assert written(speed * scale, 1.50042 * 0.05) == "1.5004 × 0.05"
+
+
+@pytest.mark.parametrize("values", [(9.42478, 0.185389), (21.9911, 34.29, 23.1799), (0.273392, 0.41)])
+def test_a_factor_is_its_value_rounded(values: tuple[float, ...]) -> None:
+    """2 × 9.42478 × 0.185389 is 3.494 to four digits; 9.4247 × 0.18538, which give it, too, are neither of them right."""
+    rng = np.random.default_rng(7)
+    for scale in (1.0, *rng.uniform(0.5, 2.0, 200)):
+        own = [value * scale for value in values]
+        one, *others = figures(*own)
+        product = 2.0 * math.prod(own)
+        formula = Operand(2.0) * one
+        for other in others:
+            formula = formula * other
+        text = written(formula, product)
+        for figure, value in zip(text.split(" × ")[1:], own, strict=True):
+            assert abs(float(figure) - value) <= 0.5 * last_digit(figure) * (1 + 1e-6), text
+        assert abs(calculated(text) - float(number(product))) <= 0.5 * last_digit(number(product)) * (1 + 1e-6)
 
 
 def test_brackets_stand_where_they_are_needed() -> None:
