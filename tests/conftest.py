@@ -8,7 +8,7 @@ from collections import Counter
 
 import pytest
 
-PART = 3  # of the cases of a test that is marked `many` one of so many runs
+PART = 3  # of the cases of a test that is marked `many` one of so many runs; of `many(8)` one of eight
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -16,15 +16,20 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     whose cases take turns at something of their own is not to be marked: some turns would be nobody's."""
     if "GRAPHKIN_RANDOM" in os.environ:
         return
+    there = Counter(map(function_of, items))
     seen, taken, left = Counter[str](), list[pytest.Item](), list[pytest.Item]()
     for item in items:
-        name = item.nodeid.partition("[")[0]
-        is_left = item.get_closest_marker("many") is not None and (seen[name] + len(name)) % PART != 0
+        name, many = function_of(item), item.get_closest_marker("many")
+        part = 1 if many is None else min(*many.args, there[name]) if many.args else PART
+        (left if (seen[name] + len(name)) % part else taken).append(item)
         seen[name] += 1
-        (left if is_left else taken).append(item)
     items[:] = taken
     if left:
         config.hook.pytest_deselected(items=left)
+
+
+def function_of(item: pytest.Item) -> str:
+    return item.nodeid.partition("[")[0]
 
 
 def pytest_collection_finish() -> None:

@@ -37,7 +37,7 @@ from graphkin.studies.centres import centres
 from graphkin.studies.centres.two_velocities import from_text
 
 MANY = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
-APART = 1 if MANY else 8
+APART = 1 if MANY else len(COMMANDS)
 """Every so manyth command draws a mechanism, another one each."""
 
 

@@ -10,6 +10,7 @@ from functools import cache
 from importlib import import_module
 from itertools import product
 from pathlib import Path
+from typing import TypeGuard
 
 import graphkin
 
@@ -102,25 +103,28 @@ def patterns() -> dict[str, str]:
     """What the package asks for, and where."""
     found: dict[str, str] = {}
     for path in readers():
-        tree = parsed(path)
-        functions = [node for node in tree.body for node in ast.walk(node) if isinstance(node, Function)]
+        tree, inner = parsed(path), set[ast.Call]()
+        functions = [node for node in walked(path) if isinstance(node, Function)]
         for inside in [*functions, tree]:
-            for call in (node for node in ast.walk(inside) if isinstance(node, ast.Call) and node.args):
-                called = call.func.id if isinstance(call.func, ast.Name) else getattr(call.func, "attr", "")
-                if called not in SPEAKING or is_parameter(call.args[0], inside) or (inside is tree and in_one(call, functions)):
+            calls = [node for node in (walked(path) if inside is tree else ast.walk(inside)) if is_speaking(node)]
+            for call in calls:
+                if is_parameter(call.args[0], inside) or (inside is tree and call in inner):
                     continue
                 place = f"{path.relative_to(PACKAGE)}:{call.lineno}"
                 found |= dict.fromkeys(asked(call.args[0], inside), place)
+            inner.update(calls)
     return found
+
+
+def is_speaking(node: ast.AST) -> TypeGuard[ast.Call]:
+    if not (isinstance(node, ast.Call) and node.args):
+        return False
+    return (node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")) in SPEAKING
 
 
 @cache
 def compiled() -> tuple[re.Pattern[str], ...]:
     return tuple(re.compile(pattern) for pattern in patterns() if pattern)
-
-
-def in_one(call: ast.Call, functions: list[Function]) -> bool:
-    return any(call in ast.walk(function) for function in functions)
 
 
 @cache
@@ -137,12 +141,17 @@ def made() -> re.Pattern[str]:
 
 
 def nodes() -> Iterator[ast.AST]:
-    return (node for path in readers() for node in ast.walk(parsed(path)))
+    return (node for path in readers() for node in walked(path))
 
 
 @cache
 def parsed(path: Path) -> ast.Module:
     return ast.parse(path.read_text("utf-8"))
+
+
+@cache
+def walked(path: Path) -> tuple[ast.AST, ...]:
+    return tuple(ast.walk(parsed(path)))
 
 
 @cache
@@ -203,18 +212,18 @@ def part(path: Path) -> str:
     return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
 
 
-def imports_lang(tree: ast.AST) -> bool:
-    imported = (node for node in ast.walk(tree) if isinstance(node, ast.ImportFrom))
+def imports_lang(path: Path) -> bool:
+    imported = (node for node in walked(path) if isinstance(node, ast.ImportFrom))
     return any(alias.name == "Lang" for node in imported for alias in node.names)
 
 
 def test_subjects_know_no_language():
-    knowing = {part(path) for path in PACKAGE.rglob("*.py") if imports_lang(parsed(path))}
+    knowing = {part(path) for path in PACKAGE.rglob("*.py") if imports_lang(path)}
     assert knowing <= SPOKEN | TITLED | EDGE
 
 
 def test_formulas_know_no_language():
-    files = [path for path in (PACKAGE / "equations").glob("*.py") if imports_lang(parsed(path))]
+    files = [path for path in (PACKAGE / "equations").glob("*.py") if imports_lang(path)]
     assert {path.stem for path in files} == {"document", "figure", "written"}
 
 
@@ -222,14 +231,14 @@ def test_subjects_hold_no_chinese():
     """Beside docstrings: what is to be read stands in the catalogue, in errors, and on sheets; `submissions` read what
     students write, in either language, and a format of a platform may have words of its own; `files` shows how keys
     are written, titles too."""
-    holding = {part(path) for path in readers() if any(map(is_chinese, said_in(parsed(path))))}
+    holding = {part(path) for path in readers() if any(map(is_chinese, said_in(path)))}
     assert holding <= {"errors", "sheet", "outputs", "homework", "submissions", "files"}
 
 
-def said_in(tree: ast.Module) -> Iterator[str]:
+def said_in(path: Path) -> Iterator[str]:
     """Texts that are no docstrings."""
-    alone = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    texts = (node for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in alone)
+    alone = {id(node.value) for node in walked(path) if isinstance(node, ast.Expr)}
+    texts = (node for node in walked(path) if isinstance(node, ast.Constant) and id(node) not in alone)
     return (node.value for node in texts if isinstance(node.value, str))
 
 
