@@ -22,7 +22,7 @@ ROUNDING = 1e-14
 """What the roads may differ by, by the square of the condition: more than 1e-9 only where that is below 0.003."""
 ALIKE = 20
 """Random mechanisms of one topology."""
-COUNT, BATCH = max(ALIKE, int(os.environ.get("GRAPHKIN_RANDOM", "250"))), 250
+COUNT, BATCH = max(ALIKE, int(os.environ.get("GRAPHKIN_RANDOM", "120"))), 250
 """Random mechanisms of each kind, and of how many a test is made; more with GRAPHKIN_RANDOM in the environment."""
 BATCHES = range(-(-COUNT // BATCH))
 

@@ -116,7 +116,7 @@ def _filler(cls: Any) -> Fill:
     makers = {name: each.default_factory for name, each in entries.items() if each.default_factory is not MISSING}
     filled = {*defaults, *makers}
     post: Fill | None = getattr(cls, "__post_init__", None)
-    rests: dict[tuple[object, ...], dict[str, object]] = {}
+    rests: dict[object, dict[str, object]] = {}
     """By how many values are given by place, and which by name: the defaults of all others."""
 
     def left(count: int, named: Iterable[str]) -> dict[str, object]:
@@ -127,11 +127,15 @@ def _filler(cls: Any) -> Fill:
         return {name: defaults[name] for name in names if name in others and name in defaults}
 
     def fill(self: object, /, *args: object, **named: object) -> None:
-        data, key = self.__dict__, (len(args), *named)
+        data = self.__dict__
+        key = (len(args), *named) if named else len(args)
         if (rest := rests.get(key)) is None:
             rest = rests[key] = left(len(args), named)
-        data.update(zip(names, args), **named)
-        data.update(rest)
+        data |= zip(names, args)
+        if named:
+            data |= named
+        if rest:
+            data |= rest
         if makers:
             data.update((name, make()) for name, make in makers.items() if name not in data)
         if post is not None:

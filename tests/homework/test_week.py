@@ -15,7 +15,7 @@ from pathlib import Path
 import openpyxl
 import pytest
 from click.testing import CliRunner, Result
-from the_week import FATES, LATE, MADE, MANY, STRANGER, TEMPLATES, HomeworkClass, packed, pupils, school_list, worksheet
+from the_week import FATES, LATE, LEAST, MADE, MANY, STRANGER, TEMPLATES, HomeworkClass, packed, pupils, school_list, worksheet
 
 from graphkin.cli import main
 
@@ -153,7 +153,7 @@ def late_work() -> None:
         now, again = {one["student"]: one for one in records(problem)}, CLASS.of(problem, "again", "photograph")
         assert {line.split("：")[0] for line in said.splitlines() if f"late/{problem}" in line} == {*again}
         assert {*now} == {*before[problem], *CLASS.of(problem, "late")}
-        assert [now[student]["score"] for student in CLASS.of(problem, *LATE)] == [1.0] * (4 * MANY // 30)
+        assert [now[student]["score"] for student in CLASS.of(problem, *LATE)] == [1.0] * (4 * MANY // LEAST)
         assert all(now[student] == one for student, one in before[problem].items() if student not in again)
 
 

@@ -156,7 +156,7 @@ def test_where_paper_tells_nothing_there_is_no_score() -> None:
 def test_a_drawing_stays_on_its_assembly(place: str) -> None:
     """As where the errors grow by so little at a time that nothing jumps."""
     method = plan(on_a_page(mechanism(place)))
-    pencil, slips = pencil_of(marking_of(method)), Slips(seed_of(method.mechanism), 2000)
+    pencil, slips = pencil_of(marking_of(method)), Slips(seed_of(method.mechanism), 2000 if ALL else 500)
     near = method.near
     with np.errstate(all="ignore"):
         drawn = drawn_positions(method, pencil, slips)
