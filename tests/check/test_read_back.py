@@ -32,7 +32,7 @@ def moved(text: str) -> list[str]:
     return found
 
 
-@pytest.mark.many
+@pytest.mark.many(6)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_every_random_drawing_is_good_and_anything_moved_is_seen(family: str, tmp_path: Path):
     for seed in range(EACH):

@@ -144,6 +144,7 @@ def test_solve_for_people():
     assert "ω3 = −3.91933 rad/s (clockwise)" in result.stdout
 
 
+@pytest.mark.many(4)
 @pytest.mark.parametrize("name", [name for k, name in enumerate(library.names()) if k % 3])
 def test_explain(name: str):
     """In Chinese, where the kept words are not compared."""

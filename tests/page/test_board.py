@@ -144,6 +144,7 @@ def test_drawn_with_the_pointer(name, browsing: Browsing, pages, tmp_path):
     assert json_of(Student(again, problem).hand_in(tmp_path / "again")) == record
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("family", ["crosshead", "on_the_rim", "pinion_drives", "rack_in_a_slot", "road"])
 def test_random_mechanisms_are_drawn_with_the_pointer(family, browsing: Browsing, tmp_path):
     """Their files ask for nothing: what counts is what the board has boxes for."""

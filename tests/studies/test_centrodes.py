@@ -87,7 +87,7 @@ def hold_rolling(curves: Centrodes) -> None:
         assert np.median(np.abs(both)) < 2e-3 if both.size else True
 
 
-@pytest.mark.many
+@pytest.mark.many(6)
 @pytest.mark.parametrize("name", library.names())
 def test_centrodes_of_the_library_roll(name: str):
     found, drive = moved(library.load(name))
@@ -103,7 +103,7 @@ def test_random_centrodes_roll(kind: str, seed: int):
             hold_rolling(curves)
 
 
-@pytest.mark.many
+@pytest.mark.many(6)
 @pytest.mark.parametrize("name", library.names())
 def test_every_position_against_the_analysis(name: str):
     """Where Kennedy's lines run together, too."""
@@ -347,7 +347,7 @@ def test_infinite_is_what_centring_says():
         assert np.max(np.abs(piece.places)) < curves.found.board.size / INFINITE
 
 
-@pytest.mark.many
+@pytest.mark.many(6)
 @pytest.mark.parametrize("name", library.names())
 def test_no_slip_by_differences(name: str):
     """The centre goes along both curves with one velocity: each curve's own, by differences over five positions."""
