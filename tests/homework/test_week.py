@@ -15,7 +15,20 @@ from pathlib import Path
 import openpyxl
 import pytest
 from click.testing import CliRunner, Result
-from the_week import FATES, LATE, LEAST, MADE, MANY, STRANGER, TEMPLATES, HomeworkClass, packed, pupils, school_list, worksheet
+from the_week import (
+    FATES,
+    LATE,
+    LEAST,
+    MADE,
+    MANY,
+    STRANGER,
+    TEMPLATES,
+    HomeworkClass,
+    packed,
+    pupils,
+    school_list,
+    worksheet,
+)
 
 from graphkin.cli import main
 
