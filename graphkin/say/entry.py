@@ -26,7 +26,7 @@ class Heading:
 @frozen
 class Sentence:
     """A step of the pencil, or a reason; `act`: the act that it says, whose number the drawing bears, too; `row`: the
-    relation behind it, or what it finds, for a column of equations; `item`: one of those that a sentence before it leads to."""
+    relation behind it, or what it finds, for a column of equations; `item`: one of those to which a sentence leads."""
 
     text: str
     act: Act | None = None

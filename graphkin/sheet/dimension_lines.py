@@ -14,6 +14,7 @@ from dataclasses import replace
 from functools import cache, cached_property
 from itertools import product
 
+from graphkin.base.lines import off_stretch
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME
 from graphkin.say.sizes import Corner, Size, Span
@@ -23,7 +24,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, box, formula, plain
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
-from graphkin.sheet.skeleton import Skeleton, off_stretch
+from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
 from graphkin.sheet.wheels import disc
 from graphkin.sheet.window import Figure

@@ -9,6 +9,7 @@ from itertools import chain, product
 
 import numpy as np
 
+from graphkin.base.lines import crossing
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Pair, RollingContact, Slide
@@ -20,7 +21,7 @@ from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, between, joined, link_label, quantity_label, vector_label
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows
-from graphkin.sheet.skeleton import Skeleton, crossing
+from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wheels import circles, follower
 from graphkin.sheet.window import Figure
 
@@ -188,7 +189,7 @@ def _arcs(
     for sense in dict.fromkeys(senses.values()):
         text = [letter for letter in senses if senses[letter] == sense]
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
-        starts = {towards * cmath.rect(1, sense * math.radians(turn)): -k for k, some in enumerate(turns) for turn in some}
+        starts = {towards * cmath.rect(1, sense * math.radians(turn)): -k for k, t in enumerate(turns) for turn in t}
         before = [arc for arc in figure.marks if isinstance(arc, ArcMark) and arc.centre == at]
         ways = [way for way in product(radii, starts) if _bare(way[0], way[1] * half, before)]
         beyond = max((arc.radius + _APART for arc in before), default=radius)

@@ -177,7 +177,8 @@ class Arrows:
                 least = apart[:, 1:].min(axis=1, initial=np.inf) - _NEARER
                 strange[rows] = (apart[:, 0] > want.gap + _OFF) & (apart[:, 0] > least)
                 own[:] = want.gap >= SIGN  # a circle is about many lines
-                for lines in ((self.start[~own], self.end[~own]), self.bars)[: 1 + (want.between or 0 < want.gap <= HINGE)]:
+                over = want.between or 0 < want.gap <= HINGE  # it is not beyond a bar either
+                for lines in ((self.start[~own], self.end[~own]), self.bars)[: 1 + over]:
                     strange[rows] |= self._crossed(middle, np.full(len(rows), want.start), *lines)
         return strange
 

@@ -9,6 +9,7 @@ from itertools import combinations, pairwise, product
 from typing import Any
 
 from graphkin.base.geometry import place
+from graphkin.base.lines import crossing, hull, in_line, lines_through, off_stretch
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, RollingContact, Slide
@@ -22,7 +23,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import BREAK, Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.skeleton import Skeleton, crossing, hull, in_line, lines_through, off_stretch
+from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window
 
 _JOINED = 4.8  # lines that cross so near to a joint meet there: a break would leave a crumb [mm]

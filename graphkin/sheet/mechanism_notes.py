@@ -9,8 +9,6 @@ from dataclasses import field, replace
 from functools import cached_property, partial
 from itertools import combinations, islice, product, tee
 
-import numpy as np
-
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
@@ -20,7 +18,6 @@ from graphkin.planning.method import rate_found
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Corner, Size
-from graphkin.sheet.boxes import beyond
 from graphkin.sheet.dimension_lines import DimensionLines, angle_label, extension_lines
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
@@ -190,9 +187,8 @@ def _apart(new: Sequence[Mark], others: Sequence[Mark]) -> bool:
 
     def off(text: Text, marks: Sequence[Mark]) -> float:
         left, top, right, bottom = bounds([text])
-        around = [np.array([[at.real], [at.imag]]) for arc in marks if isinstance(arc, ArcMark) for at in arc_places(arc)]
-        low, high = np.array([[left], [top]]), np.array([[right], [bottom]])
-        return min((float(beyond(low, high, at, at)[0]) for at in around), default=math.inf)
+        arcs = (arc_places(mark) for mark in marks if isinstance(mark, ArcMark))
+        return min((abs(at - complex(left + right, top + bottom) / 2) for arc in arcs for at in arc), default=math.inf)
 
     pairs = ((text, own, foreign) for own, foreign in ((new, others), (others, new)) for text in own)
     return all(off(text, own) < off(text, foreign) for text, own, foreign in pairs if isinstance(text, Text))

@@ -11,6 +11,7 @@ import numpy as np
 
 from graphkin.base import geometry
 from graphkin.base.geometry import place
+from graphkin.base.lines import hull, in_line
 from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
 from graphkin.model.mechanism import FRAME, Mechanism
@@ -22,7 +23,6 @@ from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, vector_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark
-from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import Figure, Window
 
 _UNITS = {"velocity": "m/s", "acceleration": "m/s²"}

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache, cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from graphkin.base.geometry import number, place
+from graphkin.base.lines import lines_through, off_stretch
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME, Mechanism
@@ -127,56 +127,3 @@ class Skeleton:
             if (slide_of := self.blocks.get(link)) is not None and slide_of.point == point:
                 others += (here + side * self.direction(slide_of.line) for side in (1, -1))
             yield from ((p - here) / abs(p - here) for p in others if abs(p - here) > 0.5)
-
-
-def off_stretch(at: Place, start: Place, end: Place) -> float:
-    """Distance of a place from a stretch of a line [mm]."""
-    along = end - start
-    t = ((along.conjugate() * (at - start)).real / abs(along) ** 2) if along else 0.0
-    return abs(at - start - along * max(0.0, min(1.0, t)))
-
-
-def crossing(start: Place, end: Place, one: Place, other: Place) -> Place | None:
-    """Where two stretches of lines cross inside; None where they do not."""
-    along, off, way = end - start, one - start, other - one
-    turn = (along.conjugate() * way).imag
-    if abs(turn) < 1e-9:
-        return None
-    t, u = (off.conjugate() * way).imag / turn, (off.conjugate() * along).imag / turn
-    return start + t * along if 0 < t < 1 and 0 < u < 1 else None
-
-
-def in_line(places: list[Place]) -> tuple[int, int] | None:
-    """The two ends of points that lie on one line (within 0.05 mm), else None."""
-    first, last = max(
-        ((i, j) for i in range(len(places)) for j in range(i)), key=lambda ij: abs(places[ij[0]] - places[ij[1]])
-    )
-    along = places[last] - places[first]
-    on_it = all(abs((along.conjugate() * (p - places[first])).imag) < 0.05 * abs(along) for p in places)
-    return (last, first) if on_it or abs(along) < 1e-9 else None
-
-
-def lines_through(places: list[Place]) -> Iterator[tuple[tuple[int, ...], bool]]:
-    """The lines that join points of a link, by their numbers, True where closed: a bar, or the outline of three and
-    more; points inside it hang on two corners."""
-    if (ends := in_line(places)) is not None:
-        yield ends, False
-        return
-    around = hull(places)
-    yield tuple(around), True
-    for k in (k for k in range(len(places)) if k not in around):
-        one, other, *_ = sorted(around, key=lambda corner: abs(places[corner] - places[k]))
-        yield (one, k, other), False
-
-
-def hull(places: list[Place]) -> list[int]:
-    """Numbers of the points on the convex hull, round about: all others lie within less than half a turn from each."""
-
-    def outer(k: int) -> bool:
-        ways = sorted(cmath.phase(place - places[k]) for place in places if abs(place - places[k]) > 1e-9)
-        again = (way + math.tau for way in ways[:1])
-        first = all(abs(place - places[k]) > 1e-9 for place in places[:k])  # of points at one place
-        return first and any(after - way > math.pi + 1e-6 for way, after in pairwise((*ways, *again)))
-
-    middle = sum(places) / len(places)
-    return sorted(filter(outer, range(len(places))), key=lambda k: cmath.phase(places[k] - middle))

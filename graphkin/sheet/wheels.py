@@ -10,6 +10,7 @@ from itertools import product
 
 import numpy as np
 
+from graphkin.base.lines import off_stretch
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import spelled
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Rod, RollingContact, Slide, Slot, rod_name
@@ -19,7 +20,7 @@ from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
-from graphkin.sheet.skeleton import OVERRUN, Skeleton, off_stretch
+from graphkin.sheet.skeleton import OVERRUN, Skeleton
 from graphkin.sheet.window import Figure
 
 _RIM = 3.0  # thickness of a ring's rim [mm]

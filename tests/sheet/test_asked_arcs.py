@@ -9,12 +9,12 @@ from collections.abc import Iterator
 import pytest
 from library_sheets import TEXTBOOK, library_sheet
 
+from graphkin.base.lines import off_stretch
 from graphkin.files import load, loads
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text
-from graphkin.sheet.skeleton import off_stretch
 
 BOWL = """
 ask = ["omega wheel", "alpha wheel", "v P", "a P"]

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from itertools import pairwise
 
 from graphkin.base.geometry import number, place
+from graphkin.base.lines import lines_through
 from graphkin.construction import Fit, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.mechanism import FRAME
@@ -24,7 +25,6 @@ from graphkin.planning import Method
 from graphkin.sheet.lettering import point_label, vector_label
 from graphkin.sheet.paper import LETTERS, UNITS
 from graphkin.sheet.polygons import arrows
-from graphkin.sheet.skeleton import lines_through
 from graphkin.sheet.window import PLANES
 
 __all__ = ["TriedOut", "ggb"]
