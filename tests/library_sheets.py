@@ -9,7 +9,7 @@ from pathlib import Path
 from graphkin import Drawing
 from graphkin.construction import Plot
 from graphkin.errors import Lang
-from graphkin.files import library
+from graphkin.files import library, load
 from graphkin.planning import Method
 from graphkin.sheet import Sheet, Style
 
@@ -32,3 +32,9 @@ def _sheet(name: str, style: Style, lang: Lang) -> Sheet:
 
 def library_sheet(name: str, style: Style = "construction", lang: Lang = "en") -> Sheet:
     return _sheet(name, style, lang)
+
+
+@cache
+def textbook_sheet(name: str, lang: Lang = "en") -> Sheet:
+    """Of a mechanism of other textbooks."""
+    return Drawing.of(load(TEXTBOOK / f"{name}.toml")).sheet(lang=lang)

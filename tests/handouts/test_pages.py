@@ -6,6 +6,7 @@ import re
 
 import pytest
 from click.testing import CliRunner
+from library_sheets import TEXTBOOK
 from pdf_pages import faults, pages, read
 
 import graphkin
@@ -200,3 +201,9 @@ def test_a_problem_has_room_on_its_page(name, lang):
     places = 1 + len(graphkin.load(name).drivers[0].also)
     assert len(table.heads) == (2 + places if places > 1 else 4)
     assert len(table.rows) >= len(graphkin.load(name).ask)
+
+
+def test_a_worksheet_with_many_vectors_is_one_page():
+    """Three equations, gridded paper and the table to measure into stand on one page."""
+    content = pdf(handout([graphkin.load(TEXTBOOK / "scissors.toml")], "blank", "en"))
+    assert len(read(content)) == 1 + 2

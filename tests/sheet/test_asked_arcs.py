@@ -7,10 +7,10 @@ import math
 from collections.abc import Iterator
 
 import pytest
-from library_sheets import TEXTBOOK, library_sheet
+from library_sheets import library_sheet, textbook_sheet
 
 from graphkin.base.lines import off_stretch
-from graphkin.files import load, loads
+from graphkin.files import loads
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
@@ -146,16 +146,14 @@ def test_no_arc_of_a_link_without_a_pivot_can_be_read_about_another_place(name: 
 
 def test_the_arc_of_a_wheel_is_about_its_centre() -> None:
     """A planet with a bar from its middle to the pin of a connecting rod."""
-    method = plan(load(TEXTBOOK / "hypocycloid.toml"))
-    page = sheet(method, replay_all(method))
+    page = textbook_sheet("hypocycloid")
     centre = next(mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.name == "A")
     [own] = [arc for head, arc in turning_arcs(page) if head.shows and head.shows.link == "2"]
     assert abs(own.centre - centre) < 0.05
 
 
 def test_the_number_of_a_wheel_stands_off_the_bars_of_others() -> None:
-    method = plan(load(TEXTBOOK / "gearfive.toml"))
-    page = sheet(method, replay_all(method))
+    page = textbook_sheet("gearfive")
     bars = {mark.shows.link: mark.places for mark in page.marks
             if isinstance(mark, Stroke) and mark.shows and mark.shows.form == "bar"}  # fmt: skip
     letters = [mark for mark in page.marks if isinstance(mark, Text) and mark.accent == "position"]
@@ -166,9 +164,7 @@ def test_the_number_of_a_wheel_stands_off_the_bars_of_others() -> None:
 
 
 def test_a_chinese_sheet_takes_the_paper_of_the_english_one() -> None:
-    method = plan(load(TEXTBOOK / "gearfive.toml"))
-    plot = replay_all(method)
-    english, chinese = (sheet(method, plot, lang=lang) for lang in ("en", "zh"))
+    english, chinese = textbook_sheet("gearfive"), textbook_sheet("gearfive", "zh")
     assert (english.paper.name, english.scales) == (chinese.paper.name, chinese.scales)
 
 

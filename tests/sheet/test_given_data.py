@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 
-from library_sheets import TEXTBOOK
+from library_sheets import textbook_sheet
 
 from graphkin.construction import Plot
-from graphkin.files import load, loads
+from graphkin.files import loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.say.dimensions import sizes
@@ -96,8 +96,7 @@ def test_two_lines_at_one_point_have_angles_with_two_symbols() -> None:
 
 def test_an_extension_line_begins_at_what_is_measured() -> None:
     """Not at a joint of other links that happens to be in line with it, from which nothing is measured."""
-    method = plan(load(TEXTBOOK / "crusher.toml"))
-    page = sheet(method, replay_all(method))
+    page = textbook_sheet("crusher")
     points = {mark.name: mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"}
     assert abs((points["C"] - points["A"]).real) < 0.1, "they are in line"
     level = [mark.places for mark in page.marks if isinstance(mark, Stroke) and mark.pen == "thin"

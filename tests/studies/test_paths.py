@@ -19,10 +19,37 @@ from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
-from graphkin.sheet.marks import PointMark, Stroke
+from graphkin.sheet.marks import PointMark, Stroke, Text
 from graphkin.sheet.motion_frames import motion_frames
 from graphkin.studies.sweeps import PointPath, point_path
 
+TRAMMEL = """
+frame = { O = [0, 0] }
+[links]
+2.points = ["X"]
+3.points = ["Y"]
+4 = { XY = 120.65, YM = 80, XM = 200.65 }
+[[slide]]
+name = "bed"
+block = "2"
+point = "X"
+guide = "frame"
+through = "O"
+angle = 0
+[[slide]]
+block = "3"
+point = "Y"
+guide = "frame"
+through = "O"
+angle = 90
+[[driver]]
+slide = "bed"
+at = 70
+velocity = -0.2
+[sketch]
+Y = [0, 95]
+M = [-50, 157]
+"""
 TURNING_WITHOUT_RATE = '''[frame]
 A = [0, 0]
 D = [80, 0]
@@ -194,3 +221,15 @@ def test_frames_of_several_turns_end_where_they_began() -> None:
     steps = [max(abs(a - b) for a, b in zip(*two, strict=True)) for two in round_about]
     assert len(frames) == 36
     assert 0 < steps[-1] < 1.1 * max(steps[:-1])
+
+
+def test_velocities_near_a_dead_point_do_not_shrink_the_others() -> None:
+    """A trammel driven along one guide comes to rest in neither of its ends: there the tracing point is without bound."""
+    drawing = graphkin.Drawing.of(graphkin.loads(TRAMMEL))
+    page = drawing.sheet(paths=["M"], arrows=True, only="position")
+    ticks = sorted(abs(tick.velocity) for tick in point_path(drawing.method, "M").ticks)
+    heads = [mark for mark in page.marks if isinstance(mark, Stroke) and mark.pen == "hatch" and mark.accent == "velocity"]
+    assert ticks[-1] > 5 * ticks[len(ticks) // 2]
+    assert 0.6 * len(ticks) < len(heads) < len(ticks)
+    words = ["".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)]
+    assert "arrows of over 16 mm are left out" in words
