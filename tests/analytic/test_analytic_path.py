@@ -55,7 +55,7 @@ def test_turns_are_walked_once(name: str, monkeypatch: pytest.MonkeyPatch):
     it comes round after a turn."""
     mechanism = folding("parallelogram", "none", 11) if name == "parallelogram" else library.load(name)
     (start,) = analytic.motion(mechanism).values
-    steps = start + np.linspace(0, 2 * math.pi, 30) + 2 * math.pi * np.arange(-12, 18)
+    steps = start + np.linspace(0, 2 * math.pi, 16) + 2 * math.pi * np.arange(-6, 10)
     counted, node = [], RightSides.node
 
     def counting(line: RightSides, at: float, guess: np.ndarray) -> object:

@@ -22,11 +22,18 @@ RANGES: list[str] = []
 OF: list[str] = []
 
 
-def sources(folder: Path) -> list[object]:
+@pytest.fixture(scope="module")
+def sources(tmp_path_factory: pytest.TempPathFactory) -> list[object]:
     """Library names, mechanisms, and a file that cannot be read."""
-    broken = folder / "broken.toml"
+    broken = tmp_path_factory.mktemp("sources") / "broken.toml"
     broken.write_text("[frame\n", encoding="utf-8")
     return ["ex3-1", "ex3-7", *(dyad("RRR", seed) for seed in range(20)), broken, "fig3-10", library.load("p3-23a")]
+
+
+@pytest.fixture(scope="module")
+def plainly(sources: list[object]) -> list[Swept]:
+    """In this process, one after the other."""
+    return list(sweep_many(sources, RANGES, OF))
 
 
 def same(one: Iterable[Swept], other: Iterable[Swept]) -> int:
@@ -42,26 +49,23 @@ def same(one: Iterable[Swept], other: Iterable[Swept]) -> int:
     return count
 
 
-def test_processes_give_the_same(tmp_path: Path):
-    many = sources(tmp_path)
+def test_processes_give_the_same(sources: list[object], plainly: list[Swept]):
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
-        assert same(sweep_many(many, RANGES, OF, executor=pool, batch=4), sweep_many(many, RANGES, OF)) == len(many)
+        assert same(sweep_many(sources, RANGES, OF, executor=pool, batch=4), plainly) == len(sources)
 
 
-def test_a_cluster_gives_the_same(tmp_path: Path):
+def test_a_cluster_gives_the_same(sources: list[object], plainly: list[Swept]):
     distributed = pytest.importorskip("distributed", reason="needs graphkin[dask]")
-    many = sources(tmp_path)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         with distributed.Client(n_workers=2, threads_per_worker=1, processes=False, dashboard_address=None) as client:
-            found = list(sweep_many(many, RANGES, OF, executor=client.get_executor(), batch=4))
-    assert same(found, sweep_many(many, RANGES, OF)) == len(many)
+            found = list(sweep_many(sources, RANGES, OF, executor=client.get_executor(), batch=4))
+    assert same(found, plainly) == len(sources)
 
 
-def test_a_bad_one_stops_nothing(tmp_path: Path):
-    found = list(sweep_many(sources(tmp_path), RANGES, OF))
-    assert [result.name for result in found if result.error] == ["broken"]
-    assert "broken.toml" in next(result.error.message() for result in found if result.error)
+def test_a_bad_one_stops_nothing(plainly: list[Swept]):
+    assert [result.name for result in plainly if result.error] == ["broken"]
+    assert "broken.toml" in next(result.error.message() for result in plainly if result.error)
 
 
 class Counting(ThreadPoolExecutor):

@@ -109,6 +109,7 @@ def test_draw_steps():
         assert run("check", str(page)).exit_code == 0, page
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_solve_json(name: str):
     result = run("solve", "--json", name)

@@ -399,6 +399,7 @@ def test_a_line_meant_to_lie_across_its_links_way(pair: str) -> None:
     assert Drawing.of(loads(mended)).plot.omega["2"] == pytest.approx(0)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_a_pivot_that_no_link_has_is_named(name: str) -> None:
     """A hinge of the frame gets another letter in the frame alone: that letter is joined to nothing."""

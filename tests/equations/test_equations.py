@@ -131,7 +131,7 @@ def written_for(mechanism, by, lang="en"):
     return model, write_text(written(model, by, lang))
 
 
-@pytest.mark.many
+@pytest.mark.many(6)
 @pytest.mark.parametrize("name", library.names())
 def test_printed_formulas_hold(name: str):
     """By either method, in either language."""
@@ -161,7 +161,7 @@ KINDS = {make.__name__: make for make in (cylinder, relative_angle, coupler_angl
                                           geared_five_bar, epicyclic, rolling, cam, circular_slot)}  # fmt: skip
 
 
-@pytest.mark.many
+@pytest.mark.many(6)
 @pytest.mark.parametrize(("kind", "seed"), [(kind, seed) for kind in (*DYADS, *KINDS) for seed in range(4)])
 def test_printed_formulas_hold_for_random_mechanisms(kind: str, seed: int):
     mechanism = dyad(kind, seed) if kind in DYADS else KINDS[kind](seed)

@@ -203,6 +203,7 @@ def every_kind(mechanism: Mechanism) -> Iterator[Quantity]:
             yield found
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_both_roads_answer_alike(name: str):
     mechanism = library.load(name)

@@ -283,7 +283,7 @@ CROWDED = (
 )
 
 
-@pytest.mark.many
+@pytest.mark.many(7)
 @pytest.mark.parametrize("lang", ["en", pytest.param("zh", marks=chinese)])
 @pytest.mark.parametrize(
     ("name", "ranges", "of"),

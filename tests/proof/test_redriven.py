@@ -39,6 +39,7 @@ def solved(family: str, kind: str, count: int) -> Iterator[tuple[int, Motion, Me
                 yield seed, before, *drawn
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_another_quantity_gives_the_same_motion(family: str, kind: str) -> None:
@@ -132,6 +133,7 @@ def test_at_rest_is_what_does_not_move(base: str, rate: float, more: float, at: 
         assert rested.issuperset(turnings(method, "omega", link)) == still, link
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_nothing_that_moves_is_taken_to_be_at_rest(family: str, kind: str) -> None:

@@ -49,6 +49,7 @@ MOVING_ON = {"triad": triad, "geared": geared_five_bar, "epicyclic": epicyclic, 
 # --- the same plot ----------------------------------------------------------------------------
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_library_alike(name: str):
     method = plan(library.load(name))

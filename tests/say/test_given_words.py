@@ -126,6 +126,7 @@ def lines(mechanism: Mechanism, line: Line) -> Iterator[Line]:
             yield replace(line, direction=link.arm(line.origin, point) / abs(link.arm(line.origin, point)), base=None)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_the_library_is_fixed_by_what_is_given(name: str) -> None:
     assert_fixed(library.load(name))
@@ -229,6 +230,7 @@ def letters(table: object) -> Iterator[str]:
             yield from split_points(table)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("lang", ["en", "zh"])
 @pytest.mark.parametrize("name", library.names())
 def test_every_point_of_a_pair_is_named_in_its_sentence(name: str, lang: Lang) -> None:

@@ -391,12 +391,14 @@ def test_rolling_relations_hold_in_figures(name: str) -> None:
 
 # --- every mechanism ----------------------------------------------------------------------------
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_printed_figures_agree(name: str) -> None:
     """Whoever puts the printed figures into a calculator gets the printed result, at any scales."""
     assert hold([e.text for e in entries_of(name, "en") if isinstance(e, Sentence | Calculation)]) > 5
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_both_languages_say_the_same(name: str) -> None:
     english, chinese = (entries_of(name, lang) for lang in LANGS)
@@ -423,6 +425,7 @@ def words_of(entry: Sentence | Calculation) -> str:
 RADII = re.compile(r"\b(r\d)(?=[ (/]|′)")
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_no_word_of_what_people_did_not_name(name: str) -> None:
     """Blocks that stand for pins, starts of unnamed lines and auxiliary points have no names of their own."""
@@ -437,6 +440,7 @@ def test_no_word_of_what_people_did_not_name(name: str) -> None:
         assert set(re.findall(r"\b[src]\d\b(?!′)", text)) <= corners | set(RADII.findall(text))
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_rows_stand_under_their_terms(name: str) -> None:
     """In columns of a terminal, in which a Chinese character takes two."""

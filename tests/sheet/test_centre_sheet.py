@@ -165,6 +165,7 @@ def test_a_mark_left_out_or_renamed_is_caught(tmp_path: Path):
 # --- the sheet --------------------------------------------------------------------------------
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_no_name_of_a_centre_lies_on_anything(name: str):
     """Every label in the figure is clear of all that is drawn there, and of the other labels."""

@@ -44,6 +44,7 @@ def texts(page: Sheet) -> list[str]:
 # --- numbers ----------------------------------------------------------------------------------
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_every_act_is_told_once_in_its_order(name: str) -> None:
     method = plan(library.load(name))

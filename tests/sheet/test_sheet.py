@@ -481,7 +481,7 @@ C = [80, 60]
         assert (arc.sweep < 0) == (wanted[head.shows.form] > 0), head
 
 
-@pytest.mark.many
+@pytest.mark.many(8)
 @pytest.mark.parametrize("name", library.names())
 def test_a_solution_has_the_scales_of_its_sheet(name: str):
     drawing = Drawing.of(library.load(name))

@@ -117,6 +117,7 @@ def test_one_freedom_needs_no_velocities():
         assert not any(stage.say == "velocities" for stage in found(library.load(name)).centring.stages)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_velocities_from_centres_alone(name: str):
     mechanism = library.load(name)
