@@ -16,9 +16,13 @@ from graphkin.sheet import Sheet, Style
 TEXTBOOK = Path(__file__).parent / "cases" / "textbook"
 
 
+loaded = cache(library.load)
+"""The same object each time, of which what was worked out is kept."""
+
+
 @cache
 def drawing(name: str) -> Drawing:
-    return Drawing.of(library.load(name))
+    return Drawing.of(loaded(name))
 
 
 def solved(name: str) -> tuple[Method, Plot]:

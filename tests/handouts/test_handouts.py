@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from driven_cylinder import cylinder
+from library_sheets import loaded
 from pdf_lines import lines
 from printed_markers import markers
 
@@ -47,7 +48,7 @@ def _lang(lang: str) -> str:
 @pytest.mark.parametrize("lang", ["en", "zh"])
 @pytest.mark.parametrize("stage", STAGES)
 def test_pages_are_true_to_scale(stage, lang):
-    made = handout([graphkin.load("ex3-1")], stage, _lang(lang))
+    made = handout([loaded("ex3-1")], stage, _lang(lang))
     content = pdf(made)
     assert content == pdf(made)
     reader = _reader(content)
@@ -63,7 +64,7 @@ def test_pages_are_true_to_scale(stage, lang):
 
 
 def test_every_vector_of_a_solution_is_as_long_as_on_the_sheet():
-    made = handout([graphkin.load("ex3-5")], "solution", "en")
+    made = handout([loaded("ex3-5")], "solution", "en")
     reader = _reader(pdf(made))
     found = [b - a for page in reader.pages for a, b in lines(reader, page)]
     vectors = [
@@ -76,7 +77,7 @@ def test_every_vector_of_a_solution_is_as_long_as_on_the_sheet():
 
 
 def test_fonts_are_embedded():
-    reader = _reader(pdf(handout([graphkin.load("ex3-1")], "solution", "en")))
+    reader = _reader(pdf(handout([loaded("ex3-1")], "solution", "en")))
     fonts_found = [font.get_object() for page in reader.pages for font in page["/Resources"]["/Font"].values()]
     assert fonts_found
     for font in fonts_found:
@@ -91,7 +92,7 @@ TELLING = library.names()[::3] if "GRAPHKIN_HANDOUTS" in os.environ else ("ex3-1
 @pytest.mark.parametrize("stage", ["problem", "blank"])
 def test_no_answer_is_told(stage, name):
     """Neither on the page nor in what a PDF or a page says of itself: no answer, and no length of a polygon's arrow."""
-    machine = graphkin.load(name)
+    machine = loaded(name)
     problem = drawn_problem(machine, "en")
     answers = [answer for answer in problem.drawing.answers().values() if answer is not None]
     sizes = [abs(answer.vector) if answer.vector is not None else abs(float(answer.value)) for answer in answers]
@@ -114,7 +115,7 @@ def _alts(reader) -> str:
 @pytest.mark.parametrize("name", ["ex3-5", "p3-5", "p3-13"])
 def test_a_worksheet_tells_nothing_by_its_rooms(name):
     """All are alike; the pole stands where its polygon has room, by lot: another remark in the file, another place."""
-    machine = graphkin.load(name)
+    machine = loaded(name)
     rooms = [block for block in handout([machine], "blank", "en").blocks if isinstance(block, GridRoom)]
     solved = handout([machine], "solution", "en")
     pictures = [block.sheet for block in solved.blocks if isinstance(block, HandoutPicture)][-len(rooms) :]
@@ -131,16 +132,16 @@ def test_a_worksheet_tells_nothing_by_its_rooms(name):
 
 def test_a_worksheet_has_room_for_all_that_is_measured():
     """Eight vectors of p3-14's velocities: a row for two of them."""
-    blocks = handout([graphkin.load("p3-14")], "blank", "en").blocks
+    blocks = handout([loaded("p3-14")], "blank", "en").blocks
     (table,) = (block for block in blocks if isinstance(block, HandoutTable) and block.under)
     assert len(table.rows) == 4
-    assert page_count(pdf(handout([graphkin.load("p3-14")], "blank", "en"))) == 2
+    assert page_count(pdf(handout([loaded("p3-14")], "blank", "en"))) == 2
 
 
 @pytest.mark.parametrize(("lang", "said"), [("en", "line at 150° to +x"), ("zh", "与 +x 成 150°")])
 def test_the_line_through_the_pole_is_explained(lang, said):
     """It has the direction of the first arrow, which is given with the driver, and serves to set a triangle against."""
-    blocks = handout([graphkin.load("ex3-1")], "blank", lang).blocks
+    blocks = handout([loaded("ex3-1")], "blank", lang).blocks
     k = next(k for k, block in enumerate(blocks) if isinstance(block, GridRoom))
     assert np.degrees(blocks[k].direction) == pytest.approx(150)
     text = next(block for block in blocks[k - 1 :: -1] if isinstance(block, Paragraph)).words
@@ -149,7 +150,7 @@ def test_the_line_through_the_pole_is_explained(lang, said):
 
 @pytest.mark.parametrize("upto", [0, 1, 2])
 def test_a_half_worked_solution_stops_between_equations(upto):
-    made = handout([graphkin.load("ex3-5")], "half", "en", upto=upto)
+    made = handout([loaded("ex3-5")], "half", "en", upto=upto)
     rows = [block for block in made.blocks if isinstance(block, TermRows)]
     whole = [block for block in rows if None not in block.columns]
     assert len(whole) == upto
@@ -166,7 +167,7 @@ def test_a_polygon_that_is_not_begun_is_paper_with_its_pole():
 
 def test_links_whose_drivers_are_at_rest_stand_still_in_half_worked_solutions_too():
     """The engine's screw is not turned: D is a fixed point, the first equation is that of C."""
-    markup = html(handout([graphkin.load("p3-21")], "half", "en", upto=0))
+    markup = html(handout([loaded("p3-21")], "half", "en", upto=0))
     told = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", " ", markup))
     assert "so these links stand still" in told
     assert "C and B are points of link 2" in told
@@ -188,26 +189,26 @@ def test_more_equations_than_there_are_and_scans_of_solutions_are_refused(tmp_pa
 
 
 def test_of_a_single_equation_none_is_done():
-    rows = [block for block in handout([graphkin.load("ex3-4")], "half", "en").blocks if isinstance(block, TermRows)]
+    rows = [block for block in handout([loaded("ex3-4")], "half", "en").blocks if isinstance(block, TermRows)]
     assert [None in block.columns for block in rows] == [True]
 
 
 def test_figures_show_what_the_text_tells():
     """Steps of the text are numbered without holes, and the drawing bears the same numbers; all positions are said."""
-    blocks = handout([graphkin.load("p3-22")], "solution", "en").blocks
+    blocks = handout([loaded("p3-22")], "solution", "en").blocks
     told = [int(block.act) for block in blocks if isinstance(block, Paragraph) and block.act]
     assert told == [*range(1, len(told) + 1)]
     polygons = [block.sheet for block in blocks if isinstance(block, HandoutPicture)][1:]
     texts = {"".join(run.text for run in mark.label) for sheet in polygons for mark in sheet.marks if isinstance(mark, Text)}
     rings = [part.partition("–") for text in texts if re.fullmatch(r"[\d–, ]+", text) for part in text.split(", ")]
     assert {number for one, _, last in rings for number in range(int(one), int(last or one) + 1)} == {*told}
-    given = handout([graphkin.load("curved-slot")], "problem", "en").blocks
+    given = handout([loaded("curved-slot")], "problem", "en").blocks
     assert sum(isinstance(block, Paragraph) and block.words[0].text.startswith("#") for block in given) == 4
 
 
 def test_a_book_has_its_contents_and_its_answers():
     names = ("ex3-1", "ex3-5", "p3-6a", "ex3-7")
-    made = handout([graphkin.load(name) for name in names], "problem", "en", answers=True)
+    made = handout([loaded(name) for name in names], "problem", "en", answers=True)
     reader = _reader(pdf(made))
     text = "".join(page.extract_text() for page in reader.pages)
     assert "Problems" in text
@@ -236,7 +237,7 @@ class _Tags(HTMLParser):
 
 @pytest.mark.parametrize("name", library.names()[::20])
 def test_pages_of_a_browser_need_nothing_else(name):
-    made = handout([graphkin.load(name)], "solution", "en")
+    made = handout([loaded(name)], "solution", "en")
     page = html(made)
     assert not _Tags(page).open
     assert not re.search(r'(src|href)="(?!#)', page)
@@ -288,7 +289,7 @@ def test_a_camera_reads_them(tmp_path: Path):
     """By the library that photographs are read with, where it is there."""
     cv2, pdfium = pytest.importorskip("cv2"), pytest.importorskip("pypdfium2")
     path = tmp_path / "a.pdf"
-    path.write_bytes(pdf(handout([graphkin.load("ex3-1")], "blank", "en"), scan=31415))
+    path.write_bytes(pdf(handout([loaded("ex3-1")], "blank", "en"), scan=31415))
     picture = np.array(pdfium.PdfDocument(path)[1].render(scale=200 / 72).to_pil().convert("L"))
     reader = cv2.aruco.ArucoDetector(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_250))
     assert {0, 1, 2, 3, *digits(31416)} == set(reader.detectMarkers(picture)[1].ravel().tolist())
@@ -297,7 +298,7 @@ def test_a_camera_reads_them(tmp_path: Path):
 @pytest.mark.parametrize("name", ["p3-16", "p3-17"])
 def test_images_of_wheels_fit_the_page(name: str):
     """They reach beyond the points of the polygon, and count where its scale is chosen."""
-    figures = [block for block in handout([library.load(name)], "solution", "en").blocks if isinstance(block, HandoutPicture)]
+    figures = [block for block in handout([loaded(name)], "solution", "en").blocks if isinstance(block, HandoutPicture)]
     assert len(figures) > 1
     assert all(each.sheet.paper.width <= 170 and each.sheet.paper.height <= 250 for each in figures)
 
@@ -414,7 +415,7 @@ def test_common_mistakes_list_only_what_they_move():
 
 
 def test_what_a_pencil_allows_is_in_plain_figures():
-    fast = graphkin.load("fig3-1").with_({"driver.0.omega": "2000 rpm"})
+    fast = loaded("fig3-1").with_({"driver.0.omega": "2000 rpm"})
     text = html(handout([fast], "solution", "en"))
     allowed = re.findall(r"± ?([^<]*)", text)
     assert max(float(one) for one in allowed) >= 100
@@ -426,4 +427,4 @@ def test_a_solution_has_the_answers_at_further_positions_and_grids_say_of_which_
     text = re.sub("<[^>]*>", "", html(handout([mechanism], "solution", "en")))
     assert text.count("#2") == 3  # among the positions, in their remark, before the answers
     assert "for position #1" in html(handout([mechanism], "blank", "en"))
-    assert "for position #1" not in html(handout([library.load("ex3-3")], "blank", "en"))
+    assert "for position #1" not in html(handout([loaded("ex3-3")], "blank", "en"))

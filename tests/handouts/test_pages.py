@@ -6,7 +6,7 @@ import re
 
 import pytest
 from click.testing import CliRunner
-from library_sheets import TEXTBOOK
+from library_sheets import TEXTBOOK, loaded
 from pdf_pages import faults, pages, read
 
 import graphkin
@@ -33,7 +33,7 @@ needs_chinese = pytest.mark.skipif(chinese_font() is None, reason="no Chinese fo
 @pytest.mark.parametrize(("name", "stage"), [("p3-6a", "solution"), ("ex3-1", "half")])
 def test_nothing_is_torn_apart(name, stage):
     """In both languages: no page ends on a colon or has but a few lines, each half has its own feet."""
-    content = pdf(in_languages([graphkin.load(name)], stage, ("zh", "en")))
+    content = pdf(in_languages([loaded(name)], stage, ("zh", "en")))
     assert list(faults(content)) == []
     chinese = [bool(re.search("[\u4e00-\u9fff]", page.foot)) for page in read(content)]
     assert set(chinese) == {True, False}
@@ -103,7 +103,7 @@ def test_units_and_fractions_are_not_broken():
 
 
 def test_what_leads_holds_on_to_what_follows():
-    blocks = handout([graphkin.load("ex3-1")], "half", "en").blocks[1:]
+    blocks = handout([loaded("ex3-1")], "half", "en").blocks[1:]
     for part in paging.page_parts(blocks):
         last = part.blocks[-1]
         assert not isinstance(last, HandoutHeading | NameLine)
@@ -157,18 +157,18 @@ def test_problems_and_figures_have_numbers(tmp_path):
     figures = [line for line in lines if re.fullmatch(r"Fig\. \d", line)]
     assert figures == ["Fig. 1", "Fig. 2"]
     assert any(line.startswith("Name") for line in lines)
-    solved = handout([graphkin.load("ex3-1")], "solution", "en").blocks
+    solved = handout([loaded("ex3-1")], "solution", "en").blocks
     assert [block.number for block in solved if isinstance(block, HandoutPicture)] == ["Fig. 1", "Fig. 2", "Fig. 3"]
-    mine = handout([graphkin.load("ex3-1")], "problem", "en", whose=[Student("20240001", (("name", "Li Lei"),))]).blocks
+    mine = handout([loaded("ex3-1")], "problem", "en", whose=[Student("20240001", (("name", "Li Lei"),))]).blocks
     assert not any(isinstance(block, NameLine) for block in mine)
     assert [block.number for block in mine if isinstance(block, HandoutPicture)] == ["Fig. 1"]
-    assert drawn_problem(graphkin.load("ex3-1"), "en").title in "".join(run.text for run in mine[1].words)
+    assert drawn_problem(loaded("ex3-1"), "en").title in "".join(run.text for run in mine[1].words)
 
 
 @needs_chinese
 def test_each_half_lists_its_own_problems():
     names = ("ex3-1", "ex3-5", "p3-6a", "ex3-7")
-    made = in_languages([graphkin.load(name) for name in names], "problem", ("en", "zh"))
+    made = in_languages([loaded(name) for name in names], "problem", ("en", "zh"))
     page = html(made)
     assert page.count("<li>") == 8
     assert len(re.findall("<section lang=", page)) == 2
@@ -179,7 +179,7 @@ def test_each_half_lists_its_own_problems():
 def test_a_problem_is_one_block_and_gives_no_angle_away():
     """Data, question and figure in this order, the room for answers behind them; asked for an angle, it stands elsewhere."""
     for name, elsewhere in (("ex3-5", True), ("ex3-1", False)):
-        blocks = handout([graphkin.load(name)], "problem", "en").blocks[1:]
+        blocks = handout([loaded(name)], "problem", "en").blocks[1:]
         (part,) = paging.page_parts(blocks)
         assert part.blocks == tuple(blocks)
         (figure,) = (block for block in blocks if isinstance(block, HandoutPicture))
@@ -187,20 +187,20 @@ def test_a_problem_is_one_block_and_gives_no_angle_away():
         told = {"".join(run.text for run in mark.label) for mark in figure.sheet.marks if isinstance(mark, Text)}
         assert any(text.startswith("φ") and "=" in text for text in told) is not elsewhere
         assert any(text.startswith("φ") for text in told)
-        assert (figure.sheet.drivers != graphkin.Drawing.of(graphkin.load(name)).plot.facts.values) is elsewhere
-        assert len(read(pdf(handout([graphkin.load(name)], "problem", "en")))) == 1
+        assert (figure.sheet.drivers != graphkin.Drawing.of(loaded(name)).plot.facts.values) is elsewhere
+        assert len(read(pdf(handout([loaded(name)], "problem", "en")))) == 1
 
 
 @needs_chinese
 @pytest.mark.parametrize(("name", "lang"), [("curved-slot", "en"), ("s2-1a", "zh"), ("s3-ic", "zh")])
 def test_a_problem_has_room_on_its_page(name, lang):
     """With a column for each of several positions, a smaller figure where much is asked; still each answer has a box."""
-    made = handout([graphkin.load(name)], "problem", lang)
+    made = handout([loaded(name)], "problem", lang)
     assert len(read(pdf(made))) == 1
     (table,) = (block for block in made.blocks if isinstance(block, HandoutTable))
-    places = 1 + len(graphkin.load(name).drivers[0].also)
+    places = 1 + len(loaded(name).drivers[0].also)
     assert len(table.heads) == (2 + places if places > 1 else 4)
-    assert len(table.rows) >= len(graphkin.load(name).ask)
+    assert len(table.rows) >= len(loaded(name).ask)
 
 
 def test_a_worksheet_with_many_vectors_is_one_page():

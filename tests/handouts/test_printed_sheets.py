@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from library_sheets import loaded
 
-import graphkin
 from graphkin.cli import main
 from graphkin.errors import NoSheetList
 from graphkin.files import library
@@ -58,9 +58,9 @@ def test_rooms_lie_where_they_are_painted(name: str, paper: str, tmp_path: Path)
     ordered(name, "--stage", "blank", "--scan", "7", "--paper", paper, "--both", "-o", str(path))
     sheets = read_sheets(tmp_path / "a.sheets.json")
     assert [sheet.number for sheet in sheets] == [*range(7, 7 + len(sheets))]
-    assert {(sheet.problem, sheet.student) for sheet in sheets} == {(graphkin.load(name).name, "")}
+    assert {(sheet.problem, sheet.student) for sheet in sheets} == {(loaded(name).name, "")}
     rooms = [(k, room) for k, sheet in enumerate(sheets) for room in sheet.rooms]
-    blocks = handout([graphkin.load(name)], "blank", "en").blocks
+    blocks = handout([loaded(name)], "blank", "en").blocks
     assert [room.plane for _, room in rooms] == 2 * [block.plane for block in blocks if isinstance(block, GridRoom)]
     for k, room in rooms:
         picture, sheet = painted(path, k), sheets[k]
