@@ -131,7 +131,6 @@ class PageFigures:
                             if tail != head]  # fmt: skip
         return every
 
-    def lettered(self, plane: Plane, plots: Sequence[Plot | None], in_a_row: bool) -> list[list[Mark]]:
-        """The figure at each position, with its letters; of a grid with each on the side that suits some of them."""
-        figures, room = [self.figure(plane, plot) for plot in plots], self.room(plane)
-        return lettered(figures, room, step=None if in_a_row else max(1, len(figures) // _LOOKED_AT))
+    def lettered(self, plane: Plane, figures: Sequence[Figure], in_a_row: bool) -> list[list[Mark]]:
+        """The figure of each position, with its letters; of a grid with each on the side that suits some of them."""
+        return lettered(figures, self.room(plane), step=None if in_a_row else max(1, len(figures) // _LOOKED_AT))

@@ -6,6 +6,7 @@ Of one driver more knots are taken where a position halfway is not drawn as it s
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import field
 from functools import cached_property
 from itertools import product
 
@@ -18,8 +19,7 @@ from graphkin.page.reach import Reach
 from graphkin.page.rows import Row, rows
 from graphkin.page.stencils import Knots, stencil
 from graphkin.page.tracks import OF_GRID
-from graphkin.sheet.marks import Mark
-from graphkin.sheet.window import PLANES
+from graphkin.sheet.window import PLANES, Figure
 
 NEAR = 0.007  # what is drawn between knots lies so near to where it belongs [mm]
 _EVEN, _SPREAD = 90, 60  # knots of a turn to begin with; positions that tell how large figures are
@@ -33,18 +33,25 @@ where dead points are, the middle of a cell is looked at, and the cell is not sh
 _HALVED = 5  # so often a cell is halved at most
 _BESIDE_END = 0.3  # knots are not nearer to each other [of their distance]
 Places = tuple[float, ...]
-Drawn = dict[Plane, dict[float, list[Mark]]]
+Drawn = dict[Plane, dict[float, Figure]]
 
 
 @bulky
 class PageKnots:
     """The knots along each driver, and what is drawn there: positions (None where the mechanism does not get) of the
-    whole grid, the last driver's first."""
+    whole grid, the last driver's first; known: figures at places of one driver that are drawn already."""
 
     reach: Reach
     figures: PageFigures
     axes: tuple[Knots, ...]
     plots: Sequence[Plot | None]
+    known: Drawn = field(default_factory=dict)
+
+    def drawn(self, plane: Plane) -> list[Figure]:
+        """A plane's figure at each knot, without its letters."""
+        if known := self.known.get(plane):
+            return [known[float(u)] for u in self.axes[0].u]
+        return [self.figures.figure(plane, plot) for plot in self.plots]
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -138,7 +145,7 @@ def _of_one(reach: Reach) -> PageKnots:
         plots |= {u: tried[u] for u in failed}
         knots = Knots(np.array(sorted(plots)), knots.period)
         cells = {*failed, *(float(before.u[before.cell(u)]) for u in failed)}
-    return PageKnots(reach, figures, (knots,), [plots[float(u)] for u in knots.u])
+    return PageKnots(reach, figures, (knots,), [plots[float(u)] for u in knots.u], drawn)
 
 
 def _middles(reach: Reach, knots: Knots, cells: set[float]) -> list[float]:
@@ -159,8 +166,8 @@ def _failures(
     failed = set[float]()
     for plane in PLANES:
         known = drawn[plane]
-        known |= {u: figures.figure(plane, plots[u] if u in plots else tried[u]).marks for u in every if u not in known}
-        frames = [known[u] for u in every]
+        known |= {u: figures.figure(plane, plots[u] if u in plots else tried[u]) for u in every if u not in known}
+        frames = [known[u].marks for u in every]
         groups: dict[bytes, list[Row]] = {}
         for row in (row for row in rows(frames) if row.is_known):
             groups.setdefault(row.there.tobytes(), []).append(row)

@@ -149,7 +149,7 @@ class _Played:
         figures, knots, colours = self.knots.figures, self.knots, Colours("accent", False)
         window, room, layer = figures.window(plane), figures.room(plane), Layer("mechanism", (), plane)
         in_a_row = len(knots.axes) == 1
-        every = [*rows(figures.lettered(plane, knots.plots, in_a_row), leaps=in_a_row)]
+        every = [*rows(figures.lettered(plane, knots.drawn(plane), in_a_row), leaps=in_a_row)]
         marks = [mark_element(row, dict(colours.paint(layer, row.mark))) for row in every]
         self.stage.switched.extend(map(layer_of, (row.mark for row in every)))
         over = overlay_drawing(overlays) if overlays and plane == "position" else ""
