@@ -520,8 +520,8 @@ def test_no_curve_of_the_other_axis_lies_on_one():
 
 
 @pytest.mark.parametrize(("lang", "lines"), [
-    ("en", ["One turn of O₂A; the mechanism repeats after 3.", "v_P, a_P: magnitudes, without sign."]),
-    ("zh", ["O₂A 转一周的情形；机构每 3 周重复一次。", "v_P，a_P 为大小，不计正负。"]),
+    ("en", ["One turn of O₂A; the mechanism repeats after 3.", ": magnitudes, without sign."]),
+    ("zh", ["O₂A 转一周的情形；机构每 3 周重复一次。", "为大小，不计正负。"]),
 ])  # fmt: skip
 def test_what_one_does_not_see_in_curves_is_said(lang: Lang, lines: list[str]) -> None:
     method = plan(graphkin.load(TEXTBOOK / "gearfive.toml"))
@@ -535,3 +535,14 @@ def test_time_that_runs_from_right_to_left_is_said() -> None:
     words = [text for text, _ in texts(diagram.figure(sweeps.course(method), ["omega 3"], "en"))]
     assert "O₂A decreases: time runs from right to left." in words
     assert any("ω = −6.283 rad/s" in word for word in words)
+
+
+@pytest.mark.parametrize("lang", ["en", pytest.param("zh", marks=chinese)])
+def test_quantities_under_a_diagram_are_written_as_above_it(lang: Lang):
+    """Formulas in the line that says which curves are magnitudes, as in the legends; no `v_C`."""
+    page = drawn("ex3-1", lang, (), "v C, omega 3, a_k B3B2, alpha 3")
+    shown = [text for text, _ in texts(page)]
+    assert any(r"$\mathit{v}_{\mathit{C}}$" in text for text in shown)
+    assert not [text for text in shown if "v_C" in text or "aᵏ_" in text]
+    feet = [text for text in shown if ("magnitudes" if lang == "en" else "不计正负") in text]
+    assert len(feet) == 1

@@ -9,7 +9,6 @@ from dataclasses import field, replace
 from decimal import Decimal
 from functools import partial
 from html import escape
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
@@ -25,19 +24,17 @@ from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Explanation, Habit
 from graphkin.marking.records import Judged, Verdict
 from graphkin.outputs import diagram
-from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, writable
-from graphkin.outputs.diagram.fonts import typeset as in_diagrams
+from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, pieces, writable
 from graphkin.outputs.files import UnknownEnding, write
 from graphkin.say.boards import line_name
 from graphkin.say.catalogue import say
-from graphkin.sheet.lettering import formula, is_wide
+from graphkin.sheet.lettering import is_wide
 from graphkin.submissions.office import Seen
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.axis import Axis
-    from matplotlib.offsetbox import TextArea
 
     from graphkin.outputs.diagram.page import DiagramPage
 
@@ -333,21 +330,11 @@ def _name_rows(axes: Axes, names: list[str]) -> None:
     axes.set_yticks(range(len(names)), [""] * len(names))
     for row, name in enumerate(names):
         lines = _shortened(writable(name)).split("\n")
-        packed: list[Artist] = [HPacker(children=[*_pieces(line)], align="baseline", pad=0, sep=0) for line in lines]
+        packed: list[Artist] = [HPacker(children=[*pieces(line, 8)], align="baseline", pad=0, sep=0) for line in lines]
         box = VPacker(children=packed, align="right", pad=0, sep=_SPACE)
         axes.add_artist(AnnotationBbox(box, (0, row), (-_OFF, 0), ("axes fraction", "data"), "offset points",
                                        box_alignment=(1.0, 0.5), frameon=False, pad=0))  # fmt: skip
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
-
-
-def _pieces(line: str) -> Iterator[TextArea]:
-    """Words and formulas by themselves: beside Chinese letters matplotlib sets none."""
-    from matplotlib.offsetbox import TextArea
-
-    for symbols, runs in groupby(formula(line), lambda run: run.italic or run.place != "base"):
-        label = tuple(runs)
-        text = in_diagrams(label) if symbols else "".join(run.text for run in label)
-        yield TextArea(text, textprops={"fontsize": 8, "parse_math": symbols})
 
 
 def _shortened(name: str) -> str:

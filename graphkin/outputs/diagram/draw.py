@@ -11,7 +11,7 @@ from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE
 from graphkin.outputs.diagram import panels
 from graphkin.outputs.diagram.curves import Curves
-from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
+from graphkin.outputs.diagram.fonts import has_chinese, pieces, typeset, writable
 from graphkin.outputs.diagram.notes import DrawnPanel, note_peaks
 from graphkin.outputs.paint import ACCENTS
 from graphkin.say.catalogue import say
@@ -42,6 +42,7 @@ DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
 
 def draw(curves: Curves, lang: Lang) -> DiagramPage:
     """All panels of a diagram, with title, legends, extremes and notes."""
+    from matplotlib.offsetbox import AnnotationBbox, HPacker
     from matplotlib.text import Text
 
     from graphkin.outputs.diagram.page import DiagramPage
@@ -65,7 +66,9 @@ def draw(curves: Curves, lang: Lang) -> DiagramPage:
     _fit_sides(page, drawn)
     for k, line in enumerate(notes):
         start, foot = drawn[0].sides[0].get_position().x0, ((len(notes) - k) * LINE - 1.5) / total
-        page.text(start, foot, line, fontsize=8, parse_math=False, va="bottom")
+        box = HPacker(children=[*pieces(line, 8)], align="baseline", pad=0, sep=0)
+        page.add_artist(AnnotationBbox(box, (start, foot), xycoords="figure fraction", box_alignment=(0.0, 0.0),
+                                       frameon=False, pad=0))  # fmt: skip
     note_peaks(page, curves, drawn, lang)
     for text in page.findobj(Text):
         assert isinstance(text, Text)

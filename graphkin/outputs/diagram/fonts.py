@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cache
 from itertools import groupby
+from typing import TYPE_CHECKING
 
 from graphkin.errors import GraphkinError
-from graphkin.sheet.lettering import Label
+from graphkin.sheet.lettering import Label, formula
+
+if TYPE_CHECKING:
+    from matplotlib.offsetbox import OffsetBox
 
 MARK = "https://graphkin.invalid/diagram/1"  # by this graphkin knows a diagram of its own, whatever the format
 LATIN = "STIXGeneral"
@@ -17,6 +22,7 @@ _CHINESE = (
     "PingFang SC", "Microsoft YaHei", "SimHei", "WenQuanYi Micro Hei", "WenQuanYi Zen Hei", "Droid Sans Fallback",
     "Noto Sans CJK JP",
 )  # fmt: skip
+_BLANK = 0.25  # its width, as part of the size of letters
 _FILES = re.compile(r"cjk|source ?han|song|simsun|simhei|msyh|pingfang|uming|wqy|droidsansfallback|notos\w+sc", re.I)
 _WIDE = re.compile("[\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef\u3000-\u303f]")
 _MATHS = re.compile("[ -~θωαμφ′−×]*")  # letters that stand in mathematics; names in others are written plainly
@@ -79,6 +85,18 @@ def lowered(name: str) -> str:
     """The points of a name with their digits below, `O₂A`: formulas and Chinese do not stand in one text."""
     digits = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
     return writable(re.sub(r"(?<=[A-Z])\d+", lambda found: found[0].translate(digits), name))
+
+
+def pieces(line: str, size: float) -> Iterator[OffsetBox]:
+    """Words and formulas of a line by themselves: beside Chinese letters matplotlib sets none. A blank with which a
+    piece begins is room before it: a viewer of SVG leaves such a blank out."""
+    from matplotlib.offsetbox import DrawingArea, TextArea
+
+    for symbols, runs in groupby(formula(line), lambda run: run.italic or run.place != "base"):
+        label = tuple(runs)
+        text = typeset(label) if symbols else "".join(run.text for run in label)
+        yield DrawingArea((len(text) - len(text.lstrip())) * _BLANK * size, 0)
+        yield TextArea(text.lstrip(), textprops={"fontsize": size, "parse_math": symbols})
 
 
 def typeset(label: Label) -> str:

@@ -189,7 +189,7 @@ def foot_lines(curves: Curves, layout: Sequence[CurvePanel], lang: Lang) -> Iter
         if any(np.nanmin(each.signed, initial=0.0) < 0 for each in every):
             sizes += [in_signs(one.name) for one in every if one.vectors is not None and one.along is None]
     if sizes:
-        yield say("diagrams.sizes", lang, names=lowered(unbraced(say("common.and", lang).join(sizes))))
+        yield say("diagrams.sizes", lang, names=writable(unbraced(say("common.list", lang).join(sizes))))
     yield from (event_line(curves, event, lang) for event in curves.events)
 
 
