@@ -209,7 +209,8 @@ def _slide(reading: Reading, pair: Slide) -> str:
     if axis := _axis(reading, pair):  # `; the direction of A→B is the guide's turned by 30° ..`
         turned = remainder(round(degrees(pair.tilt), 9), 360)
         angle = {"angle": _angle(reading, pair.tilt, (*path, "tilt")), "sense": reading.sense(turned)}
-        words["tilt"] = reading.say("solution.tilt" if turned else "solution.tilt none", line=axis, **angle)
+        kind = " half" if abs(turned) == 180 else "" if turned else " none"
+        words["tilt"] = reading.say(f"solution.tilt{kind}", line=axis, **angle)
     kind = "pin" if pair.block is None else "block"
     if pair.guide == FRAME:
         return reading.say(f"solution.{kind} on frame", line=where, **words)

@@ -168,7 +168,8 @@ class _TablesInMaking:
                 if isinstance(quantity, asked.Centre):
                     assert lines.goal.centred is not None, quantity
                     figure, unit = lines.goal.centred.figure(quantity)
-                    label = (*label, Run(" → ∞ ")) if unit == "°" else label
+                    far = Run(" → ∞"), Run(reading.say("centres.towards").rstrip())
+                    label = (*label, *far) if unit == "°" else label
                 else:
                     text, unit = lines.result(quantity), EDGE[quantity.unit].sign
                     figure = text.removesuffix(unit).rstrip()

@@ -169,7 +169,7 @@ B = [770, 152]
 
 def test_a_guide_beside_a_track_has_its_height_and_a_tip_its_tangential_acceleration() -> None:
     texts = said(loads(WHEEL))
-    assert {"e_B = 0.5 ft", "also φ_W/° = 120, 150", "v_A = 3 m/s", "aᵗ_A = 2 m/s²"} <= set(texts)
+    assert {"e_B = 0.5 ft", "also φ_W = 120°, 150°", "v_A = 3 m/s", "aᵗ_A = 2 m/s²"} <= set(texts)
     through = WHEEL.replace("[frame]", '[frame]\nD = [0, 0]').replace('[0, "0.5 ft"]', '"D"')
     assert not any(text.startswith("e_") for text in said(loads(through)))
 

@@ -177,6 +177,7 @@ def told(key: str, stated: str | float, text: str) -> bool:
     value, close = float(figure), 1e-9 if sum(map(str.isdigit, figure)) <= COMPUTED else 1e-5
     if key in ("angle", "tilt") and unit in ("", "deg") and not value % 90:
         along = ("along", "parallel to", "the link's own axis", "stays on a line of link") if value == 0 else ()
+        along += ("points the other way along the guide",) if key == "tilt" and abs(value) == 180 else ()
         if any(said in text for said in (("horizontally", "vertically")[round(value / 90) % 2], *along)):
             return True
     unit = {"rpm": "r/min", "deg": "°"}.get(unit, unit)

@@ -626,3 +626,18 @@ def test_a_quantity_that_the_solution_has_itself_is_not_called_an_opposite():
 def test_points_of_a_link_that_is_a_word_are_suggested_as_they_are_written():
     with pytest.raises(GraphkinError, match=re.escape("A@block,A@yoke")):
         drawn(YOKE.format(asked='"v A3A2"'))
+
+
+@pytest.mark.parametrize(("lang", "told"), [("en", "A→B points the other way along the guide."), ("zh", "A→B 与导路方向相反。")])
+def test_a_rod_that_points_back_along_its_guide_is_said_to(lang: Lang, told: str):
+    """Not its guide's direction turned by 180°."""
+    cylinder = """
+frame = { O = [0, 0], D = [80, 0] }
+links = { 1.OA = 30, 2.AB = 40, 3.points = ["D"] }
+slide = [{ name = "oil", block = "2", point = "A", guide = "3", tilt = 180 }]
+driver = [{ vector = "OA", angle = 60, omega = 1 }]
+sketch = { A = [15, 26], B = [40, 10] }
+"""
+    text = "\n".join(whole(*drawn(cylinder), lang))
+    assert told in text
+    assert "180°" not in text

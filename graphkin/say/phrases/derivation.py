@@ -243,6 +243,7 @@ PHRASES: Phrases = {
                              "销 {point}{guide} 在构件 {link} 的槽中移动，槽{where}。"),
     "solution.tilt": ("; the direction of {line} is the guide's turned by {angle} {sense}",
                       "；将导路方向{sense}转过 {angle} 即为 {line} 的方向"),
+    "solution.tilt half": ("; {line} points the other way along the guide", "；{line} 与导路方向相反"),
     "solution.tilt none": ("; {line} points along the guide", "；{line} 沿导路方向"),
     "solution.at angle": ("through {through} that makes {angle} with {arrow} ({sense})",
                           "过 {through} 点，与 {arrow} 成 {angle}（{sense}）"),
