@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import assert_never
 
 from graphkin.base.geometry import cross, dot
@@ -254,7 +255,20 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
         ccw = float(cross(reading.arm(first, second), one)) > 0
         sentence = reading.say("derivation.image triangle", sense=reading.sense(1 if ccw else -1), **words)
     yield polygon.sentence(step, sentence, row)
-    yield polygon.measured_absolute(step.point)
+    motion, arm = polygon.measured_absolute(step.point), _crank_arm(polygon, step)
+    yield replace(motion, formulas=(f"{polygon.rate(step.link)} l_{arm}", *motion.formulas)) if arm else motion
+
+
+def _crank_arm(polygon: PolygonReading, step: kinds.Image) -> str:
+    """The arm from a driven link's pivot on the frame to a further point of it, `AC` of v_C = ω2 l_AC; "" of others."""
+    reading, facts = polygon.reading, polygon.reading.plot.facts
+    turn, owners = facts.turns[step.link], reading.mechanism.owners
+    if polygon.plane != "velocity" or turn.base != facts.turns[facts.frame].base or not turn.drivers:
+        return ""
+    ends = zip(step.base, step.corners, strict=False)
+    pivots = (corner for node, corner in ends if node == polygon.construction.pole and FRAME in owners.get(corner, ()))
+    pivot, moves = next(pivots, ""), polygon.size(polygon.construction.pole, step.point)
+    return names.pair(pivot, step.corners[2]) if pivot and moves else ""
 
 
 def _own_node(polygon: PolygonReading, node: str, corner: str) -> str:

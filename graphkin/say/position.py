@@ -151,7 +151,17 @@ class PositionReader(Tangents):
             line = names.pair(tail, head) if off <= reading.noise * abs(reading.arm(step.start, step.tip)) else ""
         if line:
             return reading.say("derivation.lay off on line", line=line, **words)
-        return reading.say("derivation.lay off link", **words)
+        return reading.say("derivation.lay off link", **words) + self._stand_in(step)
+
+    def _stand_in(self, step: kinds.LayOff) -> str:
+        """What a point is that the mechanism has not, as `W is where Q is when N lies at O`: its link is drawn from
+        where one of its points may lie; "" of others."""
+        start, end = (step.term.head, step.term.tail) if step.backwards else (step.term.tail, step.term.head)
+        known = self.reading.named(step.start) and "*" not in start + end
+        if not step.tip.startswith("*") or not known or start == step.start:
+            return ""
+        words = {"tip": self.reading.place(step.tip), "start": names.point(step.start)}
+        return self.reading.say("derivation.stand-in", point=names.point(end), other=names.point(start), **words)
 
     def _stated(self, step: kinds.LayOff) -> str:
         """The angle of a driven line as the file states it, where that is not one from 0 to 360 degrees."""

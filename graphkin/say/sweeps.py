@@ -35,6 +35,10 @@ def _named(course: Course, value: float) -> str:
 
 def why(event: Event, lang: Lang) -> str:
     """The reason why a path stops, or what happens at a change point."""
+    if event.kind == "right angle" and len(event.links) > 2:  # the slide's two links stand before the bar
+        block, guide, *bars = event.links
+        which = int(len(bars) > 1)
+        return say("sweeps.event bar", lang, which=which, bar=listed(bars, lang), block=block, guide=guide)
     return say(f"sweeps.event {event.kind}", lang, links=listed(event.links, lang))
 
 

@@ -202,8 +202,10 @@ class Ladder:
 
 
 def _at_once(acts: Sequence[Act], told: Collection[Act | None]) -> Iterator[Act]:
-    """The steps of an equation but for those with a row of their own that are not followed at once by the others."""
-    gaps = [act.number for act, other in pairwise(acts) if other.number > act.number + 1]
+    """The steps of an equation but for those with a row of their own that are not followed at once by the others; an
+    image has its row between them."""
+    own = [act for act in acts if not (isinstance(act.done, Image) and act in told)]
+    gaps = [act.number for act, other in pairwise(own) if other.number > act.number + 1]
     first = max(gaps, default=0)
     yield from (act for act in acts if act.number > first or act not in told)
 

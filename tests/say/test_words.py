@@ -33,6 +33,7 @@ from graphkin.say import (
 from graphkin.say.catalogue import phrase
 from graphkin.say.numbers import degrees, number
 from graphkin.say.text_table import width
+from graphkin.sheet.text_blocks import ladder
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
 LANGS: tuple[Lang, Lang] = ("en", "zh")
@@ -641,3 +642,68 @@ sketch = { A = [15, 26], B = [40, 10] }
     text = "\n".join(whole(*drawn(cylinder), lang))
     assert told in text
     assert "180°" not in text
+
+
+THREAD = """
+frame = { A = [0, 0], D = [-24, 17] }
+ask = ["v E"]
+[links]
+2.shape = { A = [0, 0], B = [12, 0], C = [9, 13] }
+3.shape = { C = [0, 0], F = [30, 0], E = [56, 9] }
+4.DF = 26
+[[driver]]
+vector = "AB"
+angle = 214
+omega = -10
+[sketch]
+C = [-6, -15]
+F = [2, 14]
+E = [-12, 42]
+"""
+
+
+def test_a_further_point_of_a_crank_has_its_formula_and_what_is_laid_off_before_an_image_its_row():
+    """v_C = ω2 l_AC, as a book writes it; the sheet numbers its rows in the order of the drawing."""
+    method, plot = drawn(THREAD)
+    text = "\n".join(explain(method, plot, SCALES, "en"))
+    assert re.search(r"v_C = ω2 l_AC = μ_v·pc = ", text)
+    assert "v_E = μ_v·pe = " in text  # of a coupler there is no pivot
+    entries = [*derivation(method, plot, SCALES, "en", as_planned=True)]
+    rows = ladder(entries, ("", ""), "velocity", method)
+    assert rows is not None
+    numbers = [block.numbers for block in rows.blocks if block.numbers]
+    assert numbers[:3] == [(1,), (2,), (3,)]
+    assert sorted(numbers) == numbers
+
+
+NEEDLE = """
+frame = { O = [0, 0] }
+[links]
+2.OB = 14.5
+3.shape = { N = [0, -60], Q = [6, 22] }
+[[slide]]
+name = "bar"
+block = "3"
+point = "N"
+guide = "frame"
+through = "O"
+angle = -90
+tilt = 175.815
+[[slide]]
+pin = "B"
+guide = "3"
+centre = "Q"
+radius = 27
+[[driver]]
+vector = "OB"
+angle = 248
+omega = 10
+[sketch]
+N = [0, -60]
+Q = [6, 10]
+"""
+
+
+@pytest.mark.parametrize(("lang", "told"), [("en", "W. W is where Q is when N lies at O."), ("zh", "得 W。W 即 N 位于 O 时 Q 的位置。")])
+def test_a_point_that_the_mechanism_has_not_is_explained(lang: Lang, told: str):
+    assert told in "\n".join(whole(*drawn(NEEDLE), lang))

@@ -32,7 +32,7 @@ from graphkin.files import loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.proof.roads import apart
-from graphkin.say.sweeps import left_out
+from graphkin.say.sweeps import change_line, left_out
 from graphkin.studies.sweeps import course, in_parts, prove, sweep
 from graphkin.studies.sweeps.roads import moving
 
@@ -110,6 +110,14 @@ def test_what_touches_only_on_the_way_through_a_change_point_is_gone_through_wit
     moved = course(plan(scissors))
     assert [change.kind for change in moved.path.changes] == ["right angle"] * len(moved.path.changes) != []
     hold_continuous(scissors, turns=1)
+
+
+@pytest.mark.parametrize(("lang", "told"), [
+    ("en", "link 3 stands at right angles there to the guide along which link 5 slides on link 1"), ("zh", "构件 3 垂直于构件 5 在构件 1 上滑动的导路"),
+])  # fmt: skip
+def test_a_bar_at_right_angles_to_a_guide_is_named(lang, told: str):
+    moved = course(plan(loads(SCISSORS.format(links="", driver=LEVER, sketch=""))))
+    assert told in change_line(moved, moved.path.changes[0], lang)
 
 
 @pytest.mark.many

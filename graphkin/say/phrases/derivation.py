@@ -38,6 +38,7 @@ PHRASES: Phrases = {
                                "{guide}：过 {place}、{heading} 的直线。"),
     "derivation.lay off link": ("From {start} lay off {length} {heading}: {tip}.",
                                 "由 {start} 取 {length}（{heading}），得 {tip}。"),
+    "derivation.stand-in": (" {tip} is where {point} is when {other} lies at {start}.", "{tip} 即 {other} 位于 {start} 时 {point} 的位置。"),
     "derivation.lay off on line": ("From {start} lay off {length} on the line {line} ({heading}): {tip}.",
                                    "在直线 {line} 上由 {start} 取 {length}（{heading}），得 {tip}。"),
     "derivation.composed": ("from {parts} at their known angle", "由 {parts} 及其已知夹角作出"),

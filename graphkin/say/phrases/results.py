@@ -136,6 +136,9 @@ PHRASES: Phrases = {
     "sweeps.event in line": ("links {links} lie in line there", "构件 {links} 共线"),
     "sweeps.event right angle": ("links {links}: the link stands at right angles to the guide there",
                                  "构件 {links}：连杆垂直于导路"),
+    "sweeps.event bar": ("[link {bar} stands|links {bar} stand] at right angles there to the guide along which link {block} "
+                         "slides on link {guide}",
+                         "构件 {bar} 垂直于构件 {block} 在构件 {guide} 上滑动的导路"),
     "sweeps.event tangent": ("links {links}: the guide reaches no farther", "构件 {links}：导路已到极限位置"),
     "sweeps.event parallel": ("links {links}: their lines become parallel there", "构件 {links} 的作图线趋于平行"),
     "sweeps.event fit": ("the group of links {links} cannot be moved farther", "构件 {links} 所成的杆组到达极限位置"),
