@@ -17,7 +17,7 @@ from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.marks import edge_value, marks_table, mistake_kind
 from graphkin.say.numbers import number
-from graphkin.say.text_table import unbraced
+from graphkin.say.text_table import aligned, unbraced
 
 _MOST_STEPS = 10  # steps that are printed
 _READ = ("reading", "link")  # lengths and angles of the mechanism
@@ -87,11 +87,11 @@ def _step(cost: Cost, lang: Lang) -> str:
 def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     """A row a mistake: at how many places it can be made, and what came of those who make it."""
     yield say("tolerances.power", lang, trials=power.trials)
-    heads = ("mistake", "places", "applicable", "tellable", "seen", "named", "alone", "least")
+    heads = ("places", "applicable", "tellable", "seen", "named", "alone", "least", "mistake")
     ids = list(dict.fromkeys(one.name[0] for one in power.found))
-    rows = [_power_row(_called(id, lang), [one for one in power.found if one.name[0] == id]) for id in ids]
-    head = [*(say(f"tolerances.column {key}", lang) for key in heads), ""]
-    yield from marks_table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
+    rows = [_power_row(mistake_kind(id, lang), [one for one in power.found if one.name[0] == id]) for id in ids]
+    head = [say(f"tolerances.column {key}", lang) for key in heads]
+    yield from _table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
     # the number of mistakes that are named as they should be; and of those that paper cannot tell
     some = [one for one in power.found if one.applicable]
     tellable, rest = ([one for one in some if one.tellable is expected] for expected in (True, False))
@@ -104,7 +104,7 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
         yield say("tolerances.not tellable", lang, count=len(rest), all=len(some), missed=missed, hidden=hidden,
                   share=f"{len(rest) / len(some):.0%}", named=well_of_rest, part=part)  # fmt: skip
     out = [one for one in power.found if not one.applicable]
-    called = dict.fromkeys(_called(one.name[0], lang) for one in out)
+    called = dict.fromkeys(mistake_kind(one.name[0], lang) for one in out)
     share = f"{len(out) / max(len(power.found), 1):.0%}"
     if out:
         yield say("tolerances.not applicable", lang, share=share, what=say("common.list", lang).join(called))
@@ -113,19 +113,19 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     yield say("tolerances.random", lang, named=f"{power.random:.2%}")
 
 
-def _called(id: str, lang: Lang) -> str:
-    """A mistake: in English by its id, in Chinese in words."""
-    return mistake_kind(id, lang) if lang == "zh" else id
-
-
 def _power_row(name: str, powers: Sequence[MistakePower]) -> list[str]:
-    """Parts and the least of those that paper can tell."""
+    """Parts and the least of those that paper can tell, before the mistake in words."""
     some, tellable = [one for one in powers if one.applicable], [one for one in powers if one.tellable]
     counts = [str(len(one)) for one in (powers, some, tellable)]
     if not tellable:
-        return [name, *counts, "", "", "", "", ""]
+        return [*counts, "", "", "", "", name]
     parts = [float(np.mean([getattr(one, what) for one in tellable])) for what in ("wrong", "named", "alone")]
-    return [name, *counts, *(f"{part:.1%}" for part in parts), number(min(one.named for one in tellable)), ""]
+    return [*counts, *(f"{part:.1%}" for part in parts), number(min(one.named for one in tellable)), name]
+
+
+def _table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    """Numbers in columns, before words."""
+    return (line.rstrip() for line in aligned(rows, ">" * (len(rows[0]) - 1) + "<"))
 
 
 def discriminability_lines(told: SetDiscriminability, lang: Lang) -> Iterator[str]:
@@ -136,12 +136,13 @@ def discriminability_lines(told: SetDiscriminability, lang: Lang) -> Iterator[st
 
     length, angle = (f"{error:g}" for error in told.pencil)
     yield say("discriminability.head", lang, problems=problems(told.problems), length=length, angle=angle)
-    heads = [say(f"tolerances.column {name}", lang) for name in ("mistake", "places")]
+    heads = [say("tolerances.column places", lang)]
     heads += [say(f"discriminability.column {told_by}", lang) for told_by in ("seen", "apart")]
-    kinds = {_called(id, lang): each for id, each in told.kinds.items()}
+    heads += [say("tolerances.column mistake", lang)]
+    kinds = {mistake_kind(id, lang): each for id, each in told.kinds.items()}
     counts = {**kinds, say("tolerances.all", lang): (told.places, told.seen, told.apart)}
-    rows = [[name, number(places), f"{seen:.0%}", f"{apart:.0%}", ""] for name, (places, seen, apart) in counts.items()]
-    yield from marks_table([[*heads, ""], *rows])
+    rows = [[number(places), f"{seen:.0%}", f"{apart:.0%}", name] for name, (places, seen, apart) in counts.items()]
+    yield from _table([heads, *rows])
     yield say("discriminability.not applicable", lang, share=f"{1 - told.seen:.0%}")
     yield from _pairs("sets", told.sets, lang)
     yield from _pairs("rivals", told.rivals, lang)
@@ -157,7 +158,7 @@ def _pairs(what: str, pairs: Mapping[tuple[str, str], float], lang: Lang) -> Ite
         return
     yield say(f"discriminability.pairs {what}", lang)
     for (first, second), share in list(pairs.items())[:_MOST_PAIRS]:
-        words = {"first": _called(first, lang), "second": _called(second, lang)}
+        words = {"first": mistake_kind(first, lang), "second": mistake_kind(second, lang)}
         yield "  " + say("discriminability.pair", lang, share=f"{share:.0%}", **words)
     if len(pairs) > _MOST_PAIRS:
         yield "  " + say("discriminability.more", lang, count=len(pairs) - _MOST_PAIRS)

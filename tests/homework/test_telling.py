@@ -155,6 +155,9 @@ def test_what_a_set_tells_is_printed_and_kept(written: tuple[Path, str]):
     out, printed = written
     kept = (out / "teacher" / "set.mistakes.txt").read_text("utf-8")
     assert "One set" in kept
+    # in sentences, as in Chinese, not by their ids
+    assert "the direction line of a velocity is drawn along the link" in kept
+    assert not re.search(r"(?m)^ *(?:[\d%]+ +)*[a-z]+-[a-z]+(?:-[a-z]+)*(?: |$)", kept)
     assert kept.split("\n\n--")[0] in printed
     data = json.loads((out / "teacher" / "set.json").read_text("utf-8"))["told"]
     assert data["problems"] == 1
@@ -166,7 +169,7 @@ def test_what_a_set_tells_in_chinese(template: Path):
     found = variants(read_template(template), roster("1"), "1")
     lines = list(discriminability_lines(set_discriminability([variant.told for variant in found], (0.25, 0.25)), "zh"))
     assert lines[0].startswith("各题答案能区分哪些错误（1 题")
-    assert any(re.fullmatch(r"漏掉科氏加速度 +1 +100% +0%", line) for line in lines)
+    assert any(re.fullmatch(r" *1 +100% +0%  漏掉科氏加速度", line) for line in lines)
     assert not any("正确作图" in line for line in lines), "no problem was tried"
 
 

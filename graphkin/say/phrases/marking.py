@@ -166,7 +166,7 @@ PHRASES: Phrases = {
     "discriminability.pairs rivals": ("Within the tolerance of each other in some problems, by their numbers (part of "
                                       "the problems):",
                                       "下列错误在部分题目中因数据接近而无法区分（题目所占比例）："),
-    "discriminability.pair": ("{first} and {second}: {share}", "{first} 与 {second}：{share}"),
+    "discriminability.pair": ("{share}: {first}; {second}", "{share}：{first}；{second}"),
     "discriminability.more": ("and {count} more", "另有 {count} 组"),
     "discriminability.lost": ("By their numbers alone {share} of all places cannot be told. Each problem is the best "
                               "of up to {looked}; to tell more, ask for more (such as what is met on the way), or "
