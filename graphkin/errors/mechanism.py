@@ -7,8 +7,8 @@ from graphkin.errors.base import AboutLink, AboutLinks, AboutText, Choice, Lang,
 __all__ = [
     "BlockOrPin", "CannotMove", "CcwContradicts", "CcwOnLine", "CircleOrLine", "Contradiction", "DrivenFrame",
     "DrivenTwice", "FrameNameTaken", "JoinedToNothing", "LineOnLine", "LooseLink", "MissingCcw", "NeedsDirection",
-    "NeedsTilt", "NoDriver", "NoLine", "NoPoints", "NoTriangle", "NoVector", "OneSpot", "PinInCircle", "PointOnPoint",
-    "RepeatedDriver", "RigidlyJoined", "SameCircles", "SameLink", "SameTwice", "SayValue", "ShapeAndMeasures",
+    "NeedsSecondTilt", "NeedsTilt", "NoDriver", "NoLine", "NoPoints", "NoTriangle", "NoVector", "OneSpot",
+    "PinInCircle", "PointOnPoint", "RepeatedDriver", "RigidlyJoined", "SameCircles", "SameLink", "SameTwice", "SayValue", "ShapeAndMeasures",
     "SlidesOnItself", "TooFewDrivers", "TooFewMeasures", "TooManyDrivers", "TooManyPoints", "WhatIsDriven",
 ]  # fmt: skip
 
@@ -119,8 +119,24 @@ class SlidesOnItself(AboutLink):
 
 
 class NeedsTilt(AboutLink):
-    en = "{where}: block {link} has a direction of its own already. Add tilt, the angle from the guide's line to that direction."
-    zh = "{where}：滑块 {link} 已有自身方向，请补充 tilt，即从导路到该方向的角度。"
+    own: str  # `M→N`, or `+x` of the frame
+    en = (
+        "{where}: block {link} has a direction of its own already, {own}. Add tilt, the angle from the guide's line to "
+        "that direction: 0 where it points along the line, 90 where it is a quarter turn counter-clockwise from it."
+    )
+    zh = "{where}：滑块 {link} 已有自身方向 {own}，请补充 tilt，即从导路到该方向的角度：与导路同向为 0，由导路逆时针转 90° 为 90。"
+
+
+class NeedsSecondTilt(AboutLink):
+    other: str  # the link of its first guide
+    en = (
+        "{where}: block {link} has a direction of its own already, that of the line on link {other} along which it "
+        "slides, too. Add tilt, the angle from this guide's line to that one: 90 or -90 where they cross at right angles."
+    )
+    zh = (
+        "{where}：滑块 {link} 已有自身方向，即它在构件 {other} 上滑动的导路方向。请补充 tilt，即从本导路到该导路的角度："
+        "两导路垂直时为 90 或 -90。"
+    )
 
 
 class NeedsDirection(AboutLink):

@@ -81,11 +81,15 @@ def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair
             raise errors.RigidlyJoined(draft.where(*path), guide, block, shared)
         # angle from the line to the block's own direction. A block of one point takes its direction from its first
         # slide's line; in a second slide, as the frame and a block of more points, it has one already
-        slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
-        has_direction = block == FRAME or len(draft.links[block].points) > 1 or slid_before
-        if has_direction and table.tilt is None:
-            raise errors.NeedsTilt(draft.where(*path), block)
-        if table.tilt and not has_direction:
+        first = next((pair for pair in before if isinstance(pair, Slide) and pair.block == block), None)
+        points = draft.named(block)
+        own = "+x" if block == FRAME else "→".join(points[:2]) if len(points) > 1 else ""
+        if table.tilt is None and own:
+            raise errors.NeedsTilt(draft.where(*path), block, own)
+        if table.tilt is None and first is not None:
+            other = draft.frame if first.guide == FRAME else first.guide
+            raise errors.NeedsSecondTilt(draft.where(*path), block, other)
+        if table.tilt and not (own or first):
             raise errors.NoMeaning(draft.where(*path, "tilt"), "tilt", "tilt")
         tilt = table.tilt or 0.0
     line = read_line(draft, table, guide, f"s{path[1]}", path)

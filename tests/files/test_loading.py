@@ -282,7 +282,7 @@ def test_a_block_of_one_point_in_two_slides_has_a_tilt_in_the_second() -> None:
     text = edit(YOKE, "tilt = 90", 'tilt = 90\n[[slide]]\nblock = "2"\npoint = "B"\nguide = "frame"\nthrough = "A"')
     tilted = edit(text, 'through = "A"', 'through = "A"\ntilt = -20')
     assert loads(tilted).slides[2].tilt == pytest.approx(-math.pi / 9)
-    with pytest.raises(errors.NeedsTilt, match="block 2 has a direction of its own"):
+    with pytest.raises(errors.NeedsSecondTilt, match=r"that of the line on link 3 along which it slides, too.* 90 or -90"):
         loads(text)
 
 
@@ -537,7 +537,9 @@ PAIRS = [
     bad("SlidesOnItself", edit(SLIDER, 'block = "3"\npoint = "C"', 'pin = "A"').replace("AB = 100", "EB = 100").replace('"AB"', '"EB"'),
         "pin", "slide.0.pin", "link frame would slide", "frame 不能"),
     bad("RigidlyJoined", edit(YOKE, 'points = ["B"]', 'points = ["B"]\nBP = 9') + "", "[[slide]]", "slide.0", "3 and 2 are rigidly joined at P", "刚性相连"),
-    bad("NeedsTilt", edit(YOKE, "tilt = 90\n", ""), "[[slide]]\nblock = \"3\"", "slide.1", "Add tilt", "补充 tilt"),
+    bad("NeedsTilt", edit(YOKE, "tilt = 90\n", ""), "[[slide]]\nblock = \"3\"", "slide.1", "its own already, P→Q. Add tilt", "补充 tilt"),
+    bad("NeedsSecondTilt", edit(YOKE, "tilt = 90", 'tilt = 90\n[[slide]]\nblock = "2"\npoint = "B"\nguide = "frame"\nthrough = "A"\nangle = 0'),
+        '[[slide]]\nblock = "2"\npoint = "B"\nguide = "frame"', "slide.2", "that of the line on link 3", "在构件 3 上滑动的导路方向"),
     bad("NoMeaning", edit(SLIDER, "[0, 30]", "[0, 30]\ntilt = 3"), "tilt", "slide.0.tilt", "a block of one point", "单点滑块"),
     bad("NoMeaning", edit(SLIDER, 'block = "3"\npoint = "C"', 'pin = "C"\ntilt = 3'), "tilt", "slide.0.tilt", "a pin in a slot may turn", "销在槽中"),
     bad("NoMeaning", edit(YOKE, "PQ = 45", 'points = ["P"]'), "toward", "slide.0.toward", "is its own line", "自身轴线"),
