@@ -68,6 +68,8 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         low, high = (at_edge(value, unit) for value in course.reach)
         yield say("sweeps.range", lang, driver=course.driver.name, low=low, high=high)
         yield from (stop_line(course, stop, lang) for stop in course.stops)
+        if link := _driven_through(course):
+            yield say("sweeps.driven through", lang, link=link)
         stops = [stop.at for stop in course.path.stops]
         for end, side in ((course.path.low, -1), (course.path.high, 1)):
             if not any(stop * side > 0 for stop in stops):  # nothing stops it there but that no one looked farther
@@ -78,6 +80,21 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         yield say("sweeps.dropped", lang, count=course.dropped.size)
     if sum(map(bool, course.path.pace)) > 1:
         yield say("sweeps.together", lang)
+
+
+def _driven_through(course: Course) -> str:
+    """A link that would take the mechanism through the dead points of its only driver; "" where there is none."""
+    method, mechanism = course.method, course.method.mechanism
+    if len(mechanism.drivers) > 1 or not course.stops or any(s.kind not in ("in line", "right angle") for s in course.stops):
+        return ""
+    driver = course.driver
+    pair = mechanism.pair(driver.link) if driver.kind == "slide" else None
+    own = {driver.link, driver.from_link, FRAME} if pair is None else {*pair.joins, FRAME}
+    called = {mechanism.called(link) for link in own}
+    stop = course.stops[0]
+    bars = [link for link in stop.links[2 if stop.kind == "right angle" else 0 :] if link not in called]
+    hinged = {mechanism.called(link) for hinge in mechanism.hinges if FRAME in hinge.links for link in hinge.links}
+    return min(bars, key=lambda link: link not in hinged, default="")
 
 
 def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]:

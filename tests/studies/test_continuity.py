@@ -32,7 +32,7 @@ from graphkin.files import loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.proof.roads import apart
-from graphkin.say.sweeps import change_line, left_out
+from graphkin.say.sweeps import change_line, left_out, remarks
 from graphkin.studies.sweeps import course, in_parts, prove, sweep
 from graphkin.studies.sweeps.roads import moving
 
@@ -238,3 +238,23 @@ def test_blocks_that_run_off_are_told_by_both_roads():
     drawn, exact = (moving(method, moved.path, t, by) for by in ("construction", "analysis"))
     assert max(np.max(np.abs(s)) for s in exact.s.values()) > 5 * method.size
     assert apart(method.mechanism, drawn, exact) < 1e-9
+
+
+TRAMMEL = """
+frame = { name = "1", O = [0, 0] }
+links = { 2.points = ["X"], 3.points = ["Y"], 4.XY = 120 }
+slide = [{ name = "bed", block = "2", point = "X", guide = "frame", through = "O", angle = 0 },
+         { block = "3", point = "Y", guide = "frame", through = "O", angle = 90 }]
+driver = [DRIVER]
+sketch = { X = [70, 0], Y = [0, 97] }
+"""
+
+
+@pytest.mark.parametrize(("lang", "told"), [("en", "With link 4 as the driver"), ("zh", "若改以构件 4 为原动件")])
+def test_at_the_dead_points_of_a_driver_another_link_is_named_that_goes_on(lang, told: str):
+    """A trammel that a block draws makes half of its ellipse; by its bar all of it."""
+    pulled = course(plan(loads(TRAMMEL.replace("DRIVER", '{ slide = "bed", at = 70, velocity = -9 }'))))
+    assert any(told in line for line in remarks(pulled, lang))
+    turned = course(plan(loads(TRAMMEL.replace("DRIVER", '{ vector = "XY", angle = 126, omega = 1 }'))))
+    assert turned.full_turn
+    assert not any(told in line for line in remarks(turned, lang))

@@ -121,6 +121,8 @@ PHRASES: Phrases = {
     "sweeps.range": ("{driver} moves from {low} to {high}.", "{driver} 的运动范围为 {low} 至 {high}。"),
     "sweeps.stop": ("It stops at {at}: {why}.", "在 {at} 处停止：{why}。"),
     "sweeps.dead": ("dead point, {why}", "死点，{why}"),
+    "sweeps.driven through": ("With link {link} as the driver in its place the mechanism may go on through dead points.",
+                              "若改以构件 {link} 为原动件，机构可越过死点继续运动。"),
     "sweeps.open": ("Looked at as far as {at}; it may go on.", "只考察到 {at}，其后可能仍可运动。"),
     "sweeps.change": ("Change point at {at}: {why}. The motion goes through it smoothly; a real mechanism needs a "
                       "guide there.",
