@@ -84,8 +84,9 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
 
 def _driven_through(course: Course) -> str:
     """A link that would take the mechanism through the dead points of its only driver; "" where there is none."""
-    method, mechanism = course.method, course.method.mechanism
-    if len(mechanism.drivers) > 1 or not course.stops or any(s.kind not in ("in line", "right angle") for s in course.stops):
+    mechanism = course.method.mechanism
+    dead = all(stop.kind in ("in line", "right angle") for stop in course.stops)
+    if len(mechanism.drivers) > 1 or not course.stops or not dead:
         return ""
     driver = course.driver
     pair = mechanism.pair(driver.link) if driver.kind == "slide" else None
