@@ -68,7 +68,8 @@ class Paths:
     @property
     def scale(self) -> float:
         """Of the velocities, but for those that are far greater than most, as near a dead point [(m/s)/mm]."""
-        usual = min(self._speeds[-1:] + [_GREAT * self._speeds[len(self._speeds) // 2]] if self._speeds else [0.0])
+        speeds = self._speeds or [0.0]
+        usual = min(speeds[-1], _GREAT * speeds[len(speeds) // 2])
         return finest(complex(usual, 0.0), complex(_LONGEST, _LONGEST))
 
     @cached_property
