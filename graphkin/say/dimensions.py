@@ -376,7 +376,7 @@ def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
 
 def length_size(reading: Reading, one: str, other: str) -> Size:
     """`l_BD = 69.2 mm`, of the mechanism itself, as it is measured."""
-    length, unit = reading.distance(one, other), length_unit(reading)
+    length, unit = reading.distance(one, other), length_unit(reading.mechanism)
     start, end = reading.at(one), reading.at(other)
     span = Span(start, end, _unit(end - start), (one, other), "measured")
     written = f"{number(in_unit(length, unit, 'length'))} {unit}"

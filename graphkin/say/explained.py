@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, assert_never
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
-from graphkin.files.values import DIMENSIONS
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
@@ -31,7 +30,7 @@ from graphkin.say.position import PositionReader
 from graphkin.say.problem_data import problem_data, solution_head
 from graphkin.say.problems import position_lines
 from graphkin.say.reading import Reading
-from graphkin.say.sizes import in_unit, length_unit
+from graphkin.say.sizes import in_files_unit
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
 
 if TYPE_CHECKING:
@@ -68,17 +67,11 @@ class AnswerLines:
     def entry(self, quantity: Quantity) -> Sentence | Calculation:
         """The answer to one question; of a file in inches in inches, too."""
         entry = self._answer(quantity)
-        if isinstance(entry, Calculation) and entry.value and (other := self._in_files_unit(quantity, entry.value)):
+        value = entry.value / EDGE[quantity.unit].factor if isinstance(entry, Calculation) else 0.0
+        other = in_files_unit(self.reading.mechanism, value, quantity.unit) if value else ""
+        if isinstance(entry, Calculation) and other:
             return replace(entry, note=self.reading.say("common.and").join(filter(None, (other, entry.note))))
         return entry
-
-    def _in_files_unit(self, quantity: Quantity, value: float) -> str:
-        """`48.58 in/s` of a value in the unit of the solution; nothing in a file in mm or m, or without a length."""
-        unit, dimension, length = EDGE[quantity.unit], DIMENSIONS.get(quantity.unit, "angle"), length_unit(self.reading)
-        if length in ("mm", "m") or dimension not in ("length", "velocity", "acceleration"):
-            return ""
-        own = length + unit.sign.lstrip("m")
-        return f"{number(in_unit(value / unit.factor, own, dimension))} {own}"
 
     def _answer(self, quantity: Quantity) -> Sentence | Calculation:
         """In the unit of the solution, with the figures it is worked out from where that is one step more."""

@@ -134,7 +134,7 @@ def _dimensions(reading: Reading) -> Iterator[str]:
         yield say("solution.lettered", shapes=reading.joined(shapes))
     for link in (*placed, FRAME):
         path = ("frame",) if link == FRAME else ("links", link, "shape")
-        words = {"link": names.point(mechanism.called(link)), "unit": (unit := length_unit(reading))}
+        words = {"link": names.point(mechanism.called(link)), "unit": (unit := length_unit(mechanism))}
         places = _as_typed(reading, link, path)
         points = [names.point(p) + _place(reading, place, (*path, p), unit) for p, place in places.items()]
         key = "solution.shape" if link in placed else "solution.frame points" if points else "solution.frame"
@@ -167,7 +167,7 @@ def _as_typed(reading: Reading, link: str, path: KeyPath) -> dict[str, complex]:
 def _place(reading: Reading, place: complex, path: KeyPath, told: str = "") -> str:
     """Coordinates of the mechanism itself as the file states them, `(−4, 2) ft`; without the unit that is `told`."""
     axes = [sized(reading, "", part, "length", (*path, k)) for k, part in enumerate((place.real, place.imag))]
-    unit = next((axis.figure.split()[-1] for axis in axes if axis.value), told or length_unit(reading))
+    unit = next((axis.figure.split()[-1] for axis in axes if axis.value), told or length_unit(reading.mechanism))
     x, y = (axis.figure.removesuffix(f" {unit}") if axis.value else "0" for axis in axes)
     return reading.say("common.place", x=x, y=y) + f" {unit}" * (unit != told)
 

@@ -9,9 +9,10 @@ from math import isclose
 from typing import Literal
 
 from graphkin.base.value import frozen
-from graphkin.files.values import UNITS
-from graphkin.model.mechanism import Dimension, KeyPath
-from graphkin.say.numbers import MOST_TYPED, given_figure, stated_figure
+from graphkin.files.values import DIMENSIONS, UNITS
+from graphkin.model.mechanism import Dimension, KeyPath, Mechanism
+from graphkin.model.units import EDGE
+from graphkin.say.numbers import MOST_TYPED, given_figure, number, stated_figure
 from graphkin.say.reading import Reading
 
 
@@ -109,7 +110,7 @@ def sized(
     size = Size(symbol, in_unit(value, unit, dimension), unit, shape=shape)
     stated = next((one for one in there if one.si is not None and isclose(abs(one.si), abs(value), rel_tol=1e-9)), None)
     if stated is None:
-        used = length_unit(reading) if dimension == "length" else unit
+        used = length_unit(reading.mechanism) if dimension == "length" else unit
         own = f"{given_figure(in_unit(value, used, dimension))} {used}"
         return size if used == unit else replace(size, written=own, worked=_worked(size, used))
     figure, other = _split(stated.written) if isinstance(stated.written, str) else ("", unit)
@@ -148,9 +149,18 @@ def in_unit(value: float, unit: str, dimension: Dimension) -> float:
     return value * divided / times
 
 
-def length_unit(reading: Reading) -> str:
+def in_files_unit(mechanism: Mechanism, value: float, unit: str) -> str:
+    """`48.58 in/s`: a value [SI] in the unit of the file; "" in a file in mm or m, and of what has no length in it."""
+    dimension, length = DIMENSIONS.get(unit, "angle"), length_unit(mechanism)
+    if length in ("mm", "m") or dimension not in ("length", "velocity", "acceleration"):
+        return ""
+    own = length + EDGE[unit].sign.lstrip("m")
+    return f"{number(in_unit(value, own, dimension))} {own}"
+
+
+def length_unit(mechanism: Mechanism) -> str:
     """The unit in which the file states most of its lengths."""
-    stated = [each for each in reading.mechanism.given.values() if each.dimension == "length" and each.si]
+    stated = [each for each in mechanism.given.values() if each.dimension == "length" and each.si]
     lengths = (each.written for each in stated if each.path[0] != "sketch")
     units = Counter(_split(text)[1] if isinstance(text, str) else "mm" for text in lengths)
     return next((unit for unit, _ in units.most_common(1)), "mm")

@@ -15,6 +15,7 @@ from graphkin.running.path import Event
 from graphkin.say.catalogue import say
 from graphkin.say.names import in_signs, relative
 from graphkin.say.numbers import at_edge, exact, number
+from graphkin.say.sizes import in_files_unit
 from graphkin.say.text_table import table, unbraced
 from graphkin.studies.sweeps import Course, Series, Sweep
 from graphkin.studies.sweeps.course import SEEN, TURN
@@ -30,7 +31,13 @@ def _at(course: Course, t: float) -> str:
 
 def _named(course: Course, value: float) -> str:
     """`AB = 41.2°`, by the driver's value."""
-    return f"{course.driver.name} = {at_edge(value, course.unit)}"
+    return f"{course.driver.name} = {_in_both_units(course, value)}"
+
+
+def _in_both_units(course: Course, value: float) -> str:
+    """`41.2°`, `60.96 mm`; of a file in inches in these, too: `60.96 mm (2.4 in)`."""
+    own = in_files_unit(course.method.mechanism, value, course.unit) if value else ""
+    return at_edge(value, course.unit) + (f" ({own})" if own else "")
 
 
 def why(event: Event, lang: Lang) -> str:
@@ -63,9 +70,8 @@ def one_of_several(course: Course, driver: str, lang: Lang) -> Iterator[str]:
 
 def remarks(course: Course, lang: Lang) -> Iterator[str]:
     """The range of the driver, and what it passes through."""
-    unit = course.unit
     if not course.full_turn:
-        low, high = (at_edge(value, unit) for value in course.reach)
+        low, high = (_in_both_units(course, value) for value in course.reach)
         yield say("sweeps.range", lang, driver=course.driver.name, low=low, high=high)
         yield from (stop_line(course, stop, lang) for stop in course.stops)
         if link := _driven_through(course):

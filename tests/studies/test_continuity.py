@@ -258,3 +258,11 @@ def test_at_the_dead_points_of_a_driver_another_link_is_named_that_goes_on(lang,
     turned = course(plan(loads(TRAMMEL.replace("DRIVER", '{ vector = "XY", angle = 126, omega = 1 }'))))
     assert turned.full_turn
     assert not any(told in line for line in remarks(turned, lang))
+
+
+def test_limits_of_a_file_in_inches_are_told_in_these_too():
+    inches = TRAMMEL.replace("4.XY = 120", '4.XY = "4.75 in"').replace("DRIVER", '{ slide = "bed", at = "2.9 in", velocity = -9 }')
+    told = "\n".join(remarks(course(plan(loads(inches))), "en"))
+    assert "bed moves from −120.65 mm (−4.75 in) to 120.65 mm (4.75 in)" in told.replace("120.650", "120.65").replace("4.750", "4.75")
+    metric = "\n".join(remarks(course(plan(loads(TRAMMEL.replace("DRIVER", '{ slide = "bed", at = 70, velocity = -9 }')))), "en"))
+    assert " in)" not in metric
