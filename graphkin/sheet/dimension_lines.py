@@ -36,6 +36,7 @@ _RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
 _BLOCK, _GROUND = 6.2, 7.0  # from the middle of a block, from a pivot past its ground to an extension line [mm]
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
+_SHORT = 8.5  # the arm of an angle on a shorter bar is drawn on as far as past the arc [mm]
 _CLEAR = 2.2  # between an arc and what else there is [mm]
 
 
@@ -245,8 +246,8 @@ def _arc_with_room(
     for radius in _RADII:
         off = math.copysign(min(2 / radius, abs(corner.turn) / 2), corner.turn)
         arc = arc_places(ArcMark(at, radius, start - off, 2 * off - corner.turn))
-        ends = [at + arm * (radius + _BEYOND) for arm, reach in arms if not reach]
-        on = [reach - radius - HINGE for _, reach in arms if reach]
+        ends = [at + arm * (radius + _BEYOND) for arm, reach in arms if _goes_on(reach, radius)]
+        on = [(radius - reach if _goes_on(reach, radius) else reach - radius) - HINGE for _, reach in arms if reach]
         apart = min([_CLEAR, *(abs(place - other) for place in arc for other in others)])
         free = min([apart, *on, clearance(skeleton, *arc, *ends)])
         tried.append(((round(free, 1), round(apart, 1)), radius, arc))
@@ -256,19 +257,24 @@ def _arc_with_room(
 def _angle(
     size: Size, corner: Corner, skeleton: Skeleton, arms: Sequence[tuple[complex, float]], radius: float
 ) -> Figure:
-    """The arc with its value, and the arms that no bar of a link has."""
+    """The arc with its value, and the arms that no bar of a link has so far."""
     (first, _), at, step = arms[0], skeleton.window(corner.at), skeleton.step(*corner.points)
     middle = first * cmath.rect(1, -corner.turn / 2)
     want = LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1, between=True)
     figure = Figure(angle_arc(at, radius, first, -corner.turn, step), [want])
-    for arm in (arm for arm, reach in arms if not reach):
-        end = at + arm * (radius + _BEYOND)
-        figure.marks.append(Stroke((at + arm * 2 * HINGE, end), "thin", step=step))
-        if arm == first and abs(corner.start - 1) < 1e-9 and len(corner.points) > 1:  # the x axis at a driven link
+    for arm, reach in (each for each in arms if _goes_on(each[1], radius)):
+        end, start = at + arm * (radius + _BEYOND), at + arm * (reach + 2 * HINGE)
+        figure.marks.append(Stroke((start, end), "thin", step=step))
+        if arm == first and not reach and abs(corner.start - 1) < 1e-9 and len(corner.points) > 1:  # the x axis at a driven link
             figure.marks.append(arrow_head(end, arm, step, THIN_HEAD))
             x = plain("x", italic=True)
             figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm, step=step, spare=True))
     return figure
+
+
+def _goes_on(reach: float, radius: float) -> bool:
+    """Whether an arm is drawn as far as past an arc: that of a short bar, or that no bar has."""
+    return reach < min(radius, _SHORT)
 
 
 def _lies_on(at: Place, arm: complex, bar: tuple[Place, Place]) -> bool:

@@ -198,8 +198,9 @@ def _arcs(
         radius, start = max(free, key=lambda way: (free[way][0] > _OFF, starts[way[1]], -way[0], free[way][1]))
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         figure.marks += symbols.spin(at, start * half, sense * symbols.SWEEP, radius, step, shows)
-        # off the link, on the side where its angle is not
-        off = start * half ** (1.5 if (sense > 0) == ((driver.value or 0.0) >= 0) else 0.0)
+        # off the link, on the side where its angle is not; of two at its own head, which is not on the other's side
+        at_head = len({*senses.values()}) > 1 or (sense > 0) == ((driver.value or 0.0) >= 0)
+        off = start * half ** (1.5 if at_head else 0.0)
         label = joined([quantity_label(letter, called) for letter in text])
         figure.wanted.append(LabelRequest(label, at + off * radius, gap=0.3, away=off, step=step))
 

@@ -23,11 +23,12 @@ from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, quantity_label
 from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.obstacles import arc_places, bounds
+from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.wheels import circles, disc
+from graphkin.sheet.window import PLANES
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
 _MIDDLE = (6.0, 8.0, 4.5)  # and of those about the middle of a coupler, where no other is [mm]
@@ -108,12 +109,13 @@ class MechanismNotes:
 
     def _ways(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
         """Places of an arc with its letter, in the colour of the polygon; last those where that letter, or another's,
-        would be nearer to a foreign arc."""
+        would be nearer to a foreign head."""
         plane, link = plane_of(turn), turn.link
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._turns[turn])
         label = quantity_label(turn.letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
-        alike = [mark for mark in free.marks if isinstance(mark, ArcMark | Text) and mark.accent == plane]
+        alike = [mark for mark in free.marks
+                 if _is_head(mark) or (isinstance(mark, Text) and mark.accent in PLANES[1:])]  # fmt: skip
         unclear = list[tuple[Arc, list[Mark]]]()
         for place in islice(self._places(link, free, beside), _TRIED):
             points, radius, middle, crossing, sweep = place
@@ -182,13 +184,18 @@ class MechanismNotes:
                 yield (point,), radius, middle, False, SWEEP
 
 
+def _is_head(mark: Mark) -> bool:
+    """True for the head of an arc that shows how a link turns."""
+    return isinstance(mark, Stroke) and mark.shows is not None and mark.shows.form in ("omega", "alpha")
+
+
 def _apart(new: Sequence[Mark], others: Sequence[Mark]) -> bool:
-    """True where the letters of an arc are nearest to it, and those of others to theirs."""
+    """True where the letters of an arc are nearer to its head than to others, and those of others to theirs."""
 
     def off(text: Text, marks: Sequence[Mark]) -> float:
         left, top, right, bottom = bounds([text])
-        arcs = (arc_places(mark) for mark in marks if isinstance(mark, ArcMark))
-        return min((abs(at - complex(left + right, top + bottom) / 2) for arc in arcs for at in arc), default=math.inf)
+        heads = (mark.places[0] for mark in marks if isinstance(mark, Stroke) and _is_head(mark))
+        return min((abs(tip - complex(left + right, top + bottom) / 2) for tip in heads), default=math.inf)
 
     pairs = ((text, own, foreign) for own, foreign in ((new, others), (others, new)) for text in own)
     return all(off(text, own) < off(text, foreign) for text, own, foreign in pairs if isinstance(text, Text))
