@@ -265,7 +265,8 @@ def _angle(
     for arm, reach in (each for each in arms if _goes_on(each[1], radius)):
         end, start = at + arm * (radius + _BEYOND), at + arm * (reach + 2 * HINGE)
         figure.marks.append(Stroke((start, end), "thin", step=step))
-        if arm == first and not reach and abs(corner.start - 1) < 1e-9 and len(corner.points) > 1:  # the x axis at a driven link
+        level = arm == first and not reach and abs(corner.start - 1) < 1e-9
+        if level and len(corner.points) > 1:  # the x axis at a driven link
             figure.marks.append(arrow_head(end, arm, step, THIN_HEAD))
             x = plain("x", italic=True)
             figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm, step=step, spare=True))

@@ -208,7 +208,8 @@ _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = rf"(?:(?<=[⊥∥→·∆])|(?<=× )|(?<=[A-Z]/))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
 _NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z′]*\d)(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
 _NODE = re.compile(r"[a-z]\d*(?:_\d+|,\d+(?=′))?′*(?:(?<=′)\d+′*)?")
-_WITH_WORD = r"[A-Za-z]\d*′+_[^\W\d_]\w*′*|(?:[a-z](?=_[a-z])|[b-km-ru-z])_[^\W\d_]\w*′+"  # b′_lever″, n_lever′, n_OA′
+_CORNER_LETTER = r"(?:[a-z](?=_[a-z])|(?![ervxy]_[A-Z])[b-km-ru-z])"  # of n_lever′, n_OA′; v_E′ is a motion of E′
+_WITH_WORD = rf"[A-Za-z]\d*′+_[^\W\d_]\w*′*|{_CORNER_LETTER}_[^\W\d_]\w*′+"  # b′_lever″, too
 _WORDED = rf"(?<![A-Za-z])(?:[a-z]\d*′+)*(?:{_WITH_WORD})+(?:[a-z]\d*′+)*"
 _EACH = re.compile(rf"{_WITH_WORD}|[a-z]\d*′+")
 _STRETCH = (

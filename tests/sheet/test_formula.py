@@ -26,6 +26,8 @@ def _set(text: str) -> str:
         ("∆sk11f ∽ ∆SKF", "∆*sk*[11]*f* ∽ ∆*SKF*"),
         ("∆z2′ a1′ u1_3′ ∽ ∆Z2A1U1", "∆*z*[2]′ *a*[1]′ *u*[1,3]′ ∽ ∆*Z*[2]*A*[1]*U*[1]"),
         ("25.4 mm = 1 in", "25.4 mm = 1 in"),
+        ("v_E′ = v_C′ + v_E′C′, e_E′", "*v*[*E*][′] = *v*[*C*][′] + *v*[*E*][′][*C*][′], *e*[*E*][′]"),
+        ("n_OA′ and n_lever′", "*n*[*OA*]′ and *n*[*lever*]′"),
         ("由 p 作矢量 ⊥DE，得 w。", "由 *p* 作矢量 ⊥*DE*，得 *w*。"),
         ("so a and d4 lie on p", "so *a* and *d*[4] lie on *p*"),
         ("From A draw a line: e = 15 mm, n = 100 r/min", "From *A* draw a line: *e* = 15 mm, *n* = 100 r/min"),

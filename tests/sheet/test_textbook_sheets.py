@@ -7,9 +7,11 @@ import math
 from itertools import combinations, pairwise
 
 import pytest
-from library_sheets import textbook_sheet
+from library_sheets import library_sheet, textbook_sheet
 
+from graphkin import Drawing
 from graphkin.base.lines import crossing, off_stretch
+from graphkin.files import library
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text, VectorMark
@@ -104,3 +106,35 @@ def test_a_knotted_polygon_is_rather_larger_than_full_of_details() -> None:
     arrows = [mark for mark in page.marks if isinstance(mark, VectorMark) and mark.plane == "acceleration"]
     assert max(abs(one.end - other.end) for one in arrows for other in arrows) > 70
     assert sum(" : 1)" in letters(mark) for mark in page.marks if isinstance(mark, Text)) == 1
+
+
+def _nearest_head(page: Sheet, name: Text) -> tuple[str, str]:
+    heads = [(mark.places[0], mark.shows) for mark in page.marks if isinstance(mark, Stroke) and mark.shows]
+    turns = [(abs(tip - middle(name)), shows.form, shows.link) for tip, shows in heads if shows.form in ("omega", "alpha")]
+    return min(turns)[1:]
+
+
+@pytest.mark.parametrize(("omega", "alpha"), [(10, -20), (-10, 20)])
+def test_a_crank_that_is_braked_has_each_letter_at_its_own_head(omega: float, alpha: float) -> None:
+    page = Drawing.of(library.load("s3-four").with_(omega=omega, alpha=alpha)).sheet(only="position")
+    for word, form in (("ω1", "omega"), ("α1", "alpha")):
+        assert [_nearest_head(page, mark) for mark in texts(page, word)] == [(form, "1")]
+
+
+@pytest.mark.parametrize("name", ["s3-four", "ex3-7", "s4-ex2", "s4-ex5"])
+def test_the_letter_of_an_asked_turn_is_nearest_to_its_own_head(name: str) -> None:
+    page = library_sheet(name)
+    names = [mark for mark in page.marks if isinstance(mark, Text) and letters(mark)[0] in "ωα" and letters(mark)[1:].isdigit()
+             and mark.accent in ("velocity", "acceleration")]  # fmt: skip
+    assert len(names) > 1
+    for mark in names:
+        assert _nearest_head(page, mark) == ({"ω": "omega", "α": "alpha"}[letters(mark)[0]], letters(mark)[1:])
+
+
+def test_the_arc_of_an_angle_is_off_that_of_a_short_crank() -> None:
+    """A crank of 7 mm on paper: its arm is drawn on to the arc of its angle."""
+    page = Drawing.of(library.load("s3-four").with_(AB=4)).sheet()
+    arcs = [mark for mark in page.marks if isinstance(mark, ArcMark) and abs(mark.centre - point(page, "A")) < 0.05]
+    assert {arc.pen for arc in arcs} == {"thin", "vector"}
+    assert abs(point(page, "B") - point(page, "A")) < 8.5
+    assert min(one.radius for one in arcs if one.pen == "thin") > 2 + max(one.radius for one in arcs if one.pen == "vector")
