@@ -309,6 +309,16 @@ def drawn_value(reading: Reading, driver: Driver | Pose, value: float, path: Key
     return sized(reading, reading.against(driver, "φ"), value, "angle", (*path, "angle"), shape=corner)
 
 
+def _pose(reading: Reading, pose: Pose, path: KeyPath) -> Size:
+    """A condition of the drawn position; at another one as the angle that is seen there, by its symbol alone."""
+    size = drawn_value(reading, pose, pose.value, path)
+    if isinstance(corner := size.shape, Corner) and pose.vector is not None:
+        seen = phase(reading.arm(*pose.vector) / corner.start)
+        if abs(rect(1, seen) - rect(1, corner.turn)) > 1e-6:
+            return replace(size, moved=True, shape=replace(corner, turn=seen))
+    return size
+
+
 # --- all of them ------------------------------------------------------------------------------------------------------
 
 
@@ -317,7 +327,7 @@ def sizes(reading: Reading) -> list[Size]:
     machine = reading.mechanism
     every = [*frame_sizes(reading), *(size for link in machine.moving for size in link_sizes(reading, link))]
     every += [*guide_sizes(reading), *(size for pair in machine.pairs for size in radii(reading, pair))]
-    every += [drawn_value(reading, pose, pose.value, ("pose", k)) for k, pose in enumerate(machine.poses)
+    every += [_pose(reading, pose, ("pose", k)) for k, pose in enumerate(machine.poses)
               if pose.kind != "slide" or pose.link not in _racks(reading)]  # fmt: skip
     for k, driver in enumerate(machine.drivers):
         place, *rates = driven(reading, k, driver)

@@ -123,7 +123,7 @@ class Planes:
         now, drivers = self.plot.facts.values, self.method.mechanism.drivers
         moved = {driven(reading, k, driver)[0].symbol for k, driver in enumerate(drivers)
                  if driver.value is not None and abs(driver.value - float(now[k])) > 1e-9}  # fmt: skip
-        return [replace(size, moved=size.symbol in moved) for size in every]
+        return [replace(size, moved=size.moved or size.symbol in moved) for size in every]
 
     @cached_property
     def panels(self) -> dict[tuple[object, ...], Panel]:

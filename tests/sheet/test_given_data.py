@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+from cmath import phase
 from collections import Counter
 
 from library_sheets import textbook_sheet
 
+from graphkin.base.geometry import place
 from graphkin.construction import Plot
 from graphkin.files import loads
 from graphkin.planning import Method, plan
@@ -13,7 +16,7 @@ from graphkin.running import replay_all
 from graphkin.say.dimensions import sizes
 from graphkin.say.reading import Reading
 from graphkin.sheet import sheet
-from graphkin.sheet.marks import PointMark, Stroke, Text
+from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text
 
 ROLLER = """
 frame = { }
@@ -103,3 +106,31 @@ def test_an_extension_line_begins_at_what_is_measured() -> None:
              and abs(mark.places[0].real - points["A"].real) < 0.1 and mark.places[0].real == mark.places[-1].real]  # fmt: skip
     assert level
     assert all(abs(place - points["C"]) > 8 for places in level for place in places)
+
+
+POSED = """
+ask = ["theta 1", "omega 3"]
+frame = { A = [0, 0], D = [71, -23] }
+links = { 1.AB = 27.5, 2.BC = 88, 3.DC = 63 }
+[[driver]]
+vector = "AB"
+omega = -7.7
+[[pose]]
+vector = "DC"
+angle = 104
+[sketch]
+B = [-20, -18]
+C = [56, 38]
+"""
+
+
+def test_a_pose_that_is_not_the_one_drawn_stands_by_its_symbol() -> None:
+    """A problem that asks for an angle is drawn at another one: there the given one has another value, too."""
+    method = plan(loads(POSED))
+    for values, words in ((None, "φ3 = 104°"), ([math.radians(230)], "φ3")):
+        plot = replay_all(method, values)
+        page = sheet(method, plot, style="given")
+        assert words in {"".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)}
+        [arc] = [mark for mark in page.marks if isinstance(mark, ArcMark) and mark.pen == "thin"]
+        seen = phase(place(plot.position["C"] - plot.position["D"]))
+        assert abs(abs(arc.sweep) - seen) * arc.radius < 4.5, "but for the heads at its ends"
