@@ -109,7 +109,7 @@ class Explainer:
         if slips is not None:
             weighed = weighed.beside(self._scale.weigh_slips(given, slips))
         outcomes = _Outcomes(self._values, self._scatters, slips)
-        same = self._sets(weighed, outcomes)
+        same = self._sets(weighed, outcomes, given, wrong)
         # logarithms of the sums of those in the set, and of all
         largest = weighed.weights.max(axis=1, initial=-np.inf)
         base = np.where(np.isfinite(largest), largest, 0.0)
@@ -125,15 +125,17 @@ class Explainer:
             total = np.logaddexp(every, np.logaddexp(right, weighed.none))
             margin, probability = together - np.maximum(others, rest), np.exp(together - total)
         same[(probability < _LIKELY) | (together < right + MARGIN)] = False
-        who, row = np.nonzero(same)
+        follows = self._follows(outcomes, given, wrong, *np.nonzero(same))
+        return Best(same.any(axis=1), same, weighed.weights, weighed.none, probability, margin, follows)
+
+    def _follows(
+        self, outcomes: _Outcomes, given: np.ndarray, wrong: np.ndarray, who: np.ndarray, row: np.ndarray
+    ) -> np.ndarray:
+        """The wrong values that are as an explanation has them, for pairs of a student and an explanation (pairs, n)."""
         values, scatters = outcomes.of(who, row)
         reach = np.fmax(self._table.tolerance, FITS * scatters)
         follows = agrees(self._table, given[who], values, reach) & ~(shifts(self._table, values) < _STAYS)
-        follows = wrong[who] & (follows | outcomes.slip_at(row))
-        # some of a set may say nothing of what is wrong
-        explained = np.bincount(who[follows.any(axis=1)], minlength=len(given)) > 0
-        same &= explained[:, None]
-        return Best(explained, same, weighed.weights, weighed.none, probability, margin, follows[explained[who]])
+        return np.asarray(wrong[who] & (follows | outcomes.slip_at(row)))
 
     def partly(self, given: np.ndarray, wrong: np.ndarray) -> Iterator[Explanation | None]:
         """For each student's values (students, quantities of the key) the mistake that explains two of the wrong ones
@@ -163,18 +165,22 @@ class Explainer:
         explains = tuple(self.texts[n] for n in np.flatnonzero(explained[best]))
         return Explanation(tuple(self.names[row] for row in rows), probability, together - others, explains)
 
-    def _sets(self, weighed: Weighed, outcomes: _Outcomes) -> np.ndarray:
-        """The best of those that fit, with all that cannot be told from it (students, m)."""
+    def _sets(self, weighed: Weighed, outcomes: _Outcomes, given: np.ndarray, wrong: np.ndarray) -> np.ndarray:
+        """The best of those that fit, with all that cannot be told from it (students, m). What says nothing of the wrong
+        values explains nothing."""
         fits = (weighed.worst <= FITS) & (weighed.chance <= _CHANCE)
         who, row = np.nonzero(fits)
+        says = self._follows(outcomes, given, wrong, who, row).any(axis=1)
+        fits[who[~says], row[~says]] = False
+        who, row = who[says], row[says]
         if not who.size:
             return fits
         first = np.where(fits, weighed.weights, -np.inf).argmax(axis=1)[who]
         shares = np.append(self._scale.shares, np.zeros(fits.shape[1] - len(self._scale.shares)))
         likely = weighed.weights - shares
         alike = likely[who, row] > likely[who, first] - MARGIN
-        # what scatters together is known roughly: values as near one by one are not told apart by that
-        alike |= weighed.near[who, row] < weighed.near[who, first] + 2 * MARGIN
+        # what scatters together is known roughly: values as likely one by one are not told apart by that
+        alike |= weighed.apart[who, row] > weighed.apart[who, first] - MARGIN
         # so are those that say nearly the same as the best, and judge the same
         (one, scatters), (other, _) = outcomes.of(who, row), outcomes.of(who, first)
         with np.errstate(invalid="ignore"):

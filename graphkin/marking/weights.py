@@ -35,24 +35,24 @@ class Weighed:
 
     weights (students, m); `right`, `none`: of right work, and of work that nothing explains (students,)
     worst   by how many standard deviations the worst value is off (students, m)
-    near    sum of the squares of all values' deviations, in standard deviations (students, m)
+    apart   logarithms of the densities, were each value's deviation its own (students, m)
     chance  how often random numbers come as near to any of as many values (students, m); 1 where that is far
     """
 
     weights: np.ndarray
     worst: np.ndarray
-    near: np.ndarray
+    apart: np.ndarray
     chance: np.ndarray
     right: np.ndarray
     none: np.ndarray
 
     def beside(self, slips: Weighed) -> Weighed:
         """With the weights of further explanations of the same students."""
-        weights, worst, near, chance = (
+        weights, worst, apart, chance = (
             np.concatenate([getattr(one, name) for one in (self, slips)], axis=1)
-            for name in ("weights", "worst", "near", "chance")
+            for name in ("weights", "worst", "apart", "chance")
         )
-        return Weighed(weights, worst, near, chance, self.right, self.none)
+        return Weighed(weights, worst, apart, chance, self.right, self.none)
 
 
 @frozen
@@ -151,11 +151,12 @@ class ScaledExplanations:
         row, who = np.nonzero((np.isfinite(off) | own).all(axis=2).T)  # row by row
         near, worst, density, chance = self._slips.closely(np.where(own[row], 0.0, off[who, row]), row)
         larger = np.nansum(np.log(slips.scatters[who, row]), axis=1)
+        apart = -0.5 * (near + self._slips.count[row] * np.log(2 * np.pi)) - larger + _broad(table, given)[who, row]
         weights = density - larger + _broad(table, given)[who, row] + _SLIP - np.log(len(own))
-        every = np.full((4, *given.shape), [[[-np.inf]], [[np.inf]], [[np.inf]], [[1.0]]])
-        every[:, who, row] = weights, worst, near, chance
-        weights, worst, near, chance = every
-        return Weighed(weights, worst, near, chance, np.empty(0), np.empty(0))
+        every = np.full((4, *given.shape), [[[-np.inf]], [[np.inf]], [[-np.inf]], [[1.0]]])
+        every[:, who, row] = weights, worst, apart, chance
+        weights, worst, apart, chance = every
+        return Weighed(weights, worst, apart, chance, np.empty(0), np.empty(0))
 
     @cached_property
     def _slips(self) -> _NormalRows:
@@ -169,9 +170,9 @@ class ScaledExplanations:
     def weigh(self, given: np.ndarray) -> Weighed:
         """For students' values (students, n)."""
         none = _none_density(self.table, given)
-        weights, worst, near, chance = self._one.weigh(given, none)
+        weights, worst, apart, chance = self._one.weigh(given, none)
         right = self._right.weigh(given, none)[0]
-        return Weighed(weights + self.shares, worst, near, chance, right[:, 0] + _RIGHT, none.sum(axis=1) + _NONE)
+        return Weighed(weights + self.shares, worst, apart, chance, right[:, 0] + _RIGHT, none.sum(axis=1) + _NONE)
 
 
 def once_known(together: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -264,8 +265,9 @@ class _NormalRows:
         return np.asarray(upright(self.table, self.size[k] + off))
 
     def weigh(self, given: np.ndarray, none: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Weights, worst deviations, sums of their squares, chance: (students, m) each. Where some value must be off by
-        more than fits, the worst is infinite, and the density without a common part will do."""
+        """Weights, worst deviations, densities without a common part, chance: (students, m) each, weights and densities as
+        logarithms. Where some value must be off by more than fits, the worst is infinite, and the density without a
+        common part will do."""
         given = upright(self.table, given)
         near = self._near(given)
         worst, chance = np.full_like(near, np.inf), np.ones_like(near)
@@ -276,11 +278,11 @@ class _NormalRows:
         weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
         close = self.closely(off * self.sharp[row], row)
         near[who, row], worst[who, row], weights[who, row], chance[who, row] = close
+        rest = np.broadcast_to(-self.own, near.shape)
         if not self.judged.all():  # of the quantities that a row does not judge nothing is known
-            weights = weights - self.own + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
-        else:
-            weights = weights - self.own
-        return weights, worst, near, chance
+            rest = rest + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
+        apart = rest - 0.5 * (near + self.count * np.log(2 * np.pi))
+        return weights + rest, worst, apart, chance
 
     def _near(self, given: np.ndarray) -> np.ndarray:
         """Sums of the squares of the deviations (students, m), multiplied out: near enough for those far off."""

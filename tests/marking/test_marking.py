@@ -301,6 +301,18 @@ def test_explains_and_margin():
     assert one.margin > 3
 
 
+@pytest.mark.parametrize("text, factor, expected", [("alpha 5", 0.1, {"decimal-slip"}), ("omega 5", -1.0, {"omega-sense", "centre-ratio", "slip"})])
+def test_what_says_nothing_of_a_wrong_value_or_of_which_a_right_one_is_unlikely_explains_nothing(text, factor, expected):
+    """A rotation whose sense a mistake leaves open; lines nearly parallel, whose values are of any size."""
+    one = marker(str(CASES / "jaw-crusher.toml"))
+    right = {entry.text: entry.right for entry in one.key.entries if entry.points}
+    work = StudentWork("s", {each: HandedNumber(value * (factor if each == text else 1.0)) for each, value in right.items()})
+    (found,) = one.mark([work])
+    wrong = {each.text for each in found.judged if each.verdict != "right"}
+    assert wrong == {text}
+    assert {id for each in found.diagnosis.explanations for id in each.ids} == expected
+
+
 def test_evidence_adds_up_over_problems():
     two = [
         marked({"omega 3": -3.92, "alpha 3": -37.3}).diagnosis,
