@@ -12,6 +12,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.kinematic_state import Motions
+from graphkin.model.naming import Seen
 from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.units import EDGE
@@ -37,6 +38,15 @@ if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
 
 _NO_DEVIATION = 1e-6  # parts below this are none [%]
+
+
+@frozen
+class _OtherName:
+    """A name under which a motion is worked out: that of another point, `elsewhere`, or of the opposite."""
+
+    name: str
+    elsewhere: bool
+    opposite: bool = False
 
 
 @frozen
@@ -86,8 +96,8 @@ class AnswerLines:
             case Moving():
                 size, vector = self.value(quantity), complex(quantity.vector(self._motions))
                 note = self.reading.heading(vector) if size else ""
-                if size and (turned := self._turned_round(quantity)):
-                    note = say("common.and").join((say("solution.opposite", name=turned), note))
+                if size and (solved := self._solved_as(quantity)):
+                    note = say("common.and").join((*self._clauses(quantity, solved), note))
                 worked = self._worked(quantity) if size and name not in self.calculated else ((), "")
                 return Calculation(name, *worked, size, unit.sign, note)
             case Component():
@@ -135,7 +145,8 @@ class AnswerLines:
                 site, method = quantity.site, self.reading.method
                 holding = method.mechanism.owners.get(site.point, ())
                 links = {site.link, *(holding if site.link in holding else ())}
-                labels = [self.goal.symbol(quantity), self._other_name(quantity), self._turned_round(quantity)]
+                solved = self._solved_as(quantity)
+                labels = [self.goal.symbol(quantity), *([solved.name] if solved else [])]
                 for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
                     if node.site is not None and node.site.point == site.point and node.site.link in links:
                         labels.append(names.vector(f"{quantity.letter}_{node.of}"))
@@ -154,40 +165,59 @@ class AnswerLines:
             case _:
                 assert_never(quantity)
 
-    def _other_name(self, quantity: Moving) -> str:
-        """The name by which the solution has worked out a motion seen from a point, where another link bears the same
-        pin: `aᵏ_A4A3` of `a_k A4A2`."""
-        method, owners = self.reading.method, self.reading.mechanism.owners
-        construction = method.velocity if quantity.letter == "v" else method.acceleration
-        for term in construction.vectors().values() if quantity.seen_from is not None else ():
-            name = names.vector(term.name(construction.plane))
-            if term.part == quantity.part and len(term.sites) == 2 and name in self.calculated and all(
-                one.point == other.point and {one.link, other.link} <= {one.link, *owners.get(one.point, ())}
-                for one, other in zip(term.sites, quantity.sites, strict=True)
-            ):  # fmt: skip
-                return name
-        return ""
-
-    def _turned_round(self, quantity: Moving) -> str:
-        """The name by which the solution has worked out the same motion seen from the other point, where it is the
-        opposite: `v_B3B2` of `v B2B3`; "" where it is not so, or where it has this one."""
-        if quantity.seen_from is None or self.goal.symbol(quantity) in self.calculated or self._other_name(quantity):
-            return ""
+    def _solved_as(self, quantity: Moving) -> _OtherName | None:
+        """What the solution has worked out in place of a motion seen from a point: `aᵏ_A4A3` of `a_k A4A2`, where
+        another link bears the same pin; `v_C2C3` of `v B2B3`, where the two links slide without turning; and where the
+        motion seen from the other point is the opposite, that: `v_B3B2` of `v B2B3`."""
+        if quantity.seen_from is None or self.goal.symbol(quantity) in self.calculated:
+            return None
+        if same := next(iter(self._names_of(quantity)), None):
+            return _OtherName(*same)
         other = replace(quantity, site=quantity.seen_from, seen_from=quantity.site)
         vectors = (complex(one.vector(self._motions)) for one in (quantity, other))
-        if not self.reading.usual.cut(abs(sum(vectors)), quantity.unit):
-            construction = self.reading.method.velocity if quantity.letter == "v" else self.reading.method.acceleration
-            for term in construction.vectors().values():
-                ends = [(site.point, site.link) for site in term.sites]
-                if term.part == quantity.part and ends == [(site.point, site.link) for site in other.sites]:
-                    name = names.vector(term.name(construction.plane))
-                    return name if name in self.calculated else ""
-        return ""
+        opposite = not self.reading.usual.cut(abs(sum(vectors)), quantity.unit)
+        turned = next(iter(self._names_of(other)), None) if opposite else None
+        return _OtherName(*turned, opposite=True) if turned else None
+
+    def _names_of(self, quantity: Moving) -> Iterator[tuple[str, bool]]:
+        """The names under which the solution has worked out a motion, and whether of another point; of this one first.
+        """
+        method = self.reading.method
+        construction = method.velocity if quantity.letter == "v" else method.acceleration
+        sliding = []
+        for term in construction.vectors().values():
+            name = names.vector(term.name(construction.plane))
+            if term.part == quantity.part and len(term.sites) == 2 and name in self.calculated:
+                pairs = list(zip(term.sites, quantity.sites, strict=True))
+                if all(one.point == other.point and self._borne(one, other) for one, other in pairs):
+                    yield name, False
+                elif self._slides(quantity) and _coincide(term.sites) and all(a.link == b.link for a, b in pairs):
+                    sliding.append((name, True))
+        yield from sliding
+
+    def _borne(self, one: Seen, other: Seen) -> bool:
+        """Whether two sites at one pin move as one: their links bear it, or one stands for it in its slot."""
+        owners = self.reading.mechanism.owners.get(one.point, ())
+        bears = one.link in owners or self.reading.method.structure.is_pin(one.link)
+        return one.link == other.link or (bears and other.link in owners)
+
+    def _slides(self, quantity: Moving) -> bool:
+        """Whether it is of coincident points of two links that slide without turning against each other."""
+        links = {site.link for site in quantity.sites}
+        return _coincide(quantity.sites) and any({s.guide, s.block} == links for s in self.reading.mechanism.slides)
+
+    def _clauses(self, quantity: Moving, solved: _OtherName) -> Iterator[str]:
+        """Why a motion is what the solution has worked out under another name."""
+        if solved.elsewhere:
+            one, other = (self.reading.link(site.link) for site in quantity.sites)
+            yield self.reading.say("solution.no turning", one=one, other=other)
+        if solved.opposite:
+            yield self.reading.say("solution.opposite", name=solved.name)
 
     def _worked(self, quantity: Moving) -> tuple[tuple[str, ...], Formula | str]:
         """How a motion is found that the solution has not worked out by its own name."""
-        if name := self._other_name(quantity):
-            return (name,), ""
+        if (solved := self._solved_as(quantity)) and not solved.opposite:
+            return (solved.name,), ""
         if quantity.part != "k" or quantity.seen_from is None:
             return (), ""
         slip, motions = replace(quantity, word="v", part=""), self._motions
@@ -215,6 +245,10 @@ class AnswerLines:
         read = self.reading.measured
         place = complex(read(place.real), read(place.imag))
         return coordinates(1000 * place, self.reading.lang, 1000 * self.reading.noise)
+
+
+def _coincide(sites: Sequence[Seen]) -> bool:
+    return len(sites) == 2 and sites[0].point == sites[1].point
 
 
 def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:

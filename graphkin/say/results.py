@@ -10,7 +10,7 @@ from graphkin.errors import Lang
 from graphkin.files.toml import Document
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Unit, driven, read
-from graphkin.model.quantities.kinds import Rotation
+from graphkin.model.quantities.kinds import Moving, Rotation, turning_link
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import centre_place
@@ -50,11 +50,24 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
                 size, note = entry.get("size", entry["value"]) * unit.factor, ""
                 if "vector" in entry:
                     note = heading(degrees(complex(*entry["vector"])), lang) if size else ""
+                    note = say("common.and", lang).join(filter(None, (note, _takes(mechanism, question, lang))))
                 elif isinstance(read(mechanism, question), Rotation) and entry["unit"] != "rad":
                     note = sense(size, lang) if size else ""
                 value = f"{exact(size)} {in_signs(unit.name)}".rstrip().replace(" °", "°")
                 yield f"  {name} = {value}" + (say("common.note", lang, note=note) if note else "")
         yield f"{say('results.worst', lang)}{colon}" + f"{position['worst']:.1e}".replace("-", "−")
+
+
+def _takes(mechanism: Mechanism, question: str, lang: Lang) -> str:
+    """Of parts seen from the link of a pin or a block, whose path is straight in the other: which rotation they take."""
+    quantity = read(mechanism, question)
+    if not isinstance(quantity, Moving) or quantity.seen_from is None or quantity.part not in ("k", "r"):
+        return ""
+    link = turning_link(mechanism, quantity.site, quantity.seen_from)
+    if link == quantity.seen_from.link:
+        return ""
+    point, called = names.point(quantity.site.point), mechanism.called(link)
+    return say("results.straight", lang, rate=names.of_link("ω", called), point=point, link=names.point(called))
 
 
 def _rows(mechanism: Mechanism, position: Document, lang: Lang) -> Iterator[list[str]]:

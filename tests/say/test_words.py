@@ -629,6 +629,47 @@ def test_points_of_a_link_that_is_a_word_are_suggested_as_they_are_written():
         drawn(YOKE.format(asked='"v A3A2"'))
 
 
+PIN_IN_SLOT = """
+ask = ["a_k E3E5"]
+frame = { name = "6", A = [0, 0], C = [14, -96] }
+links = { 1.AB = 37, 2.points = ["B"], 3.CD = 190, 5.points = ["E"] }
+slide = [{ block = "2", point = "B", guide = "3", through = "C", toward = "D" },
+         { pin = "E", guide = "3", through = "C", toward = "D" },
+         { block = "5", point = "E", guide = "frame", through = [0, 63] }]
+driver = [{ vector = "AB", angle = 158, omega = -6.7 }]
+sketch = { B = [-34, 14], D = [-65, 80], E = [-52, 63] }
+"""
+
+
+@pytest.mark.parametrize("lang", LANGS)
+def test_the_path_of_a_pin_is_straight_in_its_slot_whichever_way_round_it_is_asked(lang: Lang):
+    """What enters is the rotation of the slot: so says the solution, which has the opposite, and `solve`."""
+    method, plot = drawn(PIN_IN_SLOT)
+    (told,) = [line for line in explain(method, plot, SCALES, lang) if line.strip().startswith("aᵏ_E3E5 =")]
+    assert "= 2 ω3 v_E3E5 =" in told and phrase("solution.opposite", lang).format(name="aᵏ_E5E3") in told
+    printed = CliRunner().invoke(main, ["solve", "-", "--lang", lang], input=PIN_IN_SLOT).output
+    (line,) = [line for line in printed.splitlines() if "aᵏ_E3E5 =" in line]
+    assert phrase("results.straight", lang).format(rate="ω3", point="E", link="3") in line
+
+
+@pytest.mark.parametrize("lang", LANGS)
+def test_coincident_points_of_links_that_do_not_turn_against_each_other_slide_alike(lang: Lang):
+    """The solution has them at C, of which the velocity is known."""
+    method, plot = drawn("""
+ask = ["v B2B3", "a_k B2B3"]
+frame = { A = [0, 0], C = [60, 0] }
+links = { 1.AB = 30, 2.BK = 120, 3.points = ["C"] }
+slide = [{ block = "3", point = "C", guide = "2", through = "B", toward = "K" }]
+driver = [{ vector = "AB", angle = 110, omega = 10 }]
+sketch = { B = [-10, 28], K = [100, -20] }
+""")
+    lines = [line.strip() for line in explain(method, plot, SCALES, lang)]
+    for symbol in ("v_", "aᵏ_"):
+        (told,) = [line for line in lines if line.startswith(f"{symbol}B2B3 =")]
+        assert re.match(rf"{symbol}B2B3 = {symbol}C2C3 = [\d.]+ m/s", told)
+        assert phrase("solution.no turning", lang).format(one="2", other="3") in told
+
+
 @pytest.mark.parametrize(("lang", "told"), [("en", "A→B points the other way along the guide."), ("zh", "A→B 与导路方向相反。")])
 def test_a_rod_that_points_back_along_its_guide_is_said_to(lang: Lang, told: str):
     """Not its guide's direction turned by 180°."""

@@ -223,6 +223,8 @@ PHRASES: Phrases = {
     "solution.solution": ("Solution", "解"),
     "solution.answer": ("Answer", "答"),
     "solution.opposite": ("the opposite of {name}", "与 {name} 等值反向"),
+    "solution.no turning": ("links {one} and {other} do not turn against each other",
+                            "构件 {one} 与 {other} 无相对转动"),
     "solution.first position": ("Position #1 is solved here; the answers at the others stand at the end.",
                                 "以下求解位置 #1；其余各位置的结果列于最后。"),
     "solution.elsewhere": ("At the other positions, solved in the same way:", "其余各位置解法相同，结果如下："),

@@ -74,9 +74,9 @@ PHRASES: Phrases = {
                                "v CB、a CB、a_n CB、a_t CB：同一构件上 C 相对 B"),
     "file_page.ask coincident": ("v B3B2, a_k B3B2, a_r B3B2: of coincident points; B3 is the point of link 3 under "
                                  "point B; a_k takes the ω of link 2, or of 3 where B is a pin or block of 2 that slides "
-                                 "along 3; of links whose names are longer B@rod is that of rod: v B@rod, a_k B@rod,B@tube",
+                                 "along 3: the path is straight there, and a_k B2B3 is the opposite; of links whose names are longer B@rod is that of rod: v B@rod, a_k B@rod,B@tube",
                                  "v B3B2、a_k B3B2、a_r B3B2：重合点；B3 是构件 3 上与 B 重合的点；"
-                                 "a_k 取构件 2 的 ω，若 B 是 2 上沿 3 滑动的销或滑块，则取 3 的；构件名较长时，rod 上的点写作 B@rod：v B@rod、a_k B@rod,B@tube"),
+                                 "a_k 取构件 2 的 ω，若 B 是 2 上沿 3 滑动的销或滑块，则取 3 的（B 相对 3 沿直线移动），a_k B2B3 与之等值反向；构件名较长时，rod 上的点写作 B@rod：v B@rod、a_k B@rod,B@tube"),
     "file_page.ask displacement": ("s ram: displacement of a named slide", "s ram：有名称的移动副的位移"),
     "file_page.ask centre": ("P13: an instant centre (P1,3' where names are longer)", "P13：瞬心（名称较长时写 P1,3'）"),
     "file_page.ask quotient": ("omega 1 / omega 3: a quotient of two of one unit", "omega 1 / omega 3：两个同单位量之比"),

@@ -14,6 +14,8 @@ PHRASES: Phrases = {
     "results.position": ("position", "位置"),
     "results.asked": ("asked", "所求"),
     "results.not answered": ("not answered by this command", "本命令不作答"),
+    "results.straight": ("with {rate}, as the path of {point} is straight in link {link}",
+                         "取 {rate}，因 {point} 相对构件 {link} 沿直线移动"),
     "results.worst": ("worst relative difference", "最大相对误差"),
     # === a drawing measured
     "checks.drawn": ("drawn [mm]", "图上 [mm]"),
