@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
-from graphkin.construction import LayOff, Plane
+from graphkin.construction import LayOff, Plane, Term
 from graphkin.errors import Lang
 from graphkin.handouts.document import GridRoom, HandoutTable, TermRows
 from graphkin.handouts.problem import ROOM, HandoutProblem
@@ -53,13 +53,24 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
     direction = 0.0
     for step in steps:  # the first arrow that is laid off is given with the driver
         if isinstance(step, LayOff) and abs(arrow := place(points[step.term.head] - points[step.term.tail])) > 0:
-            direction = cmath.phase(arrow) % math.pi
+            direction = cmath.phase(arrow) % math.pi if _may_be_shown(problem, step.term) else 0.0
             break
     mark = point_label("x") if plane == "position" else plain(f"{round(math.degrees(direction), 1):g}°")
     words = say(f"sheet.plane {plane}", problem.lang)
     name = pole or next(letter for letter in ("O", "O'", "O''") if letter not in machine.points)
     scale = float(problem.scales[plane])
     return GridRoom(words, wide, tall, at, point_label(name), direction, mark, plane, scale)
+
+
+def _may_be_shown(problem: HandoutProblem, term: Term) -> bool:
+    """Whether the direction of an arrow gives nothing away: where a place, an angle or a centre is asked for, it must
+    follow from that of a link that is given, or from a guide of the frame."""
+    if problem.posed_at is not None and problem.posed_at[1]:
+        return True
+    machine = problem.drawing.mechanism
+    given = {one.link for one in (*machine.drivers, *machine.poses)
+             if one.kind == "angle" and one.value is not None and one.from_link == FRAME}  # fmt: skip
+    return any(site.link == FRAME or site.link in given for site in term.sites)
 
 
 def _placed(low: float, high: float, room: float, lot: float) -> float:

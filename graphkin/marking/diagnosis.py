@@ -131,7 +131,7 @@ class Explainer:
     def _follows(
         self, outcomes: _Outcomes, given: np.ndarray, wrong: np.ndarray, who: np.ndarray, row: np.ndarray
     ) -> np.ndarray:
-        """The wrong values that are as an explanation has them, for pairs of a student and an explanation (pairs, n)."""
+        """The wrong values that are as an explanation has them, of pairs of a student and an explanation (pairs, n)."""
         values, scatters = outcomes.of(who, row)
         reach = np.fmax(self._table.tolerance, FITS * scatters)
         follows = agrees(self._table, given[who], values, reach) & ~(shifts(self._table, values) < _STAYS)

@@ -148,6 +148,26 @@ def test_the_line_through_the_pole_is_explained(lang, said):
     assert said in "".join(run.text for run in text)
 
 
+@pytest.mark.parametrize(("given", "at"), [("", 0), ("angle = 263.6\n", 173.6)])
+def test_the_line_through_the_pole_does_not_give_an_asked_angle_away(given, at):
+    """The crank's, where the rocker's is given; where the crank's own is, it may be used."""
+    pose = "" if given else '[[pose]]\nvector = "DC"\nangle = 104\n'
+    machine = loads(f"""
+ask = ["theta 1", "theta 3", "v C", "a C"]
+frame = {{ A = [0, 0], D = [71, -23] }}
+links = {{ 1.AB = 27.5, 2.BC = 88, 3.DC = 63 }}
+sketch = {{ B = [-20, -18], C = [56, 38] }}
+{pose}
+[[driver]]
+vector = "AB"
+omega = -7.7
+{given}""")
+    rooms = [block for block in handout([machine], "blank", "en").blocks if isinstance(block, GridRoom)]
+    assert [room.plane for room in rooms] == ["position", "velocity", "acceleration"]
+    for room in rooms[1:]:
+        assert np.degrees(room.direction) % 90 == pytest.approx(at % 90, abs=0.1)
+
+
 @pytest.mark.parametrize("upto", [0, 1, 2])
 def test_a_half_worked_solution_stops_between_equations(upto):
     made = handout([loaded("ex3-5")], "half", "en", upto=upto)
