@@ -14,7 +14,7 @@ from graphkin.errors import Lang
 from graphkin.handouts.document import GridRoom, HandoutTable, TermRows
 from graphkin.handouts.problem import ROOM, HandoutProblem
 from graphkin.marking.answers import asked_of
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Driver, Pose
 from graphkin.model.quantities import EDGE, Centre, Moving, Rotation, Track, at_position
 from graphkin.say import names
 from graphkin.say.catalogue import say
@@ -68,8 +68,8 @@ def _may_be_shown(problem: HandoutProblem, term: Term) -> bool:
     if problem.posed_at is not None and problem.posed_at[1]:
         return True
     machine = problem.drawing.mechanism
-    given = {one.link for one in (*machine.drivers, *machine.poses)
-             if one.kind == "angle" and one.value is not None and one.from_link == FRAME}  # fmt: skip
+    turned: tuple[Driver | Pose, ...] = (*machine.drivers, *machine.poses)
+    given = {one.link for one in turned if one.kind == "angle" and one.value is not None and one.from_link == FRAME}
     return any(site.link == FRAME or site.link in given for site in term.sites)
 
 

@@ -126,7 +126,7 @@ class Explainer:
             margin, probability = together - np.maximum(others, rest), np.exp(together - total)
         same[(probability < _LIKELY) | (together < right + MARGIN)] = False
         follows = self._follows(outcomes, given, wrong, *np.nonzero(same))
-        return Best(same.any(axis=1), same, weighed.weights, weighed.none, probability, margin, follows)
+        return Best(np.asarray(same.any(axis=1)), same, weighed.weights, weighed.none, probability, margin, follows)
 
     def _follows(
         self, outcomes: _Outcomes, given: np.ndarray, wrong: np.ndarray, who: np.ndarray, row: np.ndarray
@@ -166,8 +166,8 @@ class Explainer:
         return Explanation(tuple(self.names[row] for row in rows), probability, together - others, explains)
 
     def _sets(self, weighed: Weighed, outcomes: _Outcomes, given: np.ndarray, wrong: np.ndarray) -> np.ndarray:
-        """The best of those that fit, with all that cannot be told from it (students, m). What says nothing of the wrong
-        values explains nothing."""
+        """The best of those that fit, with all that cannot be told from it (students, m). What says nothing of
+        the wrong values explains nothing."""
         fits = (weighed.worst <= FITS) & (weighed.chance <= _CHANCE)
         who, row = np.nonzero(fits)
         says = self._follows(outcomes, given, wrong, who, row).any(axis=1)

@@ -265,8 +265,8 @@ class _NormalRows:
         return np.asarray(upright(self.table, self.size[k] + off))
 
     def weigh(self, given: np.ndarray, none: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Weights, worst deviations, densities without a common part, chance: (students, m) each, weights and densities as
-        logarithms. Where some value must be off by more than fits, the worst is infinite, and the density without a
+        """Weights, worst deviations, densities without a common part, chance: (students, m) each; weights and densities
+        as logarithms. Where some value must be off by more than fits, the worst is infinite, and the density without a
         common part will do."""
         given = upright(self.table, given)
         near = self._near(given)

@@ -180,8 +180,7 @@ class AnswerLines:
         return _OtherName(*turned, opposite=True) if turned else None
 
     def _names_of(self, quantity: Moving) -> Iterator[tuple[str, bool]]:
-        """The names under which the solution has worked out a motion, and whether of another point; of this one first.
-        """
+        """The names under which the solution has worked out a motion, and whether of another point; those last."""
         method = self.reading.method
         construction = method.velocity if quantity.letter == "v" else method.acceleration
         sliding = []

@@ -59,7 +59,7 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
 
 
 def _takes(mechanism: Mechanism, question: str, lang: Lang) -> str:
-    """Of parts seen from the link of a pin or a block, whose path is straight in the other: which rotation they take."""
+    """Of parts seen from the link of a pin or a block whose path is straight in the other: whose rotation they take."""
     quantity = read(mechanism, question)
     if not isinstance(quantity, Moving) or quantity.seen_from is None or quantity.part not in ("k", "r"):
         return ""

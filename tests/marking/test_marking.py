@@ -301,7 +301,7 @@ def test_explains_and_margin():
     assert one.margin > 3
 
 
-@pytest.mark.parametrize("text, factor, expected", [("alpha 5", 0.1, {"decimal-slip"}), ("omega 5", -1.0, {"omega-sense", "centre-ratio", "slip"})])
+@pytest.mark.parametrize(("text", "factor", "expected"), [("alpha 5", 0.1, {"decimal-slip"}), ("omega 5", -1.0, {"omega-sense", "centre-ratio", "slip"})])
 def test_what_says_nothing_of_a_wrong_value_or_of_which_a_right_one_is_unlikely_explains_nothing(text, factor, expected):
     """A rotation whose sense a mistake leaves open; lines nearly parallel, whose values are of any size."""
     one = marker(str(CASES / "jaw-crusher.toml"))
