@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache, cached_property
 from itertools import product
+from typing import NamedTuple
 
 from graphkin.base.lines import off_stretch
 from graphkin.base.value import frozen
@@ -36,7 +37,8 @@ _RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
 _BLOCK, _GROUND = 6.2, 7.0  # from the middle of a block, from a pivot past its ground to an extension line [mm]
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
-_SHORT = 8.5  # the arm of an angle on a shorter bar is drawn on as far as past the arc [mm]
+_SHORT, _LIKED = 8.5, 0.5
+"""The arm of an angle on a shorter crank is drawn on past the arc, where on the crank that has less room [mm]."""
 _CLEAR = 2.2  # between an arc and what else there is [mm]
 
 
@@ -228,54 +230,65 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
     return figure
 
 
-def _arms(skeleton: Skeleton, corner: Corner, lines: Sequence[tuple[Place, Place]]) -> Iterator[tuple[complex, float]]:
-    """The directions of the two arms of an angle, and how far a bar or a line goes on each; 0 where none does [mm]."""
+class _Arm(NamedTuple):
+    """One side of an angle: its direction, how far a bar or a line goes on there, 0 where none does [mm]; short: it is
+    the bar of a short crank."""
+
+    way: complex
+    reach: float
+    short: bool
+
+    def goes_on(self, radius: float) -> bool:
+        """Whether it is drawn as far as past an arc."""
+        return not self.reach or (self.short and self.reach < radius)
+
+    def clear(self, radius: float) -> float:
+        """How far an arc is off the end of its bar [mm]: better on a bar, if there is room, than beyond it."""
+        return min(_LIKED, radius - self.reach - HINGE) if self.goes_on(radius) else self.reach - radius - HINGE
+
+
+def _arms(skeleton: Skeleton, corner: Corner, lines: Sequence[tuple[Place, Place]]) -> Iterator[_Arm]:
+    """The two sides of an angle."""
     at, first = skeleton.window(corner.at), skeleton.window.turned(corner.start)
-    for arm in (first, first * cmath.rect(1, -corner.turn)):
-        bars = [bar for bar in (*skeleton.segments, *lines) if _lies_on(at, arm, bar)]
-        yield arm, max((abs(end - at) for bar in bars for end in bar), default=0.0)
+    driven = corner.points in {driver.vector for driver in skeleton.mechanism.drivers}
+    for way in (first, first * cmath.rect(1, -corner.turn)):
+        bars = [bar for bar in (*skeleton.segments, *lines) if _lies_on(at, way, bar)]
+        reach = max((abs(end - at) for bar in bars for end in bar), default=0.0)
+        yield _Arm(way, reach, driven and reach < _SHORT)
 
 
 def _arc_with_room(
-    skeleton: Skeleton, corner: Corner, arms: Sequence[tuple[complex, float]], others: Sequence[Place]
+    skeleton: Skeleton, corner: Corner, arms: Sequence[_Arm], others: Sequence[Place]
 ) -> tuple[float, tuple[Place, ...]]:
     """The radius of the arc that lies farthest from links, other arcs and ends of arms [mm], and its places; of those
     that cross links alike, from the other arcs."""
-    at, start = skeleton.window(corner.at), cmath.phase(arms[0][0])
+    at, start = skeleton.window(corner.at), cmath.phase(arms[0].way)
     tried = list[tuple[tuple[float, float], float, tuple[Place, ...]]]()
     for radius in _RADII:
         off = math.copysign(min(2 / radius, abs(corner.turn) / 2), corner.turn)
         arc = arc_places(ArcMark(at, radius, start - off, 2 * off - corner.turn))
-        ends = [at + arm * (radius + _BEYOND) for arm, reach in arms if _goes_on(reach, radius)]
-        on = [(radius - reach if _goes_on(reach, radius) else reach - radius) - HINGE for _, reach in arms if reach]
+        ends = [at + arm.way * (radius + _BEYOND) for arm in arms if arm.goes_on(radius)]
         apart = min([_CLEAR, *(abs(place - other) for place in arc for other in others)])
-        free = min([apart, *on, clearance(skeleton, *arc, *ends)])
+        free = min([apart, *(arm.clear(radius) for arm in arms if arm.reach), clearance(skeleton, *arc, *ends)])
         tried.append(((round(free, 1), round(apart, 1)), radius, arc))
     return max(tried, key=lambda each: each[0])[1:]
 
 
-def _angle(
-    size: Size, corner: Corner, skeleton: Skeleton, arms: Sequence[tuple[complex, float]], radius: float
-) -> Figure:
+def _angle(size: Size, corner: Corner, skeleton: Skeleton, arms: Sequence[_Arm], radius: float) -> Figure:
     """The arc with its value, and the arms that no bar of a link has so far."""
-    (first, _), at, step = arms[0], skeleton.window(corner.at), skeleton.step(*corner.points)
+    first, at, step = arms[0].way, skeleton.window(corner.at), skeleton.step(*corner.points)
     middle = first * cmath.rect(1, -corner.turn / 2)
     want = LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1, between=True)
     figure = Figure(angle_arc(at, radius, first, -corner.turn, step), [want])
-    for arm, reach in (each for each in arms if _goes_on(each[1], radius)):
-        end, start = at + arm * (radius + _BEYOND), at + arm * (reach + 2 * HINGE)
+    for arm in (arm for arm in arms if arm.goes_on(radius)):
+        end, start = at + arm.way * (radius + _BEYOND), at + arm.way * (arm.reach + 2 * HINGE)
         figure.marks.append(Stroke((start, end), "thin", step=step))
-        level = arm == first and not reach and abs(corner.start - 1) < 1e-9
+        level = arm.way == first and not arm.reach and abs(corner.start - 1) < 1e-9
         if level and len(corner.points) > 1:  # the x axis at a driven link
-            figure.marks.append(arrow_head(end, arm, step, THIN_HEAD))
+            figure.marks.append(arrow_head(end, arm.way, step, THIN_HEAD))
             x = plain("x", italic=True)
-            figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm, step=step, spare=True))
+            figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm.way, step=step, spare=True))
     return figure
-
-
-def _goes_on(reach: float, radius: float) -> bool:
-    """Whether an arm is drawn as far as past an arc: that of a short bar, or that no bar has."""
-    return reach < min(radius, _SHORT)
 
 
 def _lies_on(at: Place, arm: complex, bar: tuple[Place, Place]) -> bool:

@@ -21,7 +21,6 @@ PHRASES: Phrases = {
     "sheet.left out": ("arrows of over {length} mm are left out", "长于 {length} mm 的箭头从略"),
     "sheet.every": ("from arrow to arrow ", "相邻箭头相隔 "),
     "sheet.also": ("also {symbol}", "另求 {symbol}"),
-    "sheet.also values": ("{values}", "{values} 时的各量"),
     "sheet.step": ("Sheet {number} of {count}", "第 {number} 张，共 {count} 张"),
     # === the table of instant centres and its circle diagram; captions of linkages
     "sheet.chord thin": ("by definition", "由定义直接确定"),
