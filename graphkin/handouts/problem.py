@@ -5,6 +5,7 @@ After it: the results of drawing and analysis beside each other, and the mistake
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -37,6 +38,7 @@ from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
 from graphkin.say.marks import mistake_in_signs
+from graphkin.say.names import in_signs
 from graphkin.say.numbers import number
 from graphkin.say.problems import posed_entries
 from graphkin.say.reading import Reading
@@ -193,6 +195,7 @@ def drawn_problem(mechanism: Mechanism, lang: Lang, whose: str = "") -> HandoutP
 # --- what stands after a solution -------------------------------------------------------------------------------------
 
 _SHOWN = 3  # mistakes
+_TIMES = 5.0  # a value that is as many times the right one is seen to be wrong
 
 
 def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
@@ -222,15 +225,16 @@ def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
 
 
 def common_mistakes(problem: HandoutProblem) -> Iterator[Block]:
-    """The mistakes that move most of what is asked, of different kinds, with the numbers they give."""
+    """The mistakes that move most of what is asked, of different kinds, with the numbers they give: those that can be
+    made where one follows the solution, and of which nobody sees that they are wrong."""
     key = _key(problem)
     if key is None:
         return
-    moved = _moved(key)
+    moved, likely, text = _moved(key), _likely(key), _text(problem)
     asked = [k for k, entry in enumerate(key.entries) if entry.points]
     first: dict[str, int] = {}
     for row, made in enumerate(key.singles.names):
-        if any(moved[row][asked]):
+        if any(moved[row][asked]) and all(likely[row][asked]) and _occurs(made[0][2], text, problem):
             first.setdefault(made[0][0], row)
     common = [first[id] for id in COMMON if id in first][:_SHOWN]
     if common:
@@ -245,6 +249,25 @@ def _moved(key: Key) -> np.ndarray:
         return np.asarray(shifts(columns(key.entries), key.singles.values) > 3)
 
 
+def _likely(key: Key) -> np.ndarray:
+    """Flags (mistakes, quantities): what has about the size of the right value, or none."""
+    table = columns(key.entries)
+    size = np.abs(upright(table, key.singles.values))
+    return np.asarray(~(size > _TIMES * (np.abs(upright(table, table.right)) + table.tolerance)) | table.angle)
+
+
+def _text(problem: HandoutProblem) -> str:
+    """The solution as it is printed."""
+    entries = (each for section in problem.parts for each in section.entries)
+    return "\n".join(entry.text_lines(entries, problem.lang))
+
+
+def _occurs(of: str, text: str, problem: HandoutProblem) -> bool:
+    """Whether all that a mistake is made in stands in a text: arrows, rotations, triangles."""
+    signs = (in_signs(each, problem.goal.texts) for each in of.split(", ") if each)
+    return all(re.search(rf"(?<!\w){re.escape(sign)}(?![\w′])", text) for sign in signs)
+
+
 def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> Label:
     """A mistake in words, and the values it gives of those quantities that it moves."""
     symbols = {text: q for text, q in zip(problem.goal.texts, problem.goal.wanted, strict=False) if q is not None}
@@ -255,7 +278,12 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
         if quantity is not None and np.isfinite(value):
             unit = EDGE[quantity.unit]
             shown.append(f"{problem.goal.symbol(quantity)} = {number(value * unit.factor)} {unit.sign}".strip())
-    text = mistake_in_signs(key.singles.names[row][0], {entry.text for entry in key.entries}, problem.lang)
+    name = key.singles.names[row][0]
+    text = mistake_in_signs(name, {entry.text for entry in key.entries}, problem.lang)
+    if name[0].startswith("normal-"):  # a crank's whole acceleration, by what it is: `a_A = aⁿ_AO`
+        entries = (each for section in problem.parts for each in section.entries)
+        for each in (each for each in entries if isinstance(each, entry.Calculation) and each.name in text):
+            text = text.replace(each.name, next((f for f in each.formulas if f.startswith("aⁿ_")), each.name))
     given = say("common.and", problem.lang).join(shown)
     return lettered(say("handouts.gives", problem.lang, mistake=text, values=given), problem.points)
 

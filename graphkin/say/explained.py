@@ -9,7 +9,7 @@ from math import degrees, radians
 from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import Equation, Plane, Plot
+from graphkin.construction import Equation, Plane, Plot, Site
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.naming import Seen
@@ -194,7 +194,7 @@ class AnswerLines:
                     sliding.append((name, True))
         yield from sliding
 
-    def _borne(self, one: Seen, other: Seen) -> bool:
+    def _borne(self, one: Site, other: Seen) -> bool:
         """Whether two sites at one pin move as one: their links bear it, or one stands for it in its slot."""
         owners = self.reading.mechanism.owners.get(one.point, ())
         bears = one.link in owners or self.reading.method.structure.is_pin(one.link)
@@ -246,7 +246,7 @@ class AnswerLines:
         return coordinates(1000 * place, self.reading.lang, 1000 * self.reading.noise)
 
 
-def _coincide(sites: Sequence[Seen]) -> bool:
+def _coincide(sites: Sequence[Seen] | Sequence[Site]) -> bool:
     return len(sites) == 2 and sites[0].point == sites[1].point
 
 

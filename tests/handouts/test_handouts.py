@@ -448,3 +448,31 @@ def test_a_solution_has_the_answers_at_further_positions_and_grids_say_of_which_
     assert text.count("#2") == 3  # among the positions, in their remark, before the answers
     assert "for position #1" in html(handout([mechanism], "blank", "en"))
     assert "for position #1" not in html(handout([loaded("ex3-3")], "blank", "en"))
+
+
+GEARS = """
+ask = ["omega 4", "omega 5", "alpha 5", "v F", "a F"]
+frame = { A = [0, 0], B = [66, 0], C = [114, 36] }
+links = { 2.points = ["A"], 3.points = ["B"], 4.CE = 29, 5.EF = 118, 6.points = ["F"] }
+gear = [{ links = ["2", "3"], centres = ["A", "B"], radii = [19, 47] },
+        { links = ["3", "4"], centres = ["B", "C"], radii = [18, 42] }]
+slide = [{ block = "6", point = "F", guide = "frame", through = [0, 40] }]
+driver = [{ link = "2", omega = "420 rpm", alpha = 25 }]
+pose = [{ vector = "CE", angle = 128 }]
+sketch = { E = [96, 59], F = [212, 40] }
+"""
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_mistakes_to_look_for_can_be_made_by_whoever_follows_the_solution(lang):
+    """Each of their arrows is printed there, a crank's normal acceleration has its name, and no number is absurd."""
+    crusher = graphkin.load(Path(__file__).parents[1] / "cases" / "jaw-crusher.toml")
+    for machine in (crusher, loads(GEARS)):
+        posed = problem.drawn_problem(machine, lang)
+        paragraphs = [block for block in problem.common_mistakes(posed) if isinstance(block, Paragraph)]
+        told = ["".join(run.text for run in block.words) for block in paragraphs]
+        assert len(told) == 3
+        assert not any("aECn" in each for each in told)
+        assert any("aAOn" in each for each in told) == (machine is crusher)
+        for each in told:
+            assert max(float(size) for size in re.findall(r"= −?([\d.]+)", each)) < 5 * 60
