@@ -99,8 +99,10 @@ class CentreReader:
             return names.relative("ω", called(driver.link), called(driver.from_link))
         return names.of_link("ω", called(driver.link))
 
-    def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
-        """The number of centres, those by definition, the others in order; `together`: pairs of links without one."""
+    def entries(
+        self, stages: Sequence[Stage], without: Mapping[tuple[str, str], str], number: int = 1
+    ) -> Iterator[Entry]:
+        """The number of centres, those by definition, the others in order; `without`: pairs of links that have none."""
         count = len(self.mechanism.links)
         yield Heading(self.say("centres.finding", number=number))
         yield Sentence(self.say("centres.count", n=count, less=count - 1, count=len(self.found.pairs)))
@@ -110,9 +112,21 @@ class CentreReader:
             if group:
                 yield Sentence(head)
             yield from (Sentence(self.sentence(stage), item=True) for stage in group)
-        for pair in together:
+        for pair in (pair for pair, why in without.items() if why == "together"):
             name = names.point(self.found.name(*pair))
             yield Sentence(self.say("centres.together", name=name, **self._links(pair)), item=True)
+        yield from self._undetermined([pair for pair, why in without.items() if why == "undetermined"])
+
+    def _undetermined(self, pairs: Sequence[tuple[str, str]]) -> Iterator[Entry]:
+        """Those of idle rollers, which may turn as they like."""
+        idle = [link for link in self.found.method.structure.idle if any(link in pair for pair in pairs)]
+        if idle:
+            called, comma = self.mechanism.called, self.say("common.list")
+            count = len(self.mechanism.links) - len(idle)
+            listed = comma.join(names.point(self.found.name(*pair)) for pair in pairs)
+            words = {"links": comma.join(names.point(called(link)) for link in idle), "n": count}
+            counts = {"count": count * (count - 1) // 2, "names": listed}
+            yield Sentence(self.say("centres.undetermined", **words, **counts), item=True)
 
     def sentence(self, stage: Stage) -> str:
         """The sentence of one centre, with its links, its point or its lines by the step that makes it."""
@@ -189,11 +203,11 @@ class CentreReader:
 
 @frozen
 class CentrePart:
-    """The instant centres asked for, with those they hang on; `together`: pairs of links asked for that have none."""
+    """The instant centres asked for, with those they hang on; `without`: pairs of links asked for that have none."""
 
     reader: CentreReader
     stages: tuple[Stage, ...]
-    together: tuple[tuple[str, str], ...]
+    without: Mapping[tuple[str, str], str]
 
     @property
     def from_velocities(self) -> bool:
@@ -204,7 +218,8 @@ class CentrePart:
         """The place of one of them."""
         found = self.reader.found
         if found.together(*centre.links):
-            return self.reader.say("centres.by together")
+            pairs = {frozenset(pair): why for pair, why in found.without.items()}
+            return self.reader.say(f"centres.by {pairs[frozenset(centre.links)]}")
         return self.reader.place(found.name(*centre.links))
 
     def figure(self, centre: Centre) -> tuple[str, str]:
@@ -217,16 +232,16 @@ class CentrePart:
 
     def entries(self, number: int) -> Iterator[Entry]:
         """The part of the solution with this number."""
-        yield from self.reader.entries(self.stages, self.together, number)
+        yield from self.reader.entries(self.stages, self.without, number)
 
 
 def centre_part(reading: Reading, asked: Sequence[Centre]) -> CentrePart:
     """The centres asked for at the position of a reading; read off the drawing where a ruler reads."""
     found = centres(reading.method, reading.ruler.right if reading.ruler else reading.plot)
     labels = {found.name(*one.links) for one in asked}
-    together = tuple(pair for pair in found.centring.together if found.name(*pair) in labels)
+    without = {pair: why for pair, why in found.without.items() if found.name(*pair) in labels}
     found = replace(found, centring=shortest(found, labels))
-    return CentrePart(CentreReader(found, reading.lang, reading.measured), found.centring.stages, together)
+    return CentrePart(CentreReader(found, reading.lang, reading.measured), found.centring.stages, without)
 
 
 def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
@@ -235,7 +250,7 @@ def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
     stages = {stage.last.name: stage for stage in found.centring.stages}
     for pair in found.pairs:
         name, links = found.name(*pair), say("common.list", lang).join(map(found.method.mechanism.called, pair))
-        by = found.centring.found_by(stages[name]) if name in stages else "together"
+        by = found.centring.found_by(stages[name]) if name in stages else found.without[pair]
         if isinstance(by, str):
             reason = say(f"centres.by {by}", lang)
         else:

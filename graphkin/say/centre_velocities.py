@@ -69,7 +69,7 @@ def centre_entries(found: Centres, lang: Lang, scale: float | None = None) -> It
     """The same as data."""
     reader = CentreReader(found, lang)
     yield Heading(found.method.mechanism.headline(lang))
-    yield from reader.entries(found.centring.stages, found.centring.together)
+    yield from reader.entries(found.centring.stages, found.without)
     yield from _velocities(reader, scale or found.method.mechanism.scales.get("length", 0.001))
 
 

@@ -185,8 +185,8 @@ def centre_table(found: Centres, lang: Lang, room: float, most: float) -> TableB
             angle = round(math.degrees(geometry.number(found.board.direction(spot.name))), 6) % 180
             place = (Run("→ ∞ "), Run(say("centres.towards", lang)), *number(angle), Run("°"))
         rows.append((plain(str(spot.number)), centre_label(spot.name), place, _by(found, spot, lang)))
-    for pair in found.centring.together:
-        rows.append((plain("–"), centre_label(found.name(*pair)), plain("–"), plain(say("centres.by together", lang))))
+    for pair, why in found.without.items():
+        rows.append((plain("–"), centre_label(found.name(*pair)), plain("–"), plain(say(f"centres.by {why}", lang))))
     last = len(found.centring.stages)
     whole = Table(head, tuple(rows), tuple(min(k + 1, last) for k in range(len(rows))))
     most_rows = max(4, int(most / PITCH))

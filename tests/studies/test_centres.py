@@ -8,10 +8,12 @@ from itertools import combinations, pairwise
 import numpy as np
 import pytest
 import random_mechanisms
+from click.testing import CliRunner
 from random_mechanisms import DYADS, dyad
 
 from graphkin.analytic import Motion, motion
 from graphkin.api import plan
+from graphkin.cli import main
 from graphkin.construction.drafting import Board, DraftMeet, LineStep, drawn_through, ruled
 from graphkin.construction.drafting.board import Homogeneous
 from graphkin.errors import NOWHERE, GraphkinError
@@ -20,7 +22,7 @@ from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.quantities import centre_of, named
 from graphkin.running import replay_all
 from graphkin.studies.centres import Centres, centres
-from graphkin.studies.centres.instant_centres import shortest
+from graphkin.studies.centres.instant_centres import as_json, shortest
 from graphkin.studies.centres.levers import Levers, carried_through
 from graphkin.studies.sweeps import sweep
 
@@ -244,3 +246,33 @@ def test_each_of_kennedys_lines_is_drawn_once(monkeypatch: pytest.MonkeyPatch) -
     found = centres(method, replay_all(method))
     assert len(found.names) == 9 * 8 // 2
     assert len(drawn) <= len(found.names) * 7
+
+
+ROLLER = """
+ask = ["P13", "P24"]
+frame = { name = "1", O = [0, 0], D = [97, 18] }
+links = { 2.OC = 22, 3.points = ["B"], 4.DB = 84 }
+cam = [{ links = ["2", "4"], profiles = [{ centre = "C", radius = 46 }, { centre = "B", radius = 13 }] }]
+driver = [{ vector = "OC", angle = 64, omega = 9.3 }]
+sketch = { B = [40, 80] }
+"""
+
+
+def test_centres_of_an_idle_roller_are_undetermined():
+    """But for its hinge: it may turn as it likes. The others are found without them."""
+    these = found(loads(ROLLER))
+    data = as_json(these)["centres"]
+    assert {name for name, entry in data.items() if entry["by"] == "undetermined"} == {"P13", "P23"}
+    assert not any("at" in data[name] or "direction" in data[name] for name in ("P13", "P23"))
+    assert data["P34"]["by"] == "hinge"
+    assert set(these.centring.links) == {"P12", "P14", "P24", "P34"}
+    by_lines = [by for entry in data.values() if isinstance(by := entry["by"], list)]
+    assert not any({"P13", "P23"} & set(line) for lines in by_lines for line in lines)
+
+
+@pytest.mark.parametrize(("lang", "said"), [("en", "P13, P23: undetermined, as link 3 turns idly; without it N = 3, K = 3."),
+                                            ("zh", "P13、P23：不确定，因构件 3 的转动为局部自由度；不计该构件时 N = 3，K = 3。")])  # fmt: skip
+def test_an_undetermined_centre_is_said_to_be(lang, said):
+    printed = CliRunner().invoke(main, ["centres", "-", "--lang", lang], input=ROLLER).output
+    assert said in printed
+    assert CliRunner().invoke(main, ["explain", "-", "--lang", lang], input=ROLLER).exit_code == 0

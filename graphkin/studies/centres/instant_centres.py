@@ -62,7 +62,13 @@ class Centres:
             names = [called(link) for link in pair]
             return tuple((0, int(name), "") if name.isdecimal() else (1, 0, name) for name in names)
 
-        return tuple(sorted((*self.centring.links.values(), *self.centring.together), key=numbers))
+        return tuple(sorted((*self.centring.links.values(), *self.without), key=numbers))
+
+    @property
+    def without(self) -> dict[tuple[str, str], str]:
+        """Every two links that have no centre, or none that is determined, and why: "together", "undetermined"."""
+        centring = self.centring
+        return dict.fromkeys(centring.together, "together") | dict.fromkeys(centring.undetermined, "undetermined")
 
     def name(self, first: str, second: str) -> str:
         return centre_name(self.method.mechanism, first, second)
@@ -184,7 +190,8 @@ def as_json(centres: Centres) -> CentresData:
     """One object: of each centre its links, its place [m] or direction [rad], and how it is found.
 
     `by` is "hinge", "contact" (wheels that roll on each other), "slide", "velocities", or the two lines: each two
-    centres that it joins, or ["normal"]. Links that do not move against each other have "by": "together" and no place.
+    centres that it joins, or ["normal"]. Links that do not move against each other have "by": "together" and no place,
+    those of which one is an idle roller "undetermined".
     """
     mechanism = centres.method.mechanism
     stages = {stage.last.name: stage for stage in centres.centring.stages}
@@ -195,7 +202,7 @@ def as_json(centres: Centres) -> CentresData:
             by = centres.centring.found_by(stages[name])
             entries[name] = {"links": links, **place(centres, first, second), "by": by}
         else:
-            entries[name] = {"links": links, "by": "together"}
+            entries[name] = {"links": links, "by": centres.without[first, second]}
     return {"format": 1, "name": mechanism.name, "centres": entries}
 
 

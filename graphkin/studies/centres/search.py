@@ -140,12 +140,14 @@ class Centring:
     links       the two links of each centre, by its name
     normals     the lines that are common normals of two profiles, by name; every other line joins two centres
     together    pairs of links that do not move against each other: they have no centre
+    undetermined  pairs with an idle roller but for its hinge: how it turns, nothing says
     """
 
     construction: Drafting
     links: Mapping[str, tuple[str, str]]
     normals: Mapping[str, CommonNormal]
     together: tuple[tuple[str, str], ...] = ()
+    undetermined: tuple[tuple[str, str], ...] = ()
 
     @property
     def stages(self) -> tuple[Stage, ...]:
@@ -201,7 +203,8 @@ def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
     state = _CentreSearch(method, plot, board_over(method, plot))
     state.run()
     lines = {normal.name: normal for normal in normals(method.mechanism)}
-    centring = Centring(Drafting({}, tuple(state.stages)), state.links, lines, tuple(state.missing))
+    without = tuple(state.missing), tuple(state.undetermined)
+    centring = Centring(Drafting({}, tuple(state.stages)), state.links, lines, *without)
     return centring, plot, state.board
 
 
@@ -238,7 +241,18 @@ class _CentreSearch:
 
     @property
     def missing(self) -> list[tuple[str, str]]:
+        return [pair for pair in self._without if not self._is_idle(pair)]
+
+    @property
+    def undetermined(self) -> list[tuple[str, str]]:
+        return [pair for pair in self._without if self._is_idle(pair)]
+
+    @property
+    def _without(self) -> list[tuple[str, str]]:
         return [pair for pair in combinations(self.names, 2) if frozenset(pair) not in self.centres]
+
+    def _is_idle(self, pair: tuple[str, str]) -> bool:
+        return any(link in self.method.structure.idle for link in pair)
 
     def run(self) -> None:
         """All centres: by definition, then rounds of lines, and one from velocities where a round brings nothing."""
