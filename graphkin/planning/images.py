@@ -119,12 +119,22 @@ def measure_slides(polygon: PolygonPlan, names: Iterable[str]) -> None:
 
 def imaged_gears(method: Method) -> Iterator[tuple[Wheel, str, str]]:
     """Every gear once, with its circle's name, and the polygon's point of its centre; wheels that only roll have none.
-    `g` is another letter where the mechanism has a point G."""
+    `g3'` is the second of a double wheel, as `r3'` is its radius. `g` is another letter where the mechanism has a point
+    G."""
     letter = next((c for c in "gwzu" if c.upper() not in method.mechanism.points), "g")
     for wheel in wheels_of(method.mechanism):
         if wheel.gear and (centre := _gear_centre(method, wheel)) is not None:
             called = method.mechanism.called(wheel.link)
-            yield wheel, letter + ("" if called.isdigit() else "@") + called, centre
+            primes = "'" * radius_number(method, wheel.link, wheel.radius)
+            yield wheel, letter + ("" if called.isdigit() else "@") + called + primes, centre
+
+
+def radius_number(method: Method, link: str, size: float) -> int:
+    """The number of a radius among those with which a link rolls, from 0, in the order of the contacts."""
+    pairs = ((wheel, abs(radius)) for contact in method.structure.contacts
+             for wheel, radius in zip(contact.wheels, contact.radii, strict=True))  # fmt: skip
+    sizes = dict.fromkeys(round(radius, 12) for wheel, radius in pairs if wheel == link and radius)
+    return [*sizes, round(abs(size), 12)].index(round(abs(size), 12))
 
 
 def _gear_centre(method: Method, wheel: Wheel) -> str | None:

@@ -17,6 +17,7 @@ from graphkin.model.quantities import Rotation, read
 from graphkin.planning import Method
 from graphkin.planning.asked import plane_of
 from graphkin.planning.at_rest import at_rest, steady_turnings
+from graphkin.planning.images import radius_number
 from graphkin.planning.labels import Labels
 from graphkin.planning.method import Act, made
 from graphkin.planning.needed import Fact, turnings
@@ -189,11 +190,7 @@ class Reading:
 
     def radius(self, link: str, size: float) -> str:
         """`r2` of a wheel, and `r2′` of the second gear of a compound one."""
-        sizes: dict[float, None] = {}
-        for contact in self.method.structure.contacts:
-            pairs = zip(contact.wheels, contact.radii, strict=True)
-            sizes |= {round(abs(radius), 12): None for wheel, radius in pairs if wheel == link and radius}
-        primes = "′" * [*sizes, round(size, 12)].index(round(size, 12)) if size else ""
+        primes = "′" * radius_number(self.method, link, size) if size else ""
         return names.of_link("r", self.mechanism.called(link)) + primes
 
     @cached_property

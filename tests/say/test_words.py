@@ -20,6 +20,7 @@ from graphkin.errors import GraphkinError, Lang
 from graphkin.files import library, loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
+from graphkin.planning.images import imaged_gears
 from graphkin.running import replay_all
 from graphkin.say import (
     Calculation,
@@ -627,6 +628,28 @@ def test_a_quantity_that_the_solution_has_itself_is_not_called_an_opposite():
 def test_points_of_a_link_that_is_a_word_are_suggested_as_they_are_written():
     with pytest.raises(GraphkinError, match=re.escape("A@block,A@yoke")):
         drawn(YOKE.format(asked='"v A3A2"'))
+
+
+DOUBLE_WHEEL = """
+ask = ["omega 4"]
+frame = { A = [0, 0], B = [66, 0], C = [114, 36] }
+links = { 2.points = ["A"], 3.points = ["B"], 4.CE = 29 }
+gear = [{ links = ["2", "3"], centres = ["A", "B"], radii = [19, 47] },
+        { links = ["3", "4"], centres = ["B", "C"], radii = [18, 42] }]
+driver = [{ link = "2", omega = 44 }]
+pose = [{ vector = "CE", angle = 128 }]
+sketch = { E = [96, 59] }
+"""
+
+
+@pytest.mark.parametrize(("lang", "told"), [("en", "g3 about p, g3′ about p and g4"), ("zh", "g3（圆心 p）、g3′（圆心 p）、g4")])
+def test_the_second_circle_of_a_double_wheel_has_a_prime_as_its_radius_has(lang: Lang, told: str):
+    method, plot = drawn(DOUBLE_WHEEL)
+    text = "\n".join(explain(method, plot, SCALES, lang))
+    assert told in text
+    assert "r3′ = 18 mm" in text
+    names = [(wheel.radius, name) for wheel, name, _ in imaged_gears(method)]
+    assert names == [(0.019, "g2"), (0.047, "g3"), (0.018, "g3'"), (0.042, "g4")]
 
 
 PIN_IN_SLOT = """
