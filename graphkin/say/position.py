@@ -11,6 +11,7 @@ from math import tau
 from typing import assert_never
 
 from graphkin.base.geometry import cross, dot
+from graphkin.base.tolerances import ROUNDED
 from graphkin.construction import Equation, Step, kinds, terms
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.planning.method import made
@@ -84,10 +85,17 @@ class PositionReader(Tangents):
                 yield from self._angles()
         yield from self._angles(last=True)
         values = self.moving.plot.facts.values
-        arrows = {reading.against(d, "φ"): rect(1.0, float(values[k])) for k, d in self._open()}
+        arrows = {self._turned(d, float(values[k])): rect(1.0, float(values[k])) for k, d in self._open()}
         if arrows:  # drivers' values, measured where poses stand for them
             yield self._measured_angles(f"{name} = {reading.angle(arrow)}" for name, arrow in arrows.items())
         yield from self._used()
+
+    def _turned(self, driver: Driver, value: float) -> str:
+        """`φ1` of a driven line; `θ1` where that is asked for and the same."""
+        machine, theta = self.reading.mechanism, self.moving.plot.theta.get(driver.link)
+        asked = driver.from_link == FRAME and f"theta {machine.called(driver.link)}" in machine.ask
+        same = asked and theta is not None and abs(rect(1.0, value) - rect(1.0, float(theta))) < ROUNDED
+        return self.reading.against(driver, "θ" if same else "φ")
 
     def _step(self, step: Step) -> Iterator[Entry]:
         match step:

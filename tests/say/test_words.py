@@ -652,6 +652,23 @@ def test_the_second_circle_of_a_double_wheel_has_a_prime_as_its_radius_has(lang:
     assert names == [(0.019, "g2"), (0.047, "g3"), (0.018, "g3'"), (0.042, "g4")]
 
 
+POSED = """
+ask = [{asked}]
+frame = {{ A = [0, 0], D = [71, -23] }}
+links = {{ 1.AB = 27.5, 2.BC = 88, 3.DC = 63 }}
+driver = [{{ vector = "AB", omega = -7.7 }}]
+pose = [{{ vector = "DC", angle = 104 }}]
+sketch = {{ B = [-20, -18], C = [56, 38] }}
+"""
+
+
+@pytest.mark.parametrize(("asked", "letter"), [('"omega 3"', "φ"), ('"theta 1", "omega 3"', "θ")])
+def test_a_driven_angle_that_is_measured_has_the_letter_by_which_it_is_asked(asked: str, letter: str):
+    text = "\n".join(explain(*drawn(POSED.format(asked=asked)), SCALES, "en"))
+    assert f"Measured: {letter}1 = 263.6°" in text
+    assert ("φ1" in text) == (letter == "φ")
+
+
 PIN_IN_SLOT = """
 ask = ["a_k E3E5"]
 frame = { name = "6", A = [0, 0], C = [14, -96] }
