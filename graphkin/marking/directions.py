@@ -70,12 +70,12 @@ class WrittenDirections:
             elif carried[n] and quantity.word != "theta":
                 own[quantity] = number.value
         numbers = {
-            text: replace(number, points=self._points(number, text, own))
+            text: self._pointing(number, text, own)
             for text, number in work.numbers.items() if number.vector is not None and text in self.right
         }  # fmt: skip
         return replace(work, numbers={**work.numbers, **numbers})
 
-    def _points(self, number: HandedNumber, text: str, own: Mapping[Quantity, Value]) -> bool:
+    def _pointing(self, number: HandedNumber, text: str, own: Mapping[Quantity, Value]) -> HandedNumber:
         quantity, vector, allowed = self.right[text]
         others = {other: value for other, value in own.items() if other != quantity}
         vectors = [vector]
@@ -83,8 +83,10 @@ class WrittenDirections:
             problem = self.problem
             followed = replay_with(problem.method, problem.plot, others, problem.arrows).value(quantity)
             vectors.append(place(_vector(followed)))
-        off = (abs(cmath.phase((number.vector or 1.0) / one)) for one in vectors if one and cmath.isfinite(one))
-        return min(off) <= max(allowed, number.within)
+        off = [abs(cmath.phase((number.vector or 1.0) / one)) for one in vectors if one and cmath.isfinite(one)]
+        within = max(allowed, number.within)
+        points = min(off) <= within
+        return replace(number, points=points, reversed=not points and math.pi - max(off) <= within)
 
 
 def _vector(answer: Answer) -> Value:

@@ -368,6 +368,7 @@ class Marker:
             float(judged_by) if follows_from else None,
             carried.own(k, n) if not right and not explained else {}, carried.refused(k, n) if not right else (),
             credit, entry.points, number.measured, of_mistake=follows and verdict == "carried",
+            reversed=number.reversed and verdict == "wrong",
         )  # fmt: skip
 
 

@@ -30,6 +30,7 @@ class HandedNumber:
     within       the angle within which that holds where it is in words; 0 where it is in numbers [rad]
     off          its standard deviation, where what it was measured on is not sure: unless that is small it takes part
                  in what is found out of mistakes alone
+    reversed     whether `vector` points just the other way
     """
 
     value: float
@@ -39,6 +40,7 @@ class HandedNumber:
     vector: complex | None = None
     within: float = 0.0
     off: float = 0.0
+    reversed: bool = False
 
 
 @frozen
@@ -69,6 +71,7 @@ class Judged:
     measured  as of the `HandedNumber`
     written   the answer as it was written, where it was not read
     of_mistake  whether what is carried follows from the mistake that was named, made before
+    reversed  whether its arrow points just the other way
     """
 
     text: str
@@ -87,6 +90,7 @@ class Judged:
     measured: bool = False
     written: str = ""
     of_mistake: bool = False
+    reversed: bool = False
 
     @property
     def of_equations(self) -> bool:

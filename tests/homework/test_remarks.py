@@ -20,6 +20,7 @@ from graphkin.homework.grading import SetMarker, judge_from, key_for
 from graphkin.homework.grading.sets import Neighbours, set_text
 from graphkin.homework.platforms.feedback import lines
 from graphkin.marking.diagnosis import Diagnosis
+from graphkin.marking.marker import Marker
 from graphkin.marking.records import Departure, Graded, HandedNumber, Judged, Marked, StudentWork
 from graphkin.outputs import marks_json
 from graphkin.outputs.key_json import key_text
@@ -183,3 +184,26 @@ def test_what_follows_from_the_mistake_is_told_as_that():
     alone = "\n".join(told(record(1, quantities=values, mistakes=[]), "answer"))
     assert "it should be 9.458 rad/s²: yours is not" in alone
     assert "follows from the mistake" not in "\n".join(told(record(1, quantities=values), "hint"))
+
+
+def test_an_arrow_that_is_reversed_is_told_to_be():
+    """180° off, and no sign to check."""
+    work = StudentWork("s", {"v B3": HandedNumber(0.2712, vector=-0.2712 * np.exp(1j * np.radians(72.52)))})
+    text = re.sub(r"(?m)^ask .*$", 'ask = ["v B3"]', library.load("ex3-1").text)
+    (marked,) = Marker(key_for(loads(text))).mark([work])
+    written = marks_json.record(Graded("s", "s.toml", "", marked))
+    assert written["quantities"]["v B3"]["reversed"] is True
+    for reveal in ("mistake", "answer"):
+        text = "\n".join(told(written, reveal))
+        assert "180° off: the arrow is reversed" in text
+        assert "Turn the arrow of v_B3 round" in text
+        assert "sign" not in text
+
+
+def test_a_decimal_point_is_told_without_the_equation():
+    values = {"omega 3": quantity(1.0, 0.0, "rad/s", given=39.2, right=3.92, verdict="wrong")}
+    departure = {"quantity": "omega 3", "left": ["v_B3"], "right": ["v_B2", "v_B3B2"]}
+    text = "\n".join(told({**record(1, quantities=values, mistakes=[]), "departure": departure}, "mistake"))
+    assert "look at the decimal point" in text
+    assert "Check the decimal point of ω3." in text
+    assert "leaves the right way" not in text

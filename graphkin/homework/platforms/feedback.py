@@ -132,16 +132,20 @@ def next_step(page: Feedback) -> str:
 def _to_do(result: Result) -> Iterator[tuple[str, list[str]]]:
     """What there may be to do, the most useful first, with the quantities."""
     wrong = [line for line in result.lines if line.verdict == "wrong" and not line.of_equations]
-    sense = [line.text for line in wrong if line.credit and line.sense == "wrong"]
+    turned = [line.text for line in wrong if line.reversed]
+    sense = [line.text for line in wrong if line.credit and line.sense == "wrong" and not line.reversed]
     yield "unread", [line.text for line in result.lines if line.written]
+    yield "reversed", turned if len(wrong) == 1 else []
     yield "sense", sense if len(wrong) == 1 else []
     yield "step", [str(result.step.step)] if result.step is not None else []
     if result.suspicions:
         yield "mistake", [*result.suspicions[0].explains]
     yield "unit", [line.text for line in wrong if not line.unit_right]
     left = [result.departure.text] if result.departure is not None else []
-    if not left or left[0] in sense:  # else another value leaves the right way before these
+    if not left or left[0] in (*sense, *turned):  # else another value leaves the right way before these
+        yield "reversed", turned
         yield "sense", sorted(sense, key=lambda text: text not in left)
+    yield "point", [line.text for line in wrong if line.text in left and shifted_point(line)]
     yield "departure", left
     yield "wrong", [line.text for line in wrong][:1]
     yield "equation", [str(one.term) for one in result.faults]
@@ -217,6 +221,8 @@ def arithmetic(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> Iter
         own = say("common.list", lang).join(values)
         agrees = say("feedback.yes" if line.verdict == "carried" else "feedback.no", lang)
         yield say("feedback.carried", lang, own=own, value=shown(line.carried, line.unit), agrees=agrees)
+    if line.reversed and reveal != "hint":
+        yield say("feedback.reversed", lang)
     if useful and reveal != "hint" and (form := shifted_point(line)):
         yield say(f"feedback.point {form}", lang)
 
@@ -231,6 +237,11 @@ def shifted_point(line: Judged) -> str:
                  if value and abs(given / factor - value) <= line.tolerance), "")  # fmt: skip
 
 
+def _told_why(result: Result, text: str) -> bool:
+    """Whether the line of a quantity says by what it is off: its decimal point, or its arrow, which is reversed."""
+    return any(line.text == text and (line.reversed or shifted_point(line)) for line in result.lines)
+
+
 def shown(value: float, unit: str) -> str:
     """In four digits, as a drawing has hardly more."""
     if unit not in EDGE:
@@ -241,7 +252,7 @@ def shown(value: float, unit: str) -> str:
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """The mistakes of the numbers, or, as a hint, where to look again; of numbers that no mistake explains, where they
     leave the right way; then mistakes that show in several problems."""
-    if result.departure is not None and not result.suspicions:
+    if result.departure is not None and not result.suspicions and not _told_why(result, result.departure.text):
         text = say("feedback.stop", lang, text=departs(result.departure, lang, in_full=reveal != "hint"))
         yield as_on_sheets(result, text)
     steps = [] if result.step is None else [step_line(result.step, lang, in_full=reveal != "hint")]
