@@ -168,13 +168,8 @@ class CentreReader:
 
     def _driven_end(self, end: DrivenEnd) -> str:
         """`v_P13 = ω1 P01P13 = 0.754 m/s`."""
-        formula = f"{self.driven_rate(end.driver)} {self._joined((end.seat, end.centre))}"
+        formula = f"{self.driven_rate(end.driver)} {joined((end.seat, end.centre))}"
         return f"v_{names.point(end.centre)} = {formula} = {number(end.speed)} m/s"
-
-    def _joined(self, ends: Sequence[str]) -> str:
-        """`P12P14`, `P0,arm P13`: the line between two centres."""
-        letters = [names.point(end) for end in ends]
-        return ("" if all(letter[1:].isdigit() for letter in letters) else " ").join(letters)
 
     def _links(self, pair: tuple[str, str]) -> dict[str, str]:
         return {"first": self.link(pair[0]), "second": self.link(pair[1])}
@@ -190,7 +185,7 @@ class CentreReader:
         links = self.say("common.list").join(map(self.link, sorted(three, key=self._order.__getitem__)))
         far = [end for end in ends if self.is_far(end)]
         if not far:
-            return self.say("centres.join", line=self._joined(ends), links=links)
+            return self.say("centres.join", line=joined(ends), links=links)
         if len(far) == 2:
             first, second = map(names.point, ends)
             return self.say("centres.at infinity", first=first, second=second, links=links)
@@ -244,6 +239,12 @@ def centre_part(reading: Reading, asked: Sequence[Centre]) -> CentrePart:
     return CentrePart(CentreReader(found, reading.lang, reading.measured), found.centring.stages, without)
 
 
+def joined(ends: Sequence[str]) -> str:
+    """`P12P14`, `P0,arm P13`: the line between two centres."""
+    letters = [names.point(end) for end in ends]
+    return ("" if all(letter[1:].isdigit() for letter in letters) else " ").join(letters)
+
+
 def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
     """The rows of a table of all centres, the heading first."""
     yield [say(f"centres.column {key}", lang) for key in ("centre", "links", "place", "by")]
@@ -255,7 +256,7 @@ def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
             reason = say(f"centres.by {by}", lang)
         else:
             normal = say("centres.by normal", lang)
-            reason = " × ".join(normal if line == ["normal"] else "".join(line) for line in by)
+            reason = " × ".join(normal if line == ["normal"] else joined(line) for line in by)
         yield [name, links, centre_place(place(found, *pair), lang), reason]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import combinations, pairwise
 
@@ -276,3 +277,22 @@ def test_an_undetermined_centre_is_said_to_be(lang, said):
     printed = CliRunner().invoke(main, ["centres", "-", "--lang", lang], input=ROLLER).output
     assert said in printed
     assert CliRunner().invoke(main, ["explain", "-", "--lang", lang], input=ROLLER).exit_code == 0
+
+
+WORDS = """
+ask = ["P连杆,机架"]
+frame = { name = "机架", A = [0, 0], D = [88, -6] }
+links = { 曲柄.AB = 26, 连杆.BC = 83, 摇杆.DC = 54 }
+driver = [{ vector = "AB", angle = 113, omega = 9 }]
+sketch = { B = [-10, 24], C = [70, 45] }
+"""
+
+
+def test_a_centre_is_spelled_as_it_is_asked_and_names_do_not_run_together():
+    words = re.sub(r'(曲柄|连杆|摇杆)(?=\.)', r'"\1"', WORDS)
+    for command in ("centres", "explain", "solve"):
+        printed = CliRunner().invoke(main, [command, "-", "--lang", "zh"], input=words).output
+        assert "P连杆,机架" in printed
+        assert "P机架,连杆" not in printed
+        assert "架P" not in printed
+        assert "杆P" not in printed

@@ -161,10 +161,12 @@ class Centring:
 
 
 def centre_name(mechanism: Mechanism, first: str, second: str) -> str:
-    """`P13`; `P1,3'` where names are longer than one letter. The smaller number first."""
+    """`P13`; `P1,3'` where names are longer than one letter. The smaller number first, unless it is asked for by the
+    other name."""
     names = sorted((mechanism.called(first), mechanism.called(second)), key=_by_number)
     comma = "" if all(len(name) == 1 for name in names) else ","
-    return f"P{names[0]}{comma}{names[1]}"
+    usual, other = (f"P{one}{comma}{two}" for one, two in (names, names[::-1]))
+    return other if other in mechanism.ask and usual not in mechanism.ask else usual
 
 
 @cache
