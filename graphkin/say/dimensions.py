@@ -336,7 +336,7 @@ def sizes(reading: Reading) -> list[Size]:
         symbol = reading.say("sheet.also", symbol=place.symbol)
         now = float(reading.plot.facts.values[k])
         if also := [sized(reading, symbol, value, kind) for value in driver.also if abs(value - now) > 1e-9]:
-            values = reading.say("common.list").join(size.figure for size in also)
+            values = ", ".join(size.figure for size in also)  # which a sheet has little room for
             every.append(replace(also[0], value=1.0, written=values))
         every += [rate if rate.symbol.startswith(SIGNED) else rate.bare for rate in rates if rate.value]
     seen = (size for size in every if size.value or isinstance(size.shape, Corner))
