@@ -180,7 +180,7 @@ def test_what_follows_from_the_mistake_is_told_as_that():
     text = "\n".join(told(record(1, quantities=values, mistakes=[explained]), "answer"))
     assert "aᵏ_B3B2: carried; you: 3.63 m/s²; follows from the mistake (3.625 m/s²): yes" in text
     assert "9.458" not in text
-    assert "a slip in ω3; everything after it follows from it (almost certainly)" in text
+    assert "a slip in ω3 (everything after it follows from it) (almost certainly)" in text
     alone = "\n".join(told(record(1, quantities=values, mistakes=[]), "answer"))
     assert "it should be 9.458 rad/s²: yours is not" in alone
     assert "follows from the mistake" not in "\n".join(told(record(1, quantities=values), "hint"))
