@@ -93,7 +93,7 @@ class HandoutProblem:
     @cached_property
     def told(self) -> Drawing:
         """The drawing without the steps that the questions do not need: text and figures number the others alike."""
-        return replace(self.drawing, method=cut_to(self.drawing.method, self.goal.parts))
+        return _told(self.drawing)
 
     def construction(self, plane: Plane) -> Construction:
         """The construction of a polygon."""
@@ -184,12 +184,25 @@ class HandoutProblem:
 @kept(4)
 def drawn_problem(mechanism: Mechanism, lang: Lang, whose: str = "") -> HandoutProblem:
     """A mechanism drawn and proved at the scales of its handout, which are those that its key is made for."""
+    drawing = _at_its_scales(mechanism)
+    scales = {plane: drawing.mechanism.scales[key] for plane, key in KEYS.items()}
+    return HandoutProblem(drawing, scales, lang, whose)
+
+
+@kept(64)
+def _told(drawing: Drawing) -> Drawing:
+    """The same for all languages, whose figures are then arranged once."""
+    goal = solution_goal(Reading(*shown(drawing.method, drawing.plot), drawing.mechanism.scales, "en"))
+    return replace(drawing, method=cut_to(drawing.method, goal.parts))
+
+
+@kept(64)
+def _at_its_scales(mechanism: Mechanism) -> Drawing:
+    """The same for all languages: those of a book follow one another."""
     drawing = Drawing.of(mechanism)
-    keyed = paper_scales(drawing.method, drawing.plot)
-    scaled = replace(mechanism, scales=keyed)
+    scaled = replace(mechanism, scales=paper_scales(drawing.method, drawing.plot))
     method = plan(scaled)
-    scales = {plane: keyed[key] for plane, key in KEYS.items()}
-    return HandoutProblem(Drawing(scaled, method, replay_all(method)), scales, lang, whose)
+    return Drawing(scaled, method, replay_all(method))
 
 
 # --- what stands after a solution -------------------------------------------------------------------------------------

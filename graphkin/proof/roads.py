@@ -62,6 +62,12 @@ def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
     """The drawn position, or the one at driver `values` [rad, m], proved. Raises RoadsDiffer where the two roads differ
     by more than `AGREE`, and what either road raises: dead points, positions that are not reached, mechanisms that
     cannot be assembled."""
+    return _proved(method, None if values is None else tuple(map(number, values)))
+
+
+@kept(64)
+def _proved(method: Method, values: tuple[float, ...] | None) -> Proved:
+    """One and the same plot, as often as it is asked for: by it sheets are kept."""
     plot = replay_all(method, values)
     exact = motion(method.mechanism, plot.facts.values)
     worst = compare(method, plot, exact)
@@ -74,7 +80,7 @@ def held(method: Method, values: Sequence[Real] | None = None, compiled: bool | 
     """A replay, and the analysis beside it: of arrays (n,) at both ends and at ten places between, once for as far as
     the drivers of a method go. Raises RoadsDiffer, and what single positions raise: NotReached beyond a dead point."""
     if values is None or not any(map(np.ndim, values)):
-        _worst_at(method, None if values is None else tuple(map(number, values)))
+        proved(method, values)
         return replay_all(method, values)
     plot = replay_all(method, values, compiled)
     if not all(map(np.size, values)):
@@ -85,11 +91,6 @@ def held(method: Method, values: Sequence[Real] | None = None, compiled: bool | 
         _hold(method, method.mechanism, plot, np.broadcast_arrays(*plot.facts.values))
         known[:] = ends
     return plot
-
-
-@kept(64)
-def _worst_at(method: Method, values: tuple[float, ...] | None) -> float:
-    return proved(method, values).worst
 
 
 @kept(64)

@@ -9,6 +9,7 @@ that leaves no place at all, labels make way for one another, and at last those 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from copy import copy
 from typing import NamedTuple
 
 import numpy as np
@@ -45,6 +46,11 @@ class LabelPlacing:
         if last != NEAR:
             self._move()
             self.look_farther(last)
+
+    def copy(self) -> LabelPlacing:
+        other = copy(self)
+        other._table, other.stands, other._spot = self._table.copy(), self.stands.copy(), self._spot.copy()
+        return other
 
     def look_farther(self, last: int) -> None:
         """All move to better places, or look farther, as far as a tier; for the last few others make way."""
@@ -212,7 +218,8 @@ def settle(scene: LabelScene, near: Settled | None = None) -> Settled:
     if not scene.wanted:
         return Settled([], ())
     many = len(scene.wanted) > MANY  # of which no care helps those that have no room
-    places = (near and near.places) or LabelPlacing(scene, NEAR if many and scene.crammed else LED)
+    start = near and near.places
+    places = start.copy() if start else LabelPlacing(scene, NEAR if many and scene.crammed else LED)
     if near and not many:
         places.look_farther(FAR)
     clashing, unclear = places.clashing(), places.unclear()

@@ -13,6 +13,7 @@ from dataclasses import replace
 from functools import cache, cached_property, partial
 from heapq import heappush, heapreplace
 
+from graphkin.base.cache import kept
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang, TooLargeForPaper
@@ -62,13 +63,11 @@ def mechanism_sheet(
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
-        drawing = Planes(method, plot, ("position",), style, lang)
-    else:
-        drawing = Planes(*shown(method, plot), _planes(only), style, lang, paths, breaks=upto is None)
-    best = _arranged(drawing, partial(_contents, tight=tight, equations=equations), paper)
-    if upto is not None and style != "given":
-        return next(_staged(best, paper, [upto]))
-    return replace(best.page.sheet(), given=style == "given")
+        best = _arranged(method, plot, NONE, lang, ("position",), style, False, tight, True, paper)
+        return replace(best.page.sheet(), given=True)
+    drawn = paths if paths.curves else NONE
+    best = _arranged(method, plot, drawn, lang, _planes(only), style, upto is None, tight, equations, paper)
+    return best.page.sheet() if upto is None else next(_staged(best, paper, [upto]))
 
 
 def mechanism_step_sheets(
@@ -76,8 +75,8 @@ def mechanism_step_sheets(
     only: Plane | Collection[Plane] | None = None, tight: bool = False,
 ) -> Iterator[Sheet]:  # fmt: skip
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    drawing = Planes(*shown(method, plot), _planes(only), "construction", lang)
-    yield from _staged(_arranged(drawing, partial(_contents, tight=tight), paper), paper)
+    best = _arranged(method, plot, NONE, lang, _planes(only), "construction", False, tight, True, paper)
+    yield from _staged(best, paper)
 
 
 def _contents(drawing: Planes, tight: bool = False, equations: bool = True) -> SheetContents:
@@ -95,8 +94,7 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 def scales_of(method: Method, plot: Plot, breaks: bool = True) -> Mapping[Plane, float]:
     """The scales of the sheet in every language, or of one on which no arrow is drawn broken."""
-    drawing = Planes(*shown(method, plot), PLANES, "construction", "en", breaks=breaks)
-    return cheapest(_contents(drawing), None).layout.scales
+    return _arranged(method, plot, NONE, "en", PLANES, "construction", breaks, False, True, None).layout.scales
 
 
 @frozen
@@ -169,19 +167,30 @@ class Arrangement:
         return page.trimmed if self.contents.tight else page
 
 
-def _arranged(drawing: Planes, contents: Callable[[Planes], SheetContents], paper: str | None) -> Arrangement:
-    """The cheapest arrangement of the English sheet; of another language in its rooms, or at least at its scales."""
-    best = cheapest(contents(replace(drawing, lang="en")), paper)
-    if drawing.lang == "en":
-        return best
-    own, english, layout = contents(drawing), best.contents, best.layout
+@kept(8, objects=3)  # both languages of a handout's figures
+def _arranged(
+    method: Method, plot: Plot, paths: Paths, lang: Lang, planes: tuple[Plane, ...], style: Style, breaks: bool,
+    tight: bool, equations: bool, paper: str | None,
+) -> Arrangement:  # fmt: skip
+    """The cheapest arrangement of the English sheet; of another language in its rooms, or at least at its scales.
+    Solution, sheet, steps and other languages of one drawing hang on the same, so it is kept for a while."""
+    arranged = partial(_arranged, method, plot, paths)
+    if lang == "en":
+        drawn = (method, plot) if style == "given" else shown(method, plot)
+        drawing = Planes(*drawn, planes, style, lang, paths, breaks)
+        if breaks and not any(drawing.left_out.values()):  # as it is without
+            return arranged(lang, planes, style, False, tight, equations, paper)
+        return cheapest(_contents(drawing, tight, equations), paper)
+    best = arranged("en", planes, style, breaks, tight, equations, paper)
+    own = _contents(replace(best.contents.drawing, lang=lang), tight, equations)
+    english, layout = best.contents, best.layout
     details = {plane: replace(room, parts=best.panel(plane).magnified) for plane, room in english.detailed.items()}
-    kept = replace(own, low=english.low, without=english.without, detailed=details, scales=layout.scales)
-    if layout.holds(kept.extents, kept.height(layout.paper)):
-        return Arrangement(kept, layout)
+    alike = replace(own, low=english.low, without=english.without, detailed=details, scales=layout.scales)
+    if layout.holds(alike.extents, alike.height(layout.paper)):
+        return Arrangement(alike, layout)
     with suppress(TooLargeForPaper):
-        alike = Arrangement.on(kept, [other for other in papers_for(paper) if other.area >= best.sold.area])
-        return alike if paper else alike.cut
+        larger = Arrangement.on(alike, [other for other in papers_for(paper) if other.area >= best.sold.area])
+        return larger if paper else larger.cut
     return cheapest(own, paper)
 
 

@@ -20,6 +20,7 @@ from graphkin.handouts.typst import pdf
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.outputs.letters import lettered
 from graphkin.say.entry import text_lines
+from graphkin.sheet import mechanism_sheet
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Text
 from graphkin.submissions import Student
@@ -38,6 +39,19 @@ def test_nothing_is_torn_apart(name, stage):
     chinese = [bool(re.search("[\u4e00-\u9fff]", page.foot)) for page in read(content)]
     assert set(chinese) == {True, False}
     assert chinese == sorted(chinese, reverse=True)
+
+
+def test_figures_are_arranged_once_for_both_languages(monkeypatch: pytest.MonkeyPatch):
+    """The whole sheet, for its scales, and a figure of each plane."""
+    planes, cheapest = [], mechanism_sheet.cheapest
+
+    def counted(contents, paper):
+        planes.append(contents.drawing.planes)
+        return cheapest(contents, paper)
+
+    monkeypatch.setattr(mechanism_sheet, "cheapest", counted)
+    in_languages([graphkin.load("ex3-1")], "solution", ("en", "zh"))
+    assert [len(each) for each in planes] == [3, 1, 1, 1]
 
 
 PAGE = """#set page(width: 210mm, height: 297mm, margin: (x: 20mm, top: 18mm, bottom: 26mm), footer: [foot])

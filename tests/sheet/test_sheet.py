@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import gc
 import re
 import time
 from collections.abc import Iterator
@@ -21,7 +22,8 @@ from graphkin.files import library, loads
 from graphkin.planning import Method, plan
 from graphkin.planning.needed import without_aids
 from graphkin.running import replay_all
-from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, scales_of, sheet, step_sheets
+from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, mechanism_sheet, scales_of, sheet, step_sheets
+from graphkin.sheet.composition import SheetContents
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.labels import settle
@@ -318,14 +320,16 @@ def test_figures_alone_that_no_paper_is_large_enough_for() -> None:
 
 
 def test_a_crowd_is_the_same_each_time() -> None:
-    assert sheet(*crowd("excavator")).marks == excavator().marks
+    assert sheet(*crowd.__wrapped__("excavator")).marks == excavator().marks
 
 
 def test_labels_that_say_nothing_new_are_left_out_where_there_is_no_room() -> None:
     wanted = [LabelRequest(plain(f"a{k}"), 10 + 10j, spare=k > 0) for k in range(9)]
     narrow = Room(6, 6, 14, 14)
     assert len([m for m in settle(LabelScene(wanted, [], narrow)).marks if isinstance(m, Text)]) == 9
-    settled = settle(scene := LabelScene(wanted, [], narrow), settle(scene))
+    settled = settle(scene := LabelScene(wanted, [], narrow), near := settle(scene))
+    assert near.places is not None
+    assert near.places.stands.all()  # it stays as it was settled
     kept = ["".join(run.text for run in m.label) for m in settled.marks if isinstance(m, Text)]
     assert not settled.clashing
     assert "a0" in kept
@@ -486,6 +490,42 @@ C = [80, 60]
 def test_a_solution_has_the_scales_of_its_sheet(name: str):
     drawing = Drawing.of(library.load(name))
     assert scales_of(drawing.method, drawing.plot) == drawing.sheet().scales
+
+
+@pytest.fixture
+def arranged(monkeypatch: pytest.MonkeyPatch) -> list[SheetContents]:
+    """The contents of sheets that are arranged anew."""
+    contents: list[SheetContents] = []
+    cheapest = mechanism_sheet.cheapest
+
+    def counted(own: SheetContents, paper: str | None) -> mechanism_sheet.Arrangement:
+        contents.append(own)
+        return cheapest(own, paper)
+
+    monkeypatch.setattr(mechanism_sheet, "cheapest", counted)
+    return contents
+
+
+def test_one_drawing_is_arranged_once(arranged: list[SheetContents]):
+    """For its solution, its sheet in both languages and step by step, though it be drawn twice."""
+    mechanism = library.load("ex3-1")
+    first = Drawing.of(mechanism)
+    first.explain("zh")
+    whole = [first.sheet(lang=lang).svg() for lang in ("zh", "en")]
+    [*first.step_sheets(lang="zh")]
+    assert len(arranged) == 1
+    assert [Drawing.of(mechanism).sheet(lang=lang).svg() for lang in ("zh", "en")] == whole
+    assert len(arranged) == 1
+    assert [Drawing.of(library.load("ex3-1")).sheet(lang=lang).svg() for lang in ("zh", "en")] == whole
+
+
+def test_few_sheets_are_kept(arranged: list[SheetContents]):
+    """Of a class with a problem for each no more than a handout has."""
+    for length in range(20, 32):
+        drawing = Drawing.of(library.load("ex3-1").with_({"links.1.AB": length}))
+        scales_of(drawing.method, drawing.plot)
+    gc.collect()
+    assert sum(isinstance(each, mechanism_sheet.Arrangement) for each in gc.get_objects()) < 12
 
 
 def test_what_stands_still_is_neither_lettered_nor_numbered_at_the_pole():
