@@ -222,10 +222,11 @@ def _arrangements(contents: SheetContents, papers: Sequence[Paper]) -> Iterator[
         for rooms in (small, dict.fromkeys(small, DetailRoom(DETAILS[1])))[: 1 + contents.tight]:
             yield (one := Arrangement.on(replace(contents, detailed=rooms), papers))
         if not contents.tight:  # and larger, with the mechanism as it is
-            kept = {**contents.scales, "position": one.layout.scales["position"]}
+            own = dict[Plane, float](contents.scales)
+            own.update((plane, scale) for plane, scale in one.layout.scales.items() if plane == "position")  # if shown
             same = [paper for paper in papers if paper.area == one.sold.area]
             with suppress(TooLargeForPaper):
-                yield Arrangement.on(replace(contents, detailed=small, larger=frozenset(small), scales=kept), same)
+                yield Arrangement.on(replace(contents, detailed=small, larger=frozenset(small), scales=own), same)
 
 
 def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
