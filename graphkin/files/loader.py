@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import partial
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
@@ -114,12 +114,6 @@ def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechan
     """The mechanism a text describes; `name` and `file` are what messages and drawings call it."""
     if not isinstance(text, str):
         raise NotAMechanism(Where("text"), type(text).__name__)
-    return _loaded(text, name, file)
-
-
-@lru_cache(maxsize=32)
-def _loaded(text: str, name: str, file: str) -> MechanismFile:
-    """One and the same for one text: by it plans, plots and sheets are kept."""
     document, lines = read_toml(text, file)
     draft = Draft(file, lines)
     return _drawn_up(draft, document, name, text)

@@ -11,7 +11,7 @@ from pdf_pages import faults, pages, read
 
 import graphkin
 from graphkin.cli import main
-from graphkin.files import library, loads
+from graphkin.files import library
 from graphkin.handouts import handout, in_languages, paging
 from graphkin.handouts.document import HandoutHeading, HandoutPicture, HandoutTable, NameLine, Paragraph
 from graphkin.handouts.markup import html
@@ -50,8 +50,7 @@ def test_figures_are_arranged_once_for_both_languages(monkeypatch: pytest.Monkey
         return cheapest(contents, paper)
 
     monkeypatch.setattr(mechanism_sheet, "cheapest", counted)
-    own = loads(library.text("ex3-1") + "\n")  # no other test has it
-    in_languages([own], "solution", ("en", "zh"))
+    in_languages([graphkin.load("ex3-1")], "solution", ("en", "zh"))
     assert [len(each) for each in planes] == [3, 1, 1, 1]
 
 
