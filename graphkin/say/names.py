@@ -37,10 +37,15 @@ def point(name: str) -> str:
     The links of lower-pair equivalents are called e, e2, ..; those that hold a rolling wheel f, the lines of centres
     of gears g.
     """
-    if name.startswith("*") or name.endswith(_STARTS):
+    if auxiliary(name) or name.endswith(_STARTS):
         return f"{_OPEN}{name}{_CLOSE}"
     text = _COUNTED.sub(r"\1,\2", spelled(name)).replace("@", "_")
     return text.replace("'''", "‴").replace("''", "″").replace("'", "′")
+
+
+def auxiliary(name: str) -> bool:
+    """Whether it is a point that the mechanism has not (`*1`)."""
+    return name.startswith("*")
 
 
 def lettered(text: str, letters: dict[str, str], free: Iterator[str]) -> str:

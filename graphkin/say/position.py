@@ -166,7 +166,7 @@ class PositionReader(Tangents):
         where one of its points may lie; "" of others."""
         start, end = (step.term.head, step.term.tail) if step.backwards else (step.term.tail, step.term.head)
         known = self.reading.named(step.start) and "*" not in start + end
-        if not step.tip.startswith("*") or not known or start == step.start:
+        if not names.auxiliary(step.tip) or not known or start == step.start:
             return ""
         words = {"tip": self.reading.place(step.tip), "start": names.point(step.start)}
         return self.reading.say("derivation.stand-in", point=names.point(end), other=names.point(start), **words)
