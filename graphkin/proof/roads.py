@@ -80,7 +80,7 @@ def held(method: Method, values: Sequence[Real] | None = None, compiled: bool | 
     """A replay, and the analysis beside it: of arrays (n,) at both ends and at ten places between, once for as far as
     the drivers of a method go. Raises RoadsDiffer, and what single positions raise: NotReached beyond a dead point."""
     if values is None or not any(map(np.ndim, values)):
-        proved(method, values)
+        _proved(method, None if values is None else tuple(map(number, values)))
         return replay_all(method, values)
     plot = replay_all(method, values, compiled)
     if not all(map(np.size, values)):
