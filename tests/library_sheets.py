@@ -12,6 +12,7 @@ from graphkin.errors import Lang
 from graphkin.files import library, load
 from graphkin.planning import Method
 from graphkin.sheet import Sheet, Style
+from graphkin.sheet.lettering import Label
 
 TEXTBOOK = Path(__file__).parent / "cases" / "textbook"
 
@@ -23,6 +24,10 @@ loaded = cache(library.load)
 @cache
 def drawing(name: str) -> Drawing:
     return Drawing.of(loaded(name))
+
+
+def plain_text(label: Label) -> str:
+    return "".join(run.text for run in label)
 
 
 def solved(name: str) -> tuple[Method, Plot]:

@@ -116,7 +116,7 @@ def _filler(cls: Any) -> Fill:
     makers = {name: each.default_factory for name, each in entries.items() if each.default_factory is not MISSING}
     filled = {*defaults, *makers}
     post: Fill | None = getattr(cls, "__post_init__", None)
-    rests: dict[object, dict[str, object]] = {}
+    rests: dict[tuple[object, ...], dict[str, object]] = {}
     """By how many values are given by place, and which by name: the defaults of all others."""
 
     def left(count: int, named: Iterable[str]) -> dict[str, object]:
@@ -127,15 +127,11 @@ def _filler(cls: Any) -> Fill:
         return {name: defaults[name] for name in names if name in others and name in defaults}
 
     def fill(self: object, /, *args: object, **named: object) -> None:
-        data = self.__dict__
-        key = (len(args), *named) if named else len(args)
+        data, key = self.__dict__, (len(args), *named)
         if (rest := rests.get(key)) is None:
             rest = rests[key] = left(len(args), named)
-        data |= zip(names, args)
-        if named:
-            data |= named
-        if rest:
-            data |= rest
+        data.update(zip(names, args), **named)
+        data.update(rest)
         if makers:
             data.update((name, make()) for name, make in makers.items() if name not in data)
         if post is not None:

@@ -334,8 +334,8 @@ def answers_elsewhere(
             yield Sentence(problem.message(reading.lang), item=True)
             continue
         told, shown_there = shown(method, plot)
-        there = replace(goal, reading=replace(reading, method=told, plot=shown_there, ruler=None))
-        for entry in map(AnswerLines(there, {}).entry, AnswerLines(there, {}).answerable):
+        answers = AnswerLines(replace(goal, reading=replace(reading, method=told, plot=shown_there, ruler=None)), {})
+        for entry in map(answers.entry, answers.answerable):
             yield replace(entry, formulas=(), numbers="") if isinstance(entry, Calculation) else entry
 
 

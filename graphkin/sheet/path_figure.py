@@ -65,7 +65,7 @@ class Paths:
         """Two corners of each [m]."""
         return [corner for curve in self.curves for corner in corners(curve.places.tolist())]
 
-    @property
+    @cached_property
     def scale(self) -> float:
         """Of the velocities, but for those that are far greater than most, as near a dead point [(m/s)/mm]."""
         speeds = self._speeds or [0.0]

@@ -6,7 +6,7 @@ import math
 from cmath import phase
 from collections import Counter
 
-from library_sheets import textbook_sheet
+from library_sheets import plain_text, textbook_sheet
 
 from graphkin.base.geometry import place
 from graphkin.construction import Plot
@@ -130,7 +130,7 @@ def test_a_pose_that_is_not_the_one_drawn_stands_by_its_symbol() -> None:
     for values, words in ((None, "φ3 = 104°"), ([math.radians(230)], "φ3")):
         plot = replay_all(method, values)
         page = sheet(method, plot, style="given")
-        assert words in {"".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)}
+        assert words in {plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)}
         [arc] = [mark for mark in page.marks if isinstance(mark, ArcMark) and mark.pen == "thin"]
         seen = phase(place(plot.position["C"] - plot.position["D"]))
         assert abs(abs(arc.sweep) - seen) * arc.radius < 4.5, "but for the heads at its ends"

@@ -14,7 +14,7 @@ import pytest
 import shapely
 from every_family import FAMILIES
 from large_mechanisms import dyads
-from library_sheets import library_sheet, solved
+from library_sheets import library_sheet, plain_text, solved
 
 from graphkin import Drawing
 from graphkin.construction import LETTER, Drawn, Given, LayOff, Plane, Plot
@@ -28,7 +28,6 @@ from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.labels import settle
 from graphkin.sheet.lettering import (
-    Run,
     advance,
     between,
     box,
@@ -48,10 +47,6 @@ SOLVED = list(library.names())[::3]
 
 def vector(page: Sheet, name: str) -> VectorMark:
     return next(mark for mark in page.marks if isinstance(mark, VectorMark) and mark.name == name)
-
-
-def plain_text(label: tuple[Run, ...]) -> str:
-    return "".join(run.text for run in label)
 
 
 # --- true to scale ----------------------------------------------------------------------------

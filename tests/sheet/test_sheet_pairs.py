@@ -10,7 +10,7 @@ from typing import Literal
 
 import pytest
 from gallery import FIGURES
-from library_sheets import library_sheet, solved
+from library_sheets import library_sheet, plain_text, solved
 
 from graphkin.files import library, loads
 from graphkin.model.quantities import Centre, read
@@ -18,12 +18,7 @@ from graphkin.planning import plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
-from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, PointMark, Stroke, Text
-
-
-def plain_text(label: tuple[Run, ...]) -> str:
-    return "".join(run.text for run in label)
 
 
 def dots(page: Sheet) -> dict[str, PointMark]:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from itertools import combinations, pairwise
 
 import pytest
-from library_sheets import library_sheet, textbook_sheet
+from library_sheets import library_sheet, plain_text, textbook_sheet
 
 from graphkin import Drawing
 from graphkin.base.lines import crossing, off_stretch
@@ -18,17 +19,13 @@ from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
 
 
-def letters(mark: Text) -> str:
-    return "".join(run.text for run in mark.label)
-
-
 def middle(mark: Text) -> complex:
     wide, up, down = box(mark.label, mark.size)
     return mark.at + cmath.rect(1, mark.turn) * complex(wide, down - up) / 2
 
 
 def texts(page: Sheet, word: str) -> list[Text]:
-    return [mark for mark in page.marks if isinstance(mark, Text) and letters(mark) == word]
+    return [mark for mark in page.marks if isinstance(mark, Text) and plain_text(mark.label) == word]
 
 
 def point(page: Sheet, name: str) -> complex:
@@ -49,7 +46,7 @@ def test_what_is_solved_together_stands_over_the_equations(lang: str, words: str
     below = [mark.at.imag - row.at.imag for mark in texts(page, "=") if mark.at.imag > row.at.imag]
     assert min(below) < 8
     footer = [mark for mark in page.marks if isinstance(mark, Text) and mark.at.imag > page.paper.height - 24]
-    assert not any("μ" in letters(mark) for mark in footer)
+    assert not any("μ" in plain_text(mark.label) for mark in footer)
 
 
 def test_arcs_of_drivers_about_one_point_are_apart() -> None:
@@ -105,7 +102,7 @@ def test_a_knotted_polygon_is_rather_larger_than_full_of_details() -> None:
     page = textbook_sheet("slotting")
     arrows = [mark for mark in page.marks if isinstance(mark, VectorMark) and mark.plane == "acceleration"]
     assert max(abs(one.end - other.end) for one in arrows for other in arrows) > 70
-    assert sum(" : 1)" in letters(mark) for mark in page.marks if isinstance(mark, Text)) == 1
+    assert sum(" : 1)" in plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)) == 1
 
 
 def _nearest_head(page: Sheet, name: Text) -> tuple[str, str]:
@@ -124,11 +121,11 @@ def test_a_crank_that_is_braked_has_each_letter_at_its_own_head(omega: float, al
 @pytest.mark.parametrize("name", ["s3-four", "ex3-7", "s4-ex2", "s4-ex5"])
 def test_the_letter_of_an_asked_turn_is_nearest_to_its_own_head(name: str) -> None:
     page = library_sheet(name)
-    names = [mark for mark in page.marks if isinstance(mark, Text) and letters(mark)[0] in "ωα" and letters(mark)[1:].isdigit()
-             and mark.accent in ("velocity", "acceleration")]  # fmt: skip
+    coloured = [mark for mark in page.marks if isinstance(mark, Text) and mark.accent in ("velocity", "acceleration")]
+    names = [(mark, word) for mark in coloured if re.fullmatch(r"[ωα]\d+", word := plain_text(mark.label))]
     assert len(names) > 1
-    for mark in names:
-        assert _nearest_head(page, mark) == ({"ω": "omega", "α": "alpha"}[letters(mark)[0]], letters(mark)[1:])
+    for mark, word in names:
+        assert _nearest_head(page, mark) == ({"ω": "omega", "α": "alpha"}[word[0]], word[1:])
 
 
 def test_the_arc_of_an_angle_is_off_that_of_a_short_crank() -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from library_sheets import TEXTBOOK
+from library_sheets import TEXTBOOK, plain_text
 from si_values import si
 
 import graphkin
@@ -231,5 +231,5 @@ def test_velocities_near_a_dead_point_do_not_shrink_the_others() -> None:
     heads = [mark for mark in page.marks if isinstance(mark, Stroke) and mark.pen == "hatch" and mark.accent == "velocity"]
     assert ticks[-1] > 5 * ticks[len(ticks) // 2]
     assert 0.6 * len(ticks) < len(heads) < len(ticks)
-    words = ["".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)]
+    words = [plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)]
     assert "arrows of over 16 mm are left out" in words

@@ -26,6 +26,8 @@ _COMMA = r",\s*(?=[a-z]\w* |P[\w@']+\s*(?:,|$))"
 _LONGEST_FIRST = sorted(WORDS, key=len, reverse=True)
 _AXES: dict[str, Axis] = {"x": "x", "y": "y"}
 _GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
+_OF_LINKS = ("theta", "omega", "alpha")
+_OF_NAMES = (*_OF_LINKS, "s")  # of a link or a slide, not of points
 _OF_TWO = ("a_n", "a_t", "a_k", "a_r")  # parts of an acceleration seen from another point
 _LONGEST = 500  # of a text that may name a quantity, in letters
 _APART = r"(@[^\s,，]+)(?:\s*[,，]\s*|\s+)(?=[^\s,，@]+@)"  # two sites that are written `A@yoke A@block`
@@ -124,7 +126,7 @@ def spelled_out(mechanism: Mechanism, text: str) -> str:
 
     def write(typed: str) -> str:
         word, of = typed.split(" ", 1)
-        return typed if word in ("theta", "omega", "alpha", "s") else f"{word} {clear(mechanism, of)}"
+        return typed if word in _OF_NAMES else f"{word} {clear(mechanism, of)}"
 
     return respelled(re.sub(_APART, r"\1,", text), write)
 
@@ -152,8 +154,8 @@ def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
         if near and (of in mechanism.links or seen(mechanism, of) is not None):
             raise errors.NotOneOf(where, word, WORDS)
         return None
-    of = of if word in ("theta", "omega", "alpha", "s") else clear(mechanism, of)
-    if word in ("theta", "omega", "alpha"):
+    of = of if word in _OF_NAMES else clear(mechanism, of)
+    if word in _OF_LINKS:
         # of a moving link; the frame's is only shown
         if of not in mechanism.moving and of != mechanism.frame:
             raise errors.UnknownLink(where, of, mechanism.moving)
