@@ -9,13 +9,15 @@ from __future__ import annotations
 import gc
 import os
 from collections.abc import Sequence
+from copy import copy
 from importlib import import_module
+from inspect import cleandoc
 from itertools import islice
 from typing import Any
 
 import click
 
-from graphkin.cli import streams
+from graphkin.cli import spoken, streams
 
 __all__ = ["main"]
 
@@ -60,6 +62,10 @@ class Program(click.Group):
         number = status if isinstance(status, int) else 0 if status is None else 1
         os._exit(number or (0 if streams.flushed() else 3))
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        spoken.listen(args)
+        return super().parse_args(ctx, args)
+
     def invoke(self, ctx: click.Context) -> object:
         try:
             with streams.written():
@@ -67,7 +73,7 @@ class Program(click.Group):
         except KeyboardInterrupt as end:
             from graphkin.say.catalogue import say
 
-            said = str(end) or say("common.broken off", "zh" if ctx.meta.get("lang") == "zh" else "en")
+            said = str(end) or say("common.broken off", spoken.user_language())
             click.echo("\n" + said, err=True)
             ctx.exit(BROKEN_OFF)
 
@@ -75,6 +81,8 @@ class Program(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name, command, rest = super().resolve_command(ctx, args)
+        if command is not None and not {"-h", "--help"}.isdisjoint(rest):
+            command = described(command)
         return name, command, rest if command is None else spelled_out(command, rest)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -86,6 +94,18 @@ class Program(click.Group):
         module = import_module(f"graphkin.cli.{COMMANDS[name]}")
         commands = (entry for entry in vars(module).values() if isinstance(entry, click.Command))
         return next((command for command in commands if command.name == name), None)
+
+
+def described(command: click.Command) -> click.Command:
+    """The command, in Chinese with the manual's description of it."""
+    if spoken.user_language() == "en":
+        return command
+    from graphkin.say.manual import description
+
+    _, mark, examples = cleandoc(command.help or "").partition("\b")
+    told, text = copy(command), description(str(command.name), "zh")
+    told.help = f"{text}\n\n{mark}{examples}" if text else command.help
+    return told
 
 
 def spelled_out(command: click.Command, args: Sequence[str]) -> list[str]:
@@ -110,8 +130,7 @@ def spelled_out(command: click.Command, args: Sequence[str]) -> list[str]:
 
 @click.group(cls=Program, context_settings=CONTEXT)
 @click.version_option(package_name="graphkin")
-@click.option("--lang", type=click.Choice(["en", "zh"]), callback=streams.spoken, expose_value=False, is_eager=True,
-              help="Language, as after a command.")  # fmt: skip
+@click.option("--lang", type=click.Choice(["en", "zh"]), expose_value=False, help="Language, as after a command.")
 def main() -> None:
     """Graphical kinematics for planar mechanisms.
 

@@ -11,6 +11,7 @@ import click
 from graphkin.base.value import frozen
 from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
+from graphkin.cli.spoken import misused
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
@@ -82,11 +83,11 @@ class _CentreCommand:
             self._pole_of_two_velocities()
             return
         if self.animate and not self.pair:
-            raise click.UsageError("--animate moves centrodes: --centrodes 3,1")
+            raise misused("usage.needs", option="--animate", other="--centrodes 3,1")
         if not mechanisms:
-            raise click.UsageError("a MECHANISM is missing, or --velocities")
+            raise misused("usage.either", others="--velocities")
         if len(mechanisms) > 1 and draws:
-            raise click.UsageError("-o and --steps draw one mechanism")
+            raise misused("usage.one", option="-o, --steps", what="MECHANISM")
         if draws:
             with streams.waiting():
                 pages = self._pages(self._centres(mechanisms[0]))
@@ -119,7 +120,7 @@ class _CentreCommand:
         from graphkin.studies.centres.two_velocities import from_text
 
         if self.steps is not None:
-            raise click.UsageError("--velocities draws one sheet: leave out --steps")
+            raise misused("usage.without", option="--velocities", others="--steps")
         pole = from_text(self.velocities)
         if self.output is None:
             click.echo("\n".join(pole_words(pole, self.lang)))

@@ -12,6 +12,7 @@ import click
 
 from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
+from graphkin.cli.spoken import misused
 from graphkin.cli.watching import each_mechanism
 from graphkin.errors import GraphkinError, Lang
 
@@ -61,16 +62,16 @@ def draw(
       graphkin draw mine.toml --watch
     """
     if style == "given" and (steps is not None or only not in (None, "position")):
-        raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
+        raise misused("usage.without", option="--style given", others="--steps, --only")
     _check_paths(paths, arrows, style, only, output)
     machine = shared.read(mechanism)
     alone = output is None and steps is not None
     output = _file(output, machine.name)
     if animate and (steps is not None or tight or style != "construction" or paths or at):
-        others = "--steps, --tight, --style, --path, --angle and --at"
-        raise click.UsageError(f"--animate shows the motion: leave out {others}")
+        others = "--steps, --tight, --style, --path, --angle, --at"
+        raise misused("usage.without", option="--animate", others=others)
     if animate and output.suffix.lower() not in (".svg", ".png"):
-        raise click.UsageError(f"{output}: what moves must end in .svg or .png")
+        raise misused("usage.suffix", output=output, kinds=".svg, .png")
     drawing = shared.drawing(machine, at, coincident, method)
     if animate:
         moving = drawing.animate(output, paper=paper, lang=lang, only=only, dpi=dpi or 100.0, ink=ink, force=force)
@@ -96,13 +97,13 @@ def _file(output: Path | None, name: str) -> Path:
 
 def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane | None, output: Path | None) -> None:
     if arrows and not paths:
-        raise click.UsageError("--arrows draws velocities along a path: --path E")
+        raise misused("usage.needs", option="--arrows", other="--path E")
     if paths and (style == "given" or only not in (None, "position")):
-        raise click.UsageError("--path is drawn with the mechanism, as a result: leave out --style given and --only")
+        raise misused("usage.without", option="--path", others="--style given, --only")
     if paths and output is not None and output.suffix.lower() == ".ggb":
-        raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
+        raise misused("usage.locus")
     if only is not None and output is not None and output.suffix.lower() == ".ggb":
-        raise click.UsageError("in GeoGebra each figure moves with the one before: leave out --only")
+        raise misused("usage.without", option=output, others="--only")
 
 
 @click.command()
@@ -113,8 +114,7 @@ def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane
 @click.option("--all", "everything", is_flag=True, help="All points and links, whatever the file asks for.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), default="acceleration",
               show_default=True, help="How far to go: the mechanism alone, or with velocities, or with both.")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
-              help=".html, .tex or .md; else printed.")
+@shared.svg_option(".html, .tex or .md; else printed.", kinds=(".html", ".tex", ".md"))
 @shared.force_option
 @click.option("--as-drawn", is_flag=True, help="Read lengths to 0.5 mm, as a hand does, and go on from that.")
 @shared.speaking
@@ -132,10 +132,8 @@ def explain(
       graphkin explain p3-22 --only velocity
       graphkin explain mine.toml --watch
     """
-    if output is not None and output.suffix.lower() not in (".html", ".tex", ".md"):
-        raise click.UsageError(f"{output}: the file to write must end in .html, .tex or .md")
     if output is not None and as_drawn:
-        raise click.UsageError("--as-drawn is printed: leave out -o")
+        raise misused("usage.without", option="--as-drawn", others="-o")
     drawing = shared.drawing(shared.read(mechanism), at, coincident, method)
     if output is None:
         click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
@@ -153,8 +151,7 @@ def explain(
 @shared.mechanisms_argument
 @click.option("--method", type=click.Choice(["complex", "matrix"]), default="complex", show_default=True,
               help="Complex vectors, with closed forms; or one system of matrices.")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
-              help=".txt, .html or .tex; else printed.")
+@shared.svg_option(".txt, .html or .tex; else printed.", kinds=(".txt", ".html", ".tex"))
 @shared.force_option
 @shared.driver_options
 @shared.speaking
@@ -175,13 +172,11 @@ def equations(
     def document(source: str) -> writing.Document:
         return writing.document(shared.placed(source, at), method, lang)
 
-    if output is not None and output.suffix.lower() not in writing.WRITERS:
-        raise click.UsageError(f"{output}: the file to write must end in .txt, .html or .tex")
     if output is None:
         shared.print_each(mechanisms, lambda source: writing.write_text(document(source)).splitlines(), False, lang)
         return
     if len(mechanisms) > 1:
-        raise click.UsageError("-o writes one file; name one MECHANISM, or leave -o out")
+        raise misused("usage.one", option=f"-o {output}", what="MECHANISM")
     writing.write(output, document(mechanisms[0]), force)
     click.echo(str(output))
 
@@ -239,7 +234,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lan
     from graphkin.say.results import check_json, check_lines
 
     if not math.isfinite(tolerance):
-        raise click.UsageError("--tolerance takes a finite number")
+        raise misused("usage.finite", option="--tolerance")
     status = 0
     for drawing in streams.counted(drawings, True):
         try:

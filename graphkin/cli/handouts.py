@@ -9,6 +9,7 @@ import click
 
 from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
+from graphkin.cli.spoken import misused
 from graphkin.errors import Lang, NothingToScan
 
 if TYPE_CHECKING:
@@ -67,9 +68,9 @@ def handout(
         output.mkdir(parents=True, exist_ok=True)
         books, sheets = [(output / f"{one.name}.pdf", [(one, who)]) for one, who in problems], output / NAME
     elif output.suffix.lower() not in (".pdf", ".html"):
-        raise click.UsageError(f"{output}: the file to write must end in .pdf or .html, or be a folder")
+        raise misused("usage.suffix", output=output, kinds=".pdf, .html")
     elif scan is not None and output.suffix.lower() == ".html":
-        raise click.UsageError("--scan needs a .pdf: a page of a browser has no fixed size")
+        raise misused("usage.needs", option="--scan", other="-o OUT.pdf")
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     for path, several in streams.counted(books, True):
         files.refuse(path, force, saving.MARKS)
@@ -95,7 +96,7 @@ def _problems(
     for source in sources:
         if source and is_set(Path(source)):
             if at:
-                raise click.UsageError("--angle and --at are for a MECHANISM: the students of a set have their own")
+                raise misused("usage.without", option=source, others="--angle, --at")
             own, students = students_of(Path(source))
             seed = seed or own
             problems += [(shared.read(str(path)), who) for who, path in students]

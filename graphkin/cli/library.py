@@ -9,6 +9,7 @@ import click
 
 from graphkin.cli import shared
 from graphkin.cli.shared import DriverOptions
+from graphkin.cli.spoken import misused
 from graphkin.errors import Lang
 from graphkin.files import library, starters
 from graphkin.say.catalogue import say
@@ -44,7 +45,7 @@ def list_(
             click.echo(str(NotebookSheet.of(family_sheet(lang)).save(output, force=force)), err=True)
         return
     if output is not None:
-        raise click.UsageError("-o draws the kinds of linkages: --kinds")
+        raise misused("usage.needs", option="-o", other="--kinds")
     names = library.chosen(kind or "", group or "", source)
     if not names:
         click.echo(say("structure.none listed", lang), err=True)

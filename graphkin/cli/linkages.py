@@ -13,6 +13,7 @@ from graphkin.api.answers import from_lengths
 from graphkin.api.answers import linkage as linkage_of
 from graphkin.cli import shared
 from graphkin.cli.shared import DriverOptions
+from graphkin.cli.spoken import misused
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 
@@ -48,13 +49,13 @@ def linkage(
     """
     given = [(kind, sizes) for kind, sizes in (("fourbar", fourbar), ("slider", slider), ("guide", guide)) if sizes]
     if len(given) + bool(mechanisms) != 1:
-        raise click.UsageError("give a MECHANISM, or one of --fourbar, --slider, --guide")
+        raise misused("usage.either", others="--fourbar, --slider, --guide")
     if given and at:
-        raise click.UsageError("--angle and --at are for a MECHANISM")
+        raise misused("usage.without", option=f"--{given[0][0]}", others="--angle, --at")
     if len(mechanisms) > 1 and (fix or output is not None):
-        raise click.UsageError("--fix and -o are for one MECHANISM")
+        raise misused("usage.one", option="--fix, -o", what="MECHANISM")
     if fix and (as_json or output is not None):
-        raise click.UsageError("--fix prints a mechanism as TOML; leave out --json and -o")
+        raise misused("usage.without", option="--fix", others="--json, -o")
     if output is None and mechanisms and not fix:
         shared.print_each(mechanisms, lambda source: _lines(linkage_of(shared.read_at(source, at)), as_json, lang),
                           as_json, lang)  # fmt: skip

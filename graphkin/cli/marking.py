@@ -13,6 +13,7 @@ from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.cli import shared, streams
 from graphkin.cli.shared import DriverOptions
+from graphkin.cli.spoken import misused
 from graphkin.errors import Lang, NoneMarked
 
 if TYPE_CHECKING:
@@ -161,16 +162,16 @@ class _Grading:
         from graphkin.homework.result_files import ResultFiles
 
         if self.kinds and self.output is None:
-            raise click.UsageError("--format needs -o: the folder to write into")
+            raise misused("usage.needs", option="--format", other="-o DIR")
         if not self.kinds and self.output is not None and self.output.suffix.lower() != ".json":
-            raise click.UsageError(f"{self.output}: the file to write must end in .json; or say --format, for a folder")
+            raise misused("usage.records", output=self.output)
         problems = grading.problems_of(key, submissions)
         if self.output is not None and not self.kinds and problems[0].name:
-            raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
+            raise misused("usage.folder")
         pencils = grading.pencils_of(self.pencil, self.sigmas, self.relative)
         limits = grading.limits_of(self.turned, self.letters)
         if self.confirm is not None and problems[0].name:
-            raise click.UsageError("--confirm is for one problem: name its key, and its pictures")
+            raise misused("usage.one", option="--confirm", what="KEY")
         usual = grading.MarkingOptions(limits, self.jobs, words=self.lang)
         judges = [grading.judge_from(problem.key, pencils, self.roster) for problem in problems]
         options = []

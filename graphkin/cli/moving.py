@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from graphkin.cli import shared, streams
+from graphkin.cli.spoken import misused
 from graphkin.errors import Lang, TooManyRows, Where
 
 if TYPE_CHECKING:
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
 
 PRINTED, IN_ONE = 100_000, 1_000_000
 """Rows that are printed as a table, and written as one JSON object, at most."""
-WRITTEN = (".csv", ".json", ".jsonl", ".parquet", ".svg", ".png", ".pdf")
 LONG = 200_000  # positions from which a sweep shows how far it is
 
 
@@ -28,8 +28,8 @@ LONG = 200_000  # positions from which a sweep shows how far it is
 @click.option("--of", default="", metavar="QUANTITIES",
               help='Such as "theta 3, v E, a_k B3B2"; else what the file asks.')
 @shared.by_option
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
-              help=".csv, .json, .jsonl, .parquet, or a diagram: .svg, .png, .pdf; - for CSV on stdout.")
+@shared.svg_option(".csv, .json, .jsonl, .parquet, or a diagram: .svg, .png, .pdf; - for CSV on stdout.",
+                   to_stdout=True, kinds=(".csv", ".json", ".jsonl", ".parquet", ".svg", ".png", ".pdf"))
 @click.option("--table", is_flag=True, help="Print as table 3-1 of the textbook: deg and m, five decimals.")
 @click.option("--limit", "limits", multiple=True, metavar="QUANTITY VALUE",
               help='Say where a size is passed, such as "a E 3 g".')
@@ -52,8 +52,6 @@ def sweep(
     from graphkin.say.sweeps import book_lines, extremes, left_out, remarks, sweep_lines
     from graphkin.studies import finding, sweeps
 
-    if output is not None and output.suffix.lower() not in WRITTEN and str(output) != "-":
-        raise click.UsageError(f"{output}: the file to write must end in {', '.join(WRITTEN)}")
     method = api.plan(shared.read(mechanism))
     for text in limits:
         finding.check_limit(method.mechanism, text)
@@ -143,9 +141,9 @@ def find(
     machine = shared.read(mechanism)
     if dimensions:
         if len(dimensions) > 1:
-            raise click.UsageError("--vary takes one dimension at a time")
+            raise misused("usage.one", option="--vary", what="NAME=FROM:TO:STEP")
         if output is not None:
-            raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
+            raise misused("usage.without", option="--vary", others="-o")
         with streams.waiting():
             table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
         shared.print_answer(table, as_json, lang)

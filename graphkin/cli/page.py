@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from graphkin.cli import shared, streams
+from graphkin.cli.spoken import misused
 from graphkin.cli.watching import watch
 from graphkin.errors import Lang
 
@@ -41,7 +42,7 @@ def page(
       graphkin page mine.toml --watch
     """
     if board and len(mechanisms) > 1:
-        raise click.UsageError("--board holds one problem: name one MECHANISM")
+        raise misused("usage.one", option="--board", what="MECHANISM")
     sources, made = list(dict.fromkeys(mechanisms)), dict[str, "Data"]()
 
     def write(changed: list[str]) -> None:

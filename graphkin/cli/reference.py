@@ -20,6 +20,7 @@ import click
 
 import graphkin
 from graphkin.cli import shared
+from graphkin.cli.spoken import misused
 from graphkin.errors import Lang
 
 _INHERITED = ("Readable", "Measured")
@@ -119,18 +120,18 @@ def help_(topic: str, chosen: tuple[str, ...], whole: bool, output: Path | None,
     """
     if whole or output is not None:
         if topic or output is None or not whole:
-            raise click.UsageError("the manual is one page: graphkin help --html -o manual.html")
+            raise misused("usage.manual")
         from graphkin.cli import manual
 
         manual.write(output, force, lang, {name: text(name) for name in names()})
         return
     if topic == "api":
         if unknown := [name for name in chosen if name not in names()]:
-            raise click.UsageError(f"no {', '.join(unknown)} in the interface. There are: {', '.join(names())}")
+            raise misused("usage.names", names=", ".join(unknown), known=", ".join(names()))
         click.echo(text(*chosen))
         return
     if chosen:
-        raise click.UsageError("only help api takes names")
+        raise misused("usage.no names")
     if topic == "file":
         from graphkin.say.file_help import file_lines
 
@@ -140,6 +141,8 @@ def help_(topic: str, chosen: tuple[str, ...], whole: bool, output: Path | None,
     assert isinstance(context.command, click.Group)
     command = context.command.get_command(context, topic) if topic else context.command
     if command is None:
-        raise click.UsageError(f"there is no page {topic!r}: file, api, or a command")
+        raise misused("usage.page", topic=topic)
     within = context if command is context.command else click.Context(command, info_name=topic, parent=context)
-    click.echo(command.get_help(within))
+    from graphkin.cli import described
+
+    click.echo(described(command).get_help(within))

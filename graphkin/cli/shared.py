@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import json
 import math
-import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -17,6 +16,7 @@ import click
 
 from graphkin.base.value import frozen
 from graphkin.cli import streams
+from graphkin.cli.spoken import misused, user_language
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs import drawings
 
@@ -37,20 +37,9 @@ DRAWN_AS = drawings.DRAWN
 # --- options ----------------------------------------------------------------------------------
 
 
-def user_language() -> Lang:
-    """As it is said before the command; else Chinese where the environment asks for it, else English."""
-    context = click.get_current_context(silent=True)
-    if context is not None and (before := context.find_root().meta.get("lang")):
-        return "zh" if before == "zh" else "en"
-    for name in ("GRAPHKIN_LANG", "LC_ALL", "LC_MESSAGES", "LANG"):
-        if value := os.environ.get(name):
-            return "zh" if value.lower().startswith("zh") else "en"
-    return "en"
-
-
 lang_option = click.option(
     "--lang", type=click.Choice(["en", "zh"]), default=user_language, show_default="of your system",
-    help="Language of texts and messages.", callback=streams.spoken,
+    help="Language of texts and messages.",
 )  # fmt: skip
 angle_option = click.option("--angle", "angles", type=float, multiple=True, metavar="DEG",
     help="Draw at this driver angle instead; once for each driver that has an angle, in order.")  # fmt: skip
@@ -85,7 +74,7 @@ def svg_option(
             return path
         if folders and is_folder(path):
             return path
-        raise click.UsageError(f"{path}: the file to write must end in {' or '.join(kinds)}", ctx)
+        raise misused("usage.suffix", output=path, kinds=", ".join(kinds))
 
     kind = click.Path(path_type=Path, dir_okay=folders)
     return click.option("-o", "--output", type=kind, callback=checked, help=text)
@@ -128,7 +117,7 @@ def errors_said(lang: Lang) -> Iterator[None]:
         click.echo(error.message(lang), err=True)
         sys.exit(error.exit_code)
     except OSError as error:
-        sys.exit(streams.ended(error, lang))
+        sys.exit(streams.ended(error))
 
 
 def speaking(command: Callable[..., None]) -> Callable[..., None]:
@@ -150,7 +139,7 @@ def read(source: str) -> Mechanism:
     from graphkin import api, files
 
     if not source:
-        raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
+        raise misused("usage.empty")
     through_pipe = source == "-"
     machine = files.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
     lang = click.get_current_context().params.get("lang", "en")
@@ -178,13 +167,12 @@ class DriverOptions:
         angles, slides = [math.radians(angle) for angle in self.angles], [s / 1000 for s in self.displacements]
         rest: dict[str, list[float]] = {"angle": angles, "slide": slides, "spin": []}
         if not all(math.isfinite(value) for values in rest.values() for value in values):
-            raise click.UsageError("--angle and --at take finite numbers")
+            raise misused("usage.finite", option="--angle, --at")
         drawn = method.facts(None).values
         values = [rest[d.kind].pop(0) if rest[d.kind] else float(v) for d, v in zip(method.drivers, drawn, strict=True)]
         for option, kind in (("--angle", "angle"), ("--at", "slide")):
             if rest[kind]:
-                name = method.mechanism.name
-                raise click.UsageError(f"{name} has no driver left for {option} (of {len(values)} drivers)")
+                raise misused("usage.drivers", name=method.mechanism.name, option=option, count=len(values))
         return [Number(value, driven(d.kind == "slide")) for value, d in zip(values, method.drivers, strict=True)]
 
 
@@ -233,7 +221,7 @@ def plan(machine: Mechanism, coincident: str, method: str) -> Method:
     from graphkin import api
 
     if coincident and coincident not in machine.points:
-        raise click.UsageError(f"--coincident: {machine.name} has no point {coincident}")
+        raise misused("usage.coincident", name=machine.name, point=coincident)
     return api.plan(machine, coincident, centres=method == "centre")
 
 
@@ -253,9 +241,9 @@ def wants_json(as_json: bool, output: Path | None, count: int) -> bool:
     """True where texts of `count` mechanisms are JSON: `-o` says so, too."""
     kind = output.suffix.lower() if output is not None else ""
     if kind == ".json" and count > 1:
-        raise click.UsageError("several mechanisms make several JSON objects: name a .jsonl file")
+        raise misused("usage.objects")
     if kind == ".txt" and as_json:
-        raise click.UsageError("--json writes .json or .jsonl")
+        raise misused("usage.suffix", output=output, kinds=".json, .jsonl")
     return as_json or kind in (".json", ".jsonl")
 
 
@@ -303,7 +291,7 @@ def refuse_one_file(names: Iterable[str], suffix: str) -> None:
     seen = set[str]()
     for name in names:
         if name in seen:
-            raise click.UsageError(f"two mechanisms would be written into {name}{suffix}: rename one of them")
+            raise misused("usage.same file", file=f"{name}{suffix}")
         seen.add(name)
 
 

@@ -15,7 +15,8 @@ from typing import TypeVar
 
 import click
 
-from graphkin.errors import CannotWrite, Lang
+from graphkin.cli.spoken import user_language
+from graphkin.errors import CannotWrite
 
 _Item = TypeVar("_Item")
 _PATIENCE, _TICK = 2.0, 0.5  # so long nobody is told to wait; how often the bar moves [s]
@@ -63,12 +64,12 @@ def flushed() -> bool:
     return True
 
 
-def ended(error: OSError, lang: Lang = "en") -> int:
+def ended(error: OSError) -> int:
     """The exit status of a command that could not write."""
     if isinstance(error, BrokenPipeError) or error.errno in NO_READER:
         return 0
     refused = CannotWrite.by(error.filename or "<stdout>", error)
-    click.echo(refused.message(lang), err=True)
+    click.echo(refused.message(user_language()), err=True)
     return refused.exit_code
 
 
@@ -105,9 +106,3 @@ def waiting(alone: bool = True) -> Iterator[None]:
     finally:
         done.set()
         mover.join()
-
-
-def spoken(context: click.Context, _: click.Parameter, lang: str | None) -> str | None:
-    """A language that is said before the command is the command's, unless that has one of its own; and is kept."""
-    context.meta["lang"] = lang
-    return lang

@@ -12,6 +12,7 @@ from pathlib import Path
 import click
 
 from graphkin.cli.shared import is_folder, mechanisms_argument, refuse_one_file
+from graphkin.cli.spoken import misused
 
 PAUSE = 0.3  # between two looks at the files [s]
 
@@ -26,8 +27,7 @@ def each_mechanism(command: Callable[..., None]) -> Callable[..., None]:
     def wrapped(mechanisms: tuple[str, ...], watched: bool, **options: object) -> None:
         output = options.get("output")
         if len(mechanisms) > 1 and isinstance(output, Path) and not (draws and is_folder(output)):
-            or_folder = ", or a folder" if draws else ""
-            raise click.UsageError(f"-o writes one file; name one MECHANISM{or_folder}, or leave -o out")
+            raise misused("usage.one", option=f"-o {output}", what="MECHANISM")
         if draws:
             refuse_one_file((Path(source).stem for source in dict.fromkeys(mechanisms)), ".svg")
         if watched:
@@ -66,7 +66,7 @@ def watch(files: Sequence[str], act: Callable[[str], None]) -> None:
     """Act on each file, and again on each one that is saved, until Ctrl-C."""
     for file in files:
         if not Path(file).is_file():
-            raise click.UsageError(f"--watch looks at files, and {file} is none")
+            raise misused("usage.watched", file=file)
     seen: dict[str, Stamp] = dict.fromkeys(files, ())
     try:
         while True:

@@ -465,3 +465,43 @@ def test_what_is_no_condition_or_no_pencil_is_refused_with_what_to_do(words: tup
     result = run(*words)
     assert (result.exit_code, result.stdout) == (3, "")
     assert said in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("draw --bogus", "错误：没有选项 '--bogus'。"),
+        ("draw", "缺少参数 'MECHANISM...'"),
+        ("draw ex3-1 --arrow", "是否为 '--arrows'？"),
+        ("draw ex3-1 --style red", "'--style' 的值有误：'red' 不在 'construction', 'result', 'given' 之中。"),
+        ("draw ex3-1 --dpi 3", "'--dpi' 的值有误：3.0 不在范围 20<=x<=2400 之内。"),
+        ("show ex3-1 ex3-2", "多余的参数（ex3-2）"),
+        ("none", "没有命令 'none'。"),
+        ("explain ex3-1 -o x.doc", "x.doc：要写的文件须以 .html, .tex, .md 结尾"),
+        ("linkage ex3-5 --fix 2 --json", "--fix：请去掉 --json, -o"),
+        ("draw ex3-1 --angle 120 --angle 7", "ex3-1 共 1 个原动件，没有可用于 --angle 的了"),
+    ],
+)
+@pytest.mark.parametrize("where", ["before", "after", "environment"])
+def test_wrong_usage_is_told_in_the_users_language(
+    words: str, told: str, where: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if where == "environment":
+        monkeypatch.setenv("GRAPHKIN_LANG", "zh")
+    line = {"before": f"--lang zh {words}", "after": f"{words} --lang=zh", "environment": words}[where]
+    done = run(*line.split())
+    assert done.exit_code == 2
+    assert told in done.output
+    english = run(*words.split(), "--lang", "en")
+    assert english.exit_code == 2
+    assert not re.search("[\u4e00-\u9fff]", english.output)
+
+
+def test_help_in_chinese():
+    for line in ("--lang zh solve --help", "solve --lang zh -h", "help solve --lang zh"):
+        told = run(*line.split()).output
+        assert "用法:" in told
+        assert "图解与解析并列" in told, "as the manual says it"
+        assert "graphkin solve ex3-7 --angle 120" in told
+    assert "[NAME" not in run("show", "-h", "--lang", "zh").output
+    assert "Print all results" in run("solve", "--help").output

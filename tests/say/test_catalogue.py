@@ -8,15 +8,17 @@ import string
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
-from itertools import product
+from itertools import chain, product
 from pathlib import Path
 from typing import TypeGuard
+
+import click
 
 import graphkin
 
 PACKAGE = Path(graphkin.__file__).parent
 SPEAKER = PACKAGE / "say"
-SPEAKING = {"say", "say_close", "phrase", "in_both", "head", "meaning"}
+SPEAKING = {"say", "say_close", "phrase", "in_both", "head", "meaning", "misused"}
 """Functions and methods whose first argument is the name of a phrase."""
 
 
@@ -124,13 +126,14 @@ def is_speaking(node: ast.AST) -> TypeGuard[ast.Call]:
 
 @cache
 def compiled() -> tuple[re.Pattern[str], ...]:
-    return tuple(re.compile(pattern) for pattern in patterns() if pattern)
+    return tuple(re.compile(pattern, re.DOTALL) for pattern in patterns() if pattern)
 
 
 @cache
 def texts() -> frozenset[str]:
-    """Every text that stands in the code, its phrases apart."""
-    return frozenset(node.value for node in nodes() if isinstance(node, ast.Constant) and isinstance(node.value, str))
+    """Every text that stands in the code, its phrases apart, and in click, which asks for texts of its own."""
+    own = (node for path in Path(click.__file__).parent.glob("*.py") for node in walked(path))
+    return frozenset(node.value for node in chain(nodes(), own) if isinstance(node, ast.Constant) and isinstance(node.value, str))
 
 
 @cache

@@ -171,7 +171,7 @@ def _nearest(place: complex, line: np.ndarray) -> float:
         (["-", "--path", "C", "--arrows"], 3, "driver AB has no omega"),
         (["ex3-5", "--arrows"], 2, "--path E"),
         (["ex3-5", "--path", "E", "--style", "given"], 2, "leave out --style given"),
-        (["ex3-5", "--path", "E", "--only", "velocity"], 2, "leave out --style given and --only"),
+        (["ex3-5", "--path", "E", "--only", "velocity"], 2, "leave out --style given, --only"),
         (["ex3-5", "--path", "E", "-o", "x.ggb"], 2, "Locus"),
         *((["ex3-5", "--only", only, "-o", "x.ggb"], 2, "leave out --only") for only in ("position", "velocity", "acceleration")),
     ],
