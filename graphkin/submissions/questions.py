@@ -153,15 +153,13 @@ def _of_moving(word: str, rest: str) -> Iterator[str]:
     """The part may stand before the points or after them, raised or not."""
     tight = re.sub(r"[ _]", "", rest)
     marked = re.search(rf"\^\(?({_PART})\)?", tight, re.I)
-    if marked is not None:
-        yield f"{word}_{_PARTS[marked[1].lower()]} {tight[: marked.start()]}{tight[marked.end() :]}"
-        return
-    yield f"{word} {tight}"
+    if marked is None:
+        yield f"{word} {tight}"
     before, after = re.match(rf"({_PART})(?=[A-Za-z])", tight, re.I), re.search(rf"(?<=[\w']),?({_PART})$", tight, re.I)
-    if before is not None:
-        yield f"{word}_{_PARTS[before[1].lower()]} {tight[before.end():]}"
-    if after is not None:
-        yield f"{word}_{_PARTS[after[1].lower()]} {tight[: after.start()]}"
+    for part in (marked,) if marked else filter(None, (before, after)):
+        which, of = _PARTS[part[1].lower()], tight[: part.start()] + tight[part.end() :]
+        # of two points v is the velocity of sliding, which some write v_r
+        yield f"v {of}" if (word, which, len(split_points(of))) == ("v", "r", 2) else f"{word}_{which} {of}"
 
 
 def _meaning(mechanism: Mechanism, quantity: Quantity) -> object:

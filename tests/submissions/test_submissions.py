@@ -89,7 +89,7 @@ QUESTIONS = {
                "|角速度 ω3|构件3的角速度|摇杆的角速度 ω3|构件3的角速度 ω3|angular velocity of link 3|angular velocity ω3",
     "alpha 3": "alpha3|ε3|α_3|α₃ (rad/s²)|角加速度 3",
     "a_k B3B2": "aB3B2k|a^k_B3B2|a_B3B2^k|akB3B2|a_k_B3B2|a^{k}_{B_3B_2}|ak|aᵏB3B2|akb3b2|ab3b2k|a_cor B3B2|a_k B3/B2",
-    "v B3B2": "vB3B2|v_{B3B2}|v B3/B2|vb3b2|v_{B_3B_2}|V_B3B2|v⃗_B3B2|速度 B3B2",
+    "v B3B2": "vB3B2|v_{B3B2}|v B3/B2|vb3b2|v_{B_3B_2}|V_B3B2|v⃗_B3B2|速度 B3B2|v_r B3B2|v^r_B3B2|v_{B3B2}^r|vrB3B2",
     "v B": "vB|v_B2|v B1|v_{B}|B点的速度|点B速度大小|B点速度 vB|velocity of point B (m/s)",
     "a C": "C点加速度|加速度 a_C",
     "a_n B3D": "aⁿB3D|a^n_B3D|aB3Dn|a_n B3/D",
@@ -109,7 +109,7 @@ def test_a_question_as_it_is_typed(key, text):
     assert found[0] == key
 
 
-@pytest.mark.parametrize("text", ["hello", "omega", "a", "B3", "omega 9", "v Z", "", "student", "x" * 500, "a_k B", "{" * 50,
+@pytest.mark.parametrize("text", ["hello", "omega", "a", "B3", "omega 9", "v Z", "", "student", "x" * 500, "a_k B", "v_r B", "{" * 50,
                                   "角速度 v_C", "B点速度 vC", "C点法向加速度", "构件2的角速度 ω3", "速度"])
 def test_what_names_nothing(text):
     assert Questions(MECHANISM, ASKED.questions).read(text) is None
