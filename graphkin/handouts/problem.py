@@ -46,7 +46,6 @@ from graphkin.say.solution_goal import SolutionGoal, solution_goal
 from graphkin.say.tolerances import untold_lines
 from graphkin.sheet.lettering import Label, formula, plain
 from graphkin.sheet.paper import KEYS
-from graphkin.sheet.window import constructions
 
 ROOM = complex(160.0, 120.0)  # of any polygon that is drawn as large as a handout draws it [mm]
 
@@ -97,7 +96,7 @@ class HandoutProblem:
 
     def construction(self, plane: Plane) -> Construction:
         """The construction of a polygon."""
-        return constructions(self.told.method)[plane]
+        return self.told.method.construction(plane)
 
     @cached_property
     def posed_at(self) -> tuple[Plot, bool] | None:

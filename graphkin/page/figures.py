@@ -21,7 +21,7 @@ from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.motion_frames import MotionFigure, lettered
 from graphkin.sheet.paper import KEYS, Room
 from graphkin.sheet.polygons import PolygonFigure, arrows, named_site
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
+from graphkin.sheet.window import PLANES, Extent, Figure, Window
 
 _ROOMS: Mapping[Plane, Room] = {
     "position": Room(0, 0, 125, 100), "velocity": Room(0, 0, 100, 90), "acceleration": Room(0, 0, 100, 90),
@@ -90,7 +90,7 @@ class PageFigures:
             marks = [*pencil_lines(self.method.position, plot, window, pages(self.method)), *figure.marks]
         else:
             born = births(self.method, plane)
-            polygon = PolygonFigure(self.method.mechanism, constructions(self.method)[plane], plot, window, born)
+            polygon = PolygonFigure(self.method.mechanism, self.method.construction(plane), plot, window, born)
             rest = [mark for mark in figure.marks if not isinstance(mark, VectorMark | PointMark)]
             points = [replace(mark, step=None if mark.of == "pole" else mark.step)
                       for mark in figure.marks if isinstance(mark, PointMark)]  # fmt: skip
@@ -118,7 +118,7 @@ class PageFigures:
         """The arrows of each polygon, those that are one together, the one that is drawn first foremost."""
         every: dict[Plane, list[list[VectorMark]]] = {}
         for plane in PLANES[1:]:
-            construction, born = constructions(self.method)[plane], births(self.method, plane)
+            construction, born = self.method.construction(plane), births(self.method, plane)
             there = self.usual[0].points(plane)
             one = {name: group[0] for group in self.motion[plane].as_one for name in group}
             groups: dict[tuple[str, str], list[VectorMark]] = {}

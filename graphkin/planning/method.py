@@ -105,6 +105,9 @@ class Method:
     def constructions(self) -> tuple[Construction, Construction, Construction]:
         return self.position, self.velocity, self.acceleration
 
+    def construction(self, plane: Plane) -> Construction:
+        return {each.plane: each for each in self.constructions}[plane]
+
     @cached_property
     def acts(self) -> tuple[Act, ...]:
         """The acts of the pencil, each told by one sentence of the solution."""

@@ -60,7 +60,7 @@ def needed(method: Method, facts: set[Fact], known: frozenset[Fact] = frozenset(
 def acts_of_equations(method: Method, plane: Plane, drawn: Iterable[Act]) -> Iterator[list[Act]]:
     """The acts that each equation of a polygon needs and none before it did, by one act that draws it; none for the
     same equation once more."""
-    construction = {each.plane: each for each in method.constructions}[plane]
+    construction = method.construction(plane)
     reader, left = PartsReader(method, construction), [act for act in method.acts if act.plane == plane]
     for act in drawn:
         part = next((each for each in construction.equations if act.done in each.steps), None)

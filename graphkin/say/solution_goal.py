@@ -146,8 +146,7 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     shown = {} if everything else asked_parts(reading.method, answerable, reading.steady, planes)
     if not shown:
         wanted = (*filter(_placed, answerable), *all_motions(mechanism, planes))
-        constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
-        parts = {plane: constructions[plane].parts for plane in planes}
+        parts = {plane: reading.method.construction(plane).parts for plane in planes}
         if reading.steady:
             facts = {fact for one in wanted for fact in facts_of(reading.method, one)}
             led = needed(reading.method, facts, reading.steady)

@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from graphkin.base import geometry
+from graphkin.base.boxes import xy
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
@@ -22,7 +23,6 @@ from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
 from graphkin.sheet.added_points import drawn_when
 from graphkin.sheet.arrows import free_pieces
-from graphkin.sheet.boxes import xy
 from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain, quantity_label

@@ -14,11 +14,11 @@ from functools import cache, partial
 import numpy as np
 
 from graphkin.base import geometry
+from graphkin.base.boxes import free_about
 from graphkin.construction import Plane
 from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
-from graphkin.sheet.boxes import free_about
 from graphkin.sheet.centre_figure import OnPaper, Spot, bare_mechanism, centre_figure, centre_label, coordinates, spots
 from graphkin.sheet.layout import HEAD, Layout, division
 from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width

@@ -9,7 +9,7 @@ from itertools import product
 from typing import Literal
 
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
+from graphkin.construction import Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
@@ -17,8 +17,9 @@ from graphkin.planning.at_rest import held_labels
 from graphkin.planning.method import births, pages
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import driven, sizes
+from graphkin.say.ladder import rungs
 from graphkin.say.plane import PolygonReading
-from graphkin.say.polygons import polygon_entries as polygon_entries
+from graphkin.say.polygons import polygon_entries
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Size
 from graphkin.sheet.added_points import touched
@@ -36,9 +37,9 @@ from graphkin.sheet.paper import KEYS, Paper, Room
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.text_blocks import Ladder, WrittenLines, ladder
+from graphkin.sheet.text_blocks import Ladder, WrittenLines
 from graphkin.sheet.titleblock import Strip, Table, TableBlock
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions, enlarged
+from graphkin.sheet.window import PLANES, Extent, Figure, Window, enlarged
 
 Style = Literal["construction", "result", "given"]
 BlockName = Literal["paths", "equations", "detail", "tables"]
@@ -59,9 +60,6 @@ class Planes:
     paths: Paths = NONE
     breaks: bool = False
 
-    def construction(self, plane: Plane) -> Construction:
-        return constructions(self.method)[plane]
-
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
         if plane == "position":
@@ -69,7 +67,7 @@ class Planes:
             ends = (end for size in self.sizes for end in size.ends)
             return [*enlarged(places(self.method, self.plot), ends, _BEYOND), *self.paths.places]
         points = self.plot.points(plane)
-        names = {self.construction(plane).pole, *self.construction(plane).nodes}
+        names = {self.method.construction(plane).pole, *self.method.construction(plane).nodes}
         values = [complex(v) - self.left_out[plane].get(name, 0) for name, v in points.items() if name in names]
         return values + [corner for image in self.gears(plane) for corner in image.corners]
 
@@ -110,7 +108,7 @@ class Planes:
         """By plane the head of an arrow that is drawn broken, and the piece that is not drawn [SI]."""
         scales = self.method.mechanism.scales
         broken = [plane for plane in PLANES[1:] if self.breaks and KEYS[plane] not in scales]
-        return {plane: left_out(self.method, self.construction(plane), self.plot, self.gears(plane))
+        return {plane: left_out(self.method, self.method.construction(plane), self.plot, self.gears(plane))
                 if plane in broken else {} for plane in PLANES}  # fmt: skip
 
     @cached_property
@@ -136,7 +134,7 @@ class Planes:
     def polygon(self, plane: Plane, window: Window) -> PolygonFigure:
         held = held_labels(self.method, plane, self.reading({}).rested)
         return PolygonFigure(
-            self.method.mechanism, self.construction(plane), self.plot, window, births(self.method, plane),
+            self.method.mechanism, self.method.construction(plane), self.plot, window, births(self.method, plane),
             self.gears(plane), self.style == "construction", held, self.left_out[plane],
         )  # fmt: skip
 
@@ -165,9 +163,10 @@ class Planes:
             return {}
         rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
         reading, polygons = self.reading({}), [plane for plane in self.planes if plane != "position"]
-        entries = {plane: polygon_entries(reading, plane, self.construction(plane).parts, 0) for plane in polygons}
-        every = {plane: ladder(own, rows, plane, self.method) for plane, own in entries.items()}
-        return {plane: own for plane, own in every.items() if own is not None}
+        parts = ((plane, self.method.construction(plane).parts) for plane in polygons)
+        entries = ((plane, polygon_entries(reading, plane, own, 0)) for plane, own in parts)
+        every = ((plane, Ladder.of(rungs(own, plane, self.method), rows, plane)) for plane, own in entries)
+        return {plane: own for plane, own in every if own is not None}
 
     def reading(self, drawn: Mapping[Plane, float]) -> Reading:
         """The reading of the words, at the scales of the planes that are drawn."""
@@ -266,7 +265,7 @@ class SheetContents:
         """How that was found which ruler and compass do not give."""
         notes, drawing = dict[Plane, Label](), self.drawing
         for plane in drawing.planes if drawing.style != "given" else ():
-            steps = drawing.construction(plane).steps
+            steps = drawing.method.construction(plane).steps
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
                 notes[plane] = plain(say("sheet.fitted", drawing.lang))
             elif plane not in drawing.ladders and any(isinstance(step, Simultaneous) for step in steps):
@@ -320,7 +319,7 @@ class SheetContents:
             marks = tuple(block.rows(at) if isinstance(block, Ladder) else block.marks(at))
             beside.append((Room(at.real, at.imag, end.real, end.imag), marks))
         if self.stages and plane == "position":
-            before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
+            before += pencil_lines(drawing.method.construction(plane), drawing.plot, window, pages(drawing.method))
         return Panel(
             drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), plane,
             drawing.last(plane, window, layout.scales, rings), tuple(beside),

@@ -13,11 +13,11 @@ from itertools import pairwise
 import numpy as np
 
 from graphkin.base import geometry
+from graphkin.base.boxes import free_about
 from graphkin.base.value import frozen
 from graphkin.construction import drafting
 from graphkin.construction.drafting import Bisector, Board, Drafting, LineStep, Step, drawn_through
 from graphkin.say.numbers import circled
-from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, joined, plain, width
 from graphkin.sheet.marks import Disc, Fill, Place, Stroke

@@ -9,6 +9,7 @@ from itertools import chain, product
 
 import numpy as np
 
+from graphkin.base.boxes import free_about
 from graphkin.base.lines import crossing
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
@@ -17,7 +18,6 @@ from graphkin.model.wheels import wheels_of
 from graphkin.planning import Method
 from graphkin.say.reading import driven_motions
 from graphkin.sheet import symbols
-from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, between, joined, link_label, quantity_label, vector_label
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows

@@ -12,8 +12,8 @@ from typing import TypeVar
 
 import numpy as np
 
+from graphkin.base.boxes import overlap, xy
 from graphkin.base.geometry import Array
-from graphkin.sheet.boxes import overlap, xy
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import SIGN, LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box

@@ -13,9 +13,9 @@ from itertools import chain, pairwise
 
 import numpy as np
 
+from graphkin.base.boxes import meet, off_lines, xy
 from graphkin.base.geometry import Array
 from graphkin.base.value import filled
-from graphkin.sheet.boxes import meet, off_lines, xy
 from graphkin.sheet.label_costs import LabelPlaces
 from graphkin.sheet.label_requests import CRAMMED, LONGEST, SIGN, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark

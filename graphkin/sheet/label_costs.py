@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.boxes import meet, overlap, through
 from graphkin.base.geometry import Array
-from graphkin.sheet.boxes import meet, overlap, through
 
 _APART = 1.0  # what two labels keep from each other [mm]
 _PASSING = 0.4  # the distance of a leader from other labels [mm]

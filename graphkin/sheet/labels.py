@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.boxes import overlap
 from graphkin.base.geometry import Array
-from graphkin.sheet.boxes import overlap
 from graphkin.sheet.label_candidates import FAR, LED, MANY, NEAR, STRANGE, LabelScene
 from graphkin.sheet.label_costs import LabelPlaces, LabelTable, together, under
 from graphkin.sheet.label_requests import LEAST, LabelRequest

@@ -205,7 +205,7 @@ _SIGN = (
     rf"(?:_(?P<low>{_LOW})|(?P<digits>\d+))(?P<power>[²³]?)(?![A-Za-z])"
 )
 _POINT = re.compile(r"[A-Z][0-9]*′*")
-_POINTS = rf"(?:(?<=[⊥∥→·∆])|(?<=× )|(?<=[A-Z]/))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
+_POINTS = rf"(?:(?<=[⊥∥→·∆])|(?<=× )|(?<=[A-Z\d]/))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
 _NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z′]*\d)(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
 _NODE = re.compile(r"[a-z]\d*(?:_\d+|,\d+(?=′))?′*(?:(?<=′)\d+′*)?")
 _CORNER_LETTER = r"(?:[a-z](?=_[a-z])|(?![ervxy]_[A-Z])[b-km-ru-z])"  # of n_lever′, n_OA′; v_E′ is a motion of E′
@@ -215,7 +215,7 @@ _EACH = re.compile(rf"{_WITH_WORD}|[a-z]\d*′+")
 _STRETCH = (
     r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+(?:\d+′*)?|[a-z]\d+(?:_\d+)?′*)+(?![A-Za-z\d²³])"
     r"|(?<=[·∆])(?:[a-z]\d*)+(?![A-Za-z_])|(?<=[∥⊥])[xy]\b|(?<![A-Za-z/])(?<!\d )[a-z]\d*[a-z]\d*(?= = )"
-    r"|(?<== )[a-z]\d*[a-z]\d*(?= ×)"
+    r"|(?<== )[a-z]\d*(?:[a-z]\d*(?= ×)|(?=[a-z]_\w+ ×))"
 )
 _ALONE = (  # `θ`, `K`, `AD`, `p`, `A` and `a` of a sentence where they are no words
     r"[α-ωΑ-Ω](?!\w)|(?<![\w°′’'\-])(?:[B-HJ-Z]|[A-HO-QS]{2}|[A-H]{3,4}|A(?=[,.;:)、，。；）]|$| [\u4e00-\u9fff(（]))"

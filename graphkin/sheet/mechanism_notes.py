@@ -75,19 +75,19 @@ class MechanismNotes:
             if not marks and datum not in measured and not lettered_too:
                 unsaid.setdefault(datum.derived, []).append(formula(datum.text))
         for derived, labels in unsaid.items() if self.planes else ():
-            words = self._written(labels, free)
+            words = self._written(labels, free, (LABEL,) if derived else (LABEL, LEAST))
             added += (replace(mark, accent="grey") for mark in words) if derived else words
         return added
 
-    def _written(self, labels: Sequence[Label], free: FreeRoom) -> list[Text]:
-        """Data in lines, as low as there is room: together, else in parts; in small letters where large have none."""
+    def _written(self, labels: Sequence[Label], free: FreeRoom, sizes: Sequence[float]) -> list[Text]:
+        """Data in lines, as low as there is room: together, else in parts; in smaller letters where large have none."""
         widths = free.room.size.real - 8, *_NARROWER
-        for size, count, wide in product((LABEL, LEAST), range(len(labels), 0, -1), widths):
+        for size, count, wide in product(sizes, range(len(labels), 0, -1), widths):
             text = WrittenLines.of(labels[:count], wide, size)
             if (corner := free.corner(text.size, from_below=True)) is not None:
                 marks = [*text.marks(corner)]
                 free.add(marks)
-                return [*marks, *self._written(labels[count:], free)]
+                return [*marks, *self._written(labels[count:], free, sizes)]
         return []
 
     @cached_property

@@ -31,7 +31,7 @@ from graphkin.sheet.page import Page, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.single_figure import Picture, foot_of
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions, corners, enlarged
+from graphkin.sheet.window import PLANES, Extent, Figure, Window, corners, enlarged
 
 Own = Mapping[Plane, Mapping[str, complex]]
 """A student's drawing as it was measured: points of each plane by their letters, SI, from any of them."""
@@ -110,7 +110,7 @@ class Version:
 
     @property
     def construction(self) -> Construction:
-        return constructions(self.method)[self.plane]
+        return self.method.construction(self.plane)
 
     def places(self) -> list[complex]:
         if self.plane == "position":

@@ -17,6 +17,7 @@ from itertools import pairwise, repeat
 
 import numpy as np
 
+from graphkin.base.boxes import xy
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, replay
@@ -28,7 +29,6 @@ from graphkin.planning.method import births
 from graphkin.running import replay_all
 from graphkin.running.path import along, stride
 from graphkin.say.catalogue import say
-from graphkin.sheet.boxes import xy
 from graphkin.sheet.fixed_link import drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import Layout, lay_out
@@ -42,7 +42,7 @@ from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.results import label_of
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import PITCH, Strip
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
+from graphkin.sheet.window import PLANES, Extent, Figure, Window
 from graphkin.studies.sweeps import Course, asked, course, drawable, prove, quantities_at
 
 FRAMES = 60
@@ -143,7 +143,7 @@ class MotionFigure:
     @cached_property
     def _names(self) -> list[str]:
         """The points of the polygon, the pole first."""
-        polygon, there = constructions(self.method)[self.plane], self.plots[0].points(self.plane)
+        polygon, there = self.method.construction(self.plane), self.plots[0].points(self.plane)
         return [name for name in dict.fromkeys((polygon.pole, *polygon.nodes)) if name in there]
 
     def _places(self, plot: Plot) -> list[complex]:
@@ -197,7 +197,7 @@ class MotionFigure:
         """At a position, and the letters it wants."""
         born, machine = births(self.method, self.plane), self.method.mechanism
         if self.plane != "position":
-            polygon = PolygonFigure(machine, constructions(self.method)[self.plane], plot, window, born)
+            polygon = PolygonFigure(machine, self.method.construction(self.plane), plot, window, born)
             places, middle = polygon.named, sum(polygon.points.values()) / max(1, len(polygon.points))
             named = [[name for name in group if name in places] for group in self.as_one]
             words = [[*map(point_label, group[:_NAMES]), *[plain("…")] * (len(group) > _NAMES)] for group in named]

@@ -10,8 +10,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from graphkin.base.boxes import beyond, meet, xy
 from graphkin.base.geometry import Array
-from graphkin.sheet.boxes import beyond, meet, xy
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 

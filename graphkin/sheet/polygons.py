@@ -10,6 +10,7 @@ from itertools import chain
 import numpy as np
 
 from graphkin.base import geometry
+from graphkin.base.boxes import free_about
 from graphkin.base.geometry import place
 from graphkin.base.lines import hull, in_line
 from graphkin.base.value import frozen
@@ -19,7 +20,6 @@ from graphkin.planning import Method
 from graphkin.planning.at_rest import relabelled
 from graphkin.planning.images import imaged_gears
 from graphkin.planning.method import rate_found
-from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, vector_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark

@@ -5,16 +5,14 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import pairwise, repeat
+from itertools import repeat
 
 from graphkin.base.value import frozen
-from graphkin.construction import Image, Plane
-from graphkin.planning.method import Act, Method
-from graphkin.planning.needed import acts_of_equations
-from graphkin.say.entry import Entry, Sentence, VectorEquation
+from graphkin.construction import Plane
+from graphkin.say.ladder import Rung
 from graphkin.sheet.lettering import LABEL, LEAST, Label, box, formula, joined, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 
@@ -81,31 +79,40 @@ class WrittenLines:
 
 
 RING = 0.76 * LEAST  # radius of the circle about the number of a step [mm]
+_ASIDE = 0.6  # between two of them [mm]
 
 
 def ringed(numbers: Sequence[int], middle: Place, step: int | None) -> Iterator[Mark]:
-    """The number of a step in a circle, or `3, 5\u20137` in a longer ring."""
-    label = plain(_runs(numbers))
-    wide, up, down = box(label, LEAST)
-    if (half := ring_width(numbers) / 2 - RING) > 0:
-        turns = [cmath.rect(RING, math.pi * (k / 8 - 0.5)) for k in range(9)]
-        rim = [*(middle + half + turn for turn in turns), *(middle - half - turn for turn in turns)]
-        yield Stroke(tuple(rim), "construction", closed=True, step=step)
-    else:
-        yield Disc(middle, RING, "construction", step=step)
-    yield Text(label, middle + complex(-wide / 2, (up - down) / 2), LEAST, step)
+    """The number of a step in a circle, of those that follow one another in a longer ring, `5\u20137`; side by side."""
+    at = middle - ring_width(numbers) / 2
+    for text in _runs(numbers):
+        label, half = plain(text), _half(text)
+        (wide, up, down), at = box(label, LEAST), at + half + RING
+        if half > 0:
+            turns = [cmath.rect(RING, math.pi * (k / 8 - 0.5)) for k in range(9)]
+            rim = [*(at + half + turn for turn in turns), *(at - half - turn for turn in turns)]
+            yield Stroke(tuple(rim), "construction", closed=True, step=step)
+        else:
+            yield Disc(at, RING, "construction", step=step)
+        yield Text(label, at + complex(-wide / 2, (up - down) / 2), LEAST, step)
+        at += half + RING + _ASIDE
 
 
 def ring_width(numbers: Sequence[int]) -> float:
-    """The width of that ring [mm]."""
-    return max(2 * RING, width(plain(_runs(numbers)), LEAST) + 0.6 * RING if len(numbers) > 1 else 0.0)
+    """The width of these rings [mm]."""
+    return sum(2 * (_half(text) + RING) + _ASIDE for text in _runs(numbers)) - _ASIDE
 
 
-def _runs(numbers: Sequence[int]) -> str:
-    """`4, 6\u20138`."""
+def _half(text: str) -> float:
+    """Half of the straight part of a ring, 0 of a circle [mm]."""
+    return width(plain(text), LEAST) / 2 - 0.7 * RING if "\u2013" in text else 0.0
+
+
+def _runs(numbers: Sequence[int]) -> list[str]:
+    """`4`, `6\u20138`."""
     first = [number for number in numbers if number - 1 not in numbers]
     last = [number for number in numbers if number + 1 not in numbers]
-    return ", ".join("\u2013".join(map(str, dict.fromkeys(ends))) for ends in zip(first, last, strict=True))
+    return ["\u2013".join(map(str, dict.fromkeys(ends))) for ends in zip(first, last, strict=True)]
 
 
 _LINES = tuple(k * LABEL for k in (1, 2.2, 3.4))  # base lines of terms and of the rows under them [mm]
@@ -163,6 +170,20 @@ class Ladder:
     blocks: tuple[EquationBlock, ...]
     plane: Plane
 
+    @classmethod
+    def of(cls, rungs: Iterable[Rung], rows: tuple[str, str], plane: Plane) -> Ladder | None:
+        """None of nothing; rows: what stands before those under an equation."""
+        blocks = list[EquationBlock]()
+        for rung in rungs:
+            if isinstance(rung.equation, str):
+                row = ((), (), ()), (formula(rung.equation), (), ())
+                blocks.append(EquationBlock(row, rung.page, rung.numbers, high=LINE * LABEL))
+            else:
+                terms = ((formula(name), formula(way), formula(size)) for name, way, size in rung.equation.columns)
+                columns = (((), plain(rows[0]), plain(rows[1])), *terms)
+                blocks.append(EquationBlock(columns, rung.page, rung.numbers))
+        return cls(tuple(blocks), plane) if blocks else None
+
     @property
     def size(self) -> complex:
         first = max(block.widths[0] for block in self.blocks)
@@ -199,42 +220,3 @@ class Ladder:
     def within(self, room: float) -> Ladder:
         """In a width [mm], as far as breaking its equations helps."""
         return replace(self, blocks=tuple(part for block in self.blocks for part in block.within(room)))
-
-
-def _at_once(acts: Sequence[Act], told: Collection[Act | None]) -> Iterator[Act]:
-    """The steps of an equation but for those with a row of their own that are not followed at once by the others; an
-    image has its row between them."""
-    own = [act for act in acts if not (isinstance(act.done, Image) and act in told)]
-    gaps = [act.number for act, other in pairwise(own) if other.number > act.number + 1]
-    first = max(gaps, default=0)
-    yield from (act for act in acts if act.number > first or act not in told)
-
-
-def ladder(entries: Iterable[Entry], rows: tuple[str, str], plane: Plane, method: Method) -> Ladder | None:
-    """Every equation that the words print, with the numbers of the steps that it needs, and a row for each other
-    motion; None where they print none; rows: what stands before the rows."""
-    equations: list[tuple[VectorEquation | str, Act | None]] = []
-    for entry in entries:
-        if isinstance(entry, VectorEquation):
-            equations.append((entry, None))
-        elif isinstance(entry, Sentence) and entry.act is not None:  # of several that are solved together, of all
-            equations = [(equation, first if isinstance(equation, str) else first or entry.act)
-                         for equation, first in equations]  # fmt: skip
-        if isinstance(entry, Sentence) and entry.row:
-            equations.append((entry.row, entry.act))
-    acts = [act for equation, act in equations if act is not None and not isinstance(equation, str)]
-    told = {act for equation, act in equations if isinstance(equation, str)}
-    needs = [[*_at_once(own, told)] for own in acts_of_equations(method, plane, acts)]
-    known = {act for each in needs for act in each if not isinstance(act.done, Image)}
-    blocks, steps = list[EquationBlock](), iter(needs)
-    for equation, act in equations:
-        page = None if act is None else act.page
-        if isinstance(equation, str) and act not in known:
-            row, numbers = (((),) * 3, (formula(equation), (), ())), () if act is None else (act.number,)
-            blocks.append(EquationBlock(row, page, numbers, high=LINE * LABEL))
-        elif isinstance(equation, VectorEquation):
-            own = () if act is None else next(steps)
-            terms = ((formula(name), formula(way), formula(size)) for name, way, size in equation.columns)
-            columns = (((), plain(rows[0]), plain(rows[1])), *terms)
-            blocks.append(EquationBlock(columns, page, tuple(each.number for each in own if each in known)))
-    return Ladder(tuple(blocks), plane) if blocks else None

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cache, cached_property, lru_cache
+from math import ceil
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -90,9 +91,10 @@ def arranged(tables: Sequence[Table], room: float) -> TableBlock:
 
 
 def _cut(tier: Sequence[Table], room: float) -> list[Table]:
-    """Tables cut to as few rows as their room allows."""
+    """Tables cut to as few rows as their room allows, each into like parts."""
     for rows in range(_WHOLE, _MOST_ROWS + 1):
-        parts = [part for table in tier for part in table.cut(rows)]
+        counts = (len(table.rows) / ceil(len(table.rows) / rows) for table in tier)
+        parts = [part for table, count in zip(tier, counts, strict=True) for part in table.cut(ceil(count))]
         if across(parts) <= room:
             return parts
     kept = [table.cut(_MOST_ROWS)[0] for table in tier]

@@ -10,13 +10,13 @@ from itertools import product
 
 import numpy as np
 
+from graphkin.base.boxes import free_about
 from graphkin.base.lines import off_stretch
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import spelled
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Rod, RollingContact, Slide, Slot, rod_name
 from graphkin.model.wheels import Wheel, wheels_of
 from graphkin.sheet import symbols
-from graphkin.sheet.boxes import free_about
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke

@@ -10,8 +10,7 @@ from itertools import product
 import numpy as np
 
 from graphkin.base.value import filled, frozen
-from graphkin.construction import Construction, Plane
-from graphkin.planning import Method
+from graphkin.construction import Plane
 from graphkin.sheet.label_requests import LabelRequest, lettering
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.obstacles import bounds, places
@@ -69,10 +68,6 @@ class Figure:
     def numbered(self, step: int | None) -> Figure:
         """All of it in one step of the construction, or in none."""
         return Figure([replace(mark, step=step) for mark in self.marks], [replace(w, step=step) for w in self.wanted])
-
-
-def constructions(method: Method) -> dict[Plane, Construction]:
-    return {"position": method.position, "velocity": method.velocity, "acceleration": method.acceleration}
 
 
 _TRIAL, _WALL = 100.0, 2000.0

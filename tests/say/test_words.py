@@ -32,9 +32,9 @@ from graphkin.say import (
     vector_equations,
 )
 from graphkin.say.catalogue import phrase
+from graphkin.say.ladder import rungs
 from graphkin.say.numbers import degrees, number
 from graphkin.say.text_table import width
-from graphkin.sheet.text_blocks import ladder
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
 LANGS: tuple[Lang, Lang] = ("en", "zh")
@@ -751,9 +751,7 @@ def test_a_further_point_of_a_crank_has_its_formula_and_what_is_laid_off_before_
     assert re.search(r"v_C = ω2 l_AC = μ_v·pc = ", text)
     assert "v_E = μ_v·pe = " in text  # of a coupler there is no pivot
     entries = [*derivation(method, plot, SCALES, "en", as_planned=True)]
-    rows = ladder(entries, ("", ""), "velocity", method)
-    assert rows is not None
-    numbers = [block.numbers for block in rows.blocks if block.numbers]
+    numbers = [rung.numbers for rung in rungs(entries, "velocity", method) if rung.numbers]
     assert numbers[:3] == [(1,), (2,), (3,)]
     assert sorted(numbers) == numbers
 
