@@ -160,6 +160,7 @@ class _Grading:
         """Every problem of the key by itself; then the folders of results, for all of them."""
         from graphkin.homework import grading
         from graphkin.homework.result_files import ResultFiles
+        from graphkin.say.tolerances import untold_lines
 
         if self.kinds and self.output is None:
             raise misused("usage.needs", option="--format", other="-o DIR")
@@ -174,6 +175,8 @@ class _Grading:
             raise misused("usage.one", option="--confirm", what="KEY")
         usual = grading.MarkingOptions(limits, self.jobs, words=self.lang)
         judges = [grading.judge_from(problem.key, pencils, self.roster) for problem in problems]
+        for line in (line for judge in judges for line in untold_lines(judge.untold(), self.lang)):
+            click.echo(line, err=True)
         options = []
         for problem, judge in zip(problems, judges, strict=True):
             crop = self.confirm is not None

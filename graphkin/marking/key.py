@@ -19,7 +19,8 @@ Doubt = Literal["", "steep", "dead point", "too small"]
 """The reason for which paper tells a value badly: it scatters otherwise than in proportion to the pencil's errors; it
 cannot be told at all, near a dead point, or since it may be off by most of its size."""
 MOST = 0.75  # where a value may be off by a larger part, paper cannot tell it
-TELLS = 0.15  # where paper cannot tell a value, one that is off by a smaller part is right all the same
+_SIGMAS = 3.0  # nearly all that a pencil draws lies within so many standard deviations
+TELLS = 0.15  # of a value that may be off by a larger part only what is off by no more than this is right
 Name = tuple[str, str, str, str]
 """A mistake as it is made at one place: its id, which way of it, what it was made with, and with what instead."""
 
@@ -71,8 +72,11 @@ class KeyEntry:
 
     @property
     def allowed(self) -> float:
-        """The most a right value may be off: never right are those that only a tolerance beyond all size lets in."""
-        return self.tolerance if self.doubt in ("", "steep") else min(self.tolerance, TELLS * abs(self.right))
+        """The most a right value may be off; where a pencil may err by more than `TELLS`, what only the tolerance lets
+        in is neither right nor wrong."""
+        paper = replace(self, tolerance=_SIGMAS * self.scatter)
+        told = self.doubt in ("", "steep") and part_off(paper, math.inf) <= TELLS
+        return self.tolerance if told else min(self.tolerance, TELLS * abs(self.right))
 
 
 def part_off(entry: KeyEntry, usual: float) -> float:

@@ -323,8 +323,9 @@ class Marker:
     ) -> Marked:  # fmt: skip
         senses = sense_only(self.table, given, self.table.right, self.table.tolerance) | carried.sense_only[k]
         judged = {
-            n: Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
-            if untold[n] and (entry.doubt == "dead point" or entry.doubt == "too small")  # paper cannot tell it
+            n: Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance,
+                      "dead point" if entry.doubt == "dead point" else "too small")
+            if untold[n]  # paper cannot tell it
             else self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, after, k)
             for n, entry in enumerate(self.key.entries)
             if entry.points or entry.text in work.numbers or entry.text in work.unread

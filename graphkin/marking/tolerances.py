@@ -132,8 +132,9 @@ def spread(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.
     """
     size, angle = (np.array([sort == kind for sort in sorts], dtype=bool) for kind in ("size", "angle"))
     around = around[..., None, :]
-    off = np.where(size, np.abs(values) - np.abs(around), values - around)
-    off = np.abs(np.where(angle, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
+    with np.errstate(invalid="ignore"):  # beyond all size, or of a value that is
+        off = np.where(size, np.abs(values) - np.abs(around), values - around)
+        off = np.abs(np.where(angle, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
     off = np.sort(off, axis=-2)  # NaN come last
     count = np.isfinite(off).sum(axis=-2)
     deviations = []

@@ -67,6 +67,14 @@ def test_the_line_of_a_submission():
     assert 0.5 < mistake["probability"] <= 1
 
 
+@pytest.mark.parametrize("lang", LANGS)
+def test_the_teacher_is_told_once_what_paper_cannot_tell(lang: Lang):
+    files = [handed('"alpha 4" = 0.2', student) for student in ("s1", "s2")]
+    told, other = (run("grade", name, *files, "--json", "--lang", lang).stderr for name in ("s3-shaper", "ex3-1"))
+    words = {"en": "`graphkin grade` does not count", "zh": "graphkin grade 不计分"}[lang]
+    assert (told.count(words), other.count(words)) == (1, 0)
+
+
 def test_carried_values_in_the_line():
     (line,) = lines("ex3-1", handed('"omega 3" = -5.65\n"a_k B3B2" = 3.63'))
     one = line["quantities"]["a_k B3B2"]

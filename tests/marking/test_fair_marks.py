@@ -177,3 +177,13 @@ def test_a_carried_value_has_a_tolerance_of_its_own():
     right = 3.6**2 * 0.0692  # omega² l_BD
     assert verdicts(marked(one, **{"omega 3": -3.6, "a_n B3D": right}))["a_n B3D"] == "carried"
     assert verdicts(marked(one, **{"omega 3": -3.6, "a_n B3D": right - entry.tolerance}))["a_n B3D"] == "wrong"
+
+
+@pytest.mark.parametrize(("off", "verdict", "score"), [(0.1, "right", 1.0), (0.2, "too small", 1.0), (0.5, "wrong", 0.5)])
+def test_a_value_that_a_pencil_hardly_tells_is_right_within_15_percent(off: float, verdict: str, score: float):
+    """A pencil errs by up to a quarter of it there: what is off by so much counts neither way."""
+    one = marker("s3-shaper", "alpha 4", "v E")
+    right = {entry.text: entry.right for entry in one.key.entries if entry.points}
+    found = marked(one, **{**right, "alpha 4": (1 - off) * right["alpha 4"]})
+    assert verdicts(found) == {"alpha 4": verdict, "v E": "right"}
+    assert found.score == score

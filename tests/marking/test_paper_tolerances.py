@@ -94,6 +94,11 @@ def test_a_dead_point_is_said_in_both_languages(place: str) -> None:
     assert "接近死点，图上无法确定该值" in rows["zh"]
 
 
+def test_values_beyond_all_size_scatter_without_a_warning() -> None:
+    drawn = np.array([[np.inf, 1.0], [np.inf, 1.1], [np.inf, 0.9]])
+    assert np.isfinite(spread(drawn, np.array([np.inf, 1.0]), ("sense", "size"))).tolist() == [False, True]
+
+
 @pytest.mark.parametrize(("place", "larger"), [("ex3-7", True), ("s3-shaper", False)])
 def test_an_answer_that_no_problem_asks_is_named(place: str, larger: bool) -> None:
     """With the scales at which it might be asked, where there are any; no other asked answer is."""

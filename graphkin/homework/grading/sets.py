@@ -26,6 +26,7 @@ from graphkin.homework.grading.keys import USUAL, Pencils, key_file, key_from, r
 from graphkin.marking.key import KeyEntry, columns, columns_of, differences
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Marked
+from graphkin.marking.tolerances import Untold, untold
 from graphkin.model.quantities import at_position
 from graphkin.submissions import Limits, Roster, Student, students_in
 from graphkin.submissions.documents import cells_of, shown_cell
@@ -59,6 +60,10 @@ class SetMarker:
         """The remarks that other students' keys give on one student's numbers."""
         return ()
 
+    def untold(self) -> Untold:
+        """The answers that paper does not tell; a set of problems asks for none."""
+        return {}
+
 
 @lru_cache(maxsize=1)  # a class has one key, or each student's own, once
 def asked_by(marker: Marker) -> ReadableProblem:
@@ -79,6 +84,10 @@ class OneKey(SetMarker):
 
     def marker(self, student: str) -> Marker:
         return self._marker
+
+    def untold(self) -> Untold:
+        each = ((at, untold(one.key, one.method)) for at, one in enumerate(self._marker.positions, 1))
+        return {at_position(text, at): part for at, parts in each for text, part in parts.items()}
 
     @cached_property
     def _print(self) -> str:

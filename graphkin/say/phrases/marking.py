@@ -80,7 +80,7 @@ PHRASES: Phrases = {
     "verdicts.verdict partly right": ("partly right", "部分正确"),
     "verdicts.verdict missing": ("missing", "未答"),
     "verdicts.verdict dead point": ("near a dead point: paper cannot tell this value", "接近死点，图上无法确定该值"),
-    "verdicts.verdict too small": ("less than a pencil errs by: paper cannot tell this value", "小于作图误差，图上无法确定该值"),
+    "verdicts.verdict too small": ("a pencil errs too much here: paper cannot tell this value", "作图误差过大，图上无法确定该值"),
     "verdicts.verdict not read": ("not read", "未能读出"),
     "verdicts.verdict wrong sense": ("wrong sense", "转向（符号）相反"),
     "verdicts.verdict wrong direction": ("wrong direction", "方向错误"),
@@ -106,8 +106,9 @@ PHRASES: Phrases = {
     "tolerances.steep": ("; near a dead point: not in proportion to the errors", "；接近死点，与作图误差不成比例"),
     "tolerances.asked": ("* is asked for; the others are on the way.", "* 为所求量，其余为中间量。"),
     "tolerances.untold": ("{quantity} may be off by {part} of it, more than {most}: `graphkin problems` asks no such "
-                          "value. {advice}",
-                          "{quantity} 的允差达其值的 {part}，超过 {most}，graphkin problems 不考查这样的量。{advice}"),
+                          "value, and `graphkin grade` does not count one that is off by between both. {advice}",
+                          "{quantity} 的允差达其值的 {part}，超过 {most}，graphkin problems 不考查这样的量，误差在两者之间的"
+                          "答案 graphkin grade 不计分。{advice}"),
     "tolerances.larger": ("Drawn larger it would be told: {scales}.", "图作大些即可：{scales}。"),
     "tolerances.no larger": ("No larger drawing helps enough: ask for another value or another position, or take a "
                              "finer pencil.",
