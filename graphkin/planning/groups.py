@@ -154,7 +154,7 @@ def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
     turned = [body for body, _ in stage.contact.angles if polygon.structure.base(body) == stage.angle]
     centres = zip(stage.contact.wheels, stage.contact.centres, strict=True)
     wheel = next((Site(centre, link) for link, centre in centres if turned == [link] and centre), None)
-    if wheel is None or not polygon.known(wheel):  # the contact does not give the turning of one wheel alone
+    if wheel is None or not polygon.known(wheel) or _by_ratio(polygon, stage):  # or no contact gives it alone
         polygon.parts.append(kinds.Roll(in_step(stage.contact), stage.angle, stage.slide))
         return
     letter = contact_letters(polygon.structure)[stage.contact.name]
@@ -176,6 +176,13 @@ def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
         polygon.equate(of, left, (*start, sliding))
         polygon.measure_unknown(lever)
     polygon.lies_apart(wheel, of)
+
+
+def _by_ratio(polygon: PolygonPlan, stage: Mesh) -> bool:
+    """True of a gear whose angular acceleration constant ratios give from those of drivers: no arrow is as exact."""
+    rolled = {part.angle for part in polygon.parts if isinstance(part, kinds.Roll)}
+    others = {polygon.structure.base(body) for body, _ in stage.contact.angles} - {stage.angle}
+    return polygon.plane == "acceleration" and not stage.contact.slide and others <= {FRAME, *rolled}
 
 
 def _train(polygon: PolygonPlan, stage: Group) -> bool:
