@@ -8,8 +8,9 @@ from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import Label
+from graphkin.sheet.lettering import Label, plain, width
 
+LETTERS, _GAP, _WIDE = 3.7, 2.0, 146.0  # of print; between an equation's columns; its width at most [mm]
 _MANY, _FEW = 10, 3  # rows of a table that are as high as one would have them; under gridded paper
 
 Stage = Literal["problem", "blank", "half", "solution"]
@@ -50,9 +51,17 @@ class TermRows:
 
     @property
     def lines(self) -> list[list[Label | None]]:
-        """The terms, the directions, the sizes, each behind its head; None where there is to be written."""
-        columns = [((), *self.heads), *self.columns]
-        return [[column[k] if column is not None else None for column in columns] for k in range(3)]
+        """The terms, the directions, the sizes, each behind its head; None where there is to be written. The last side
+        of a wide equation stands in further lines, the equals signs one under the other."""
+        head, parts = ((), *self.heads), [self.columns]
+        columns = [head, *filter(None, self.columns)]
+        wide = sum(_GAP + max(width(label, LETTERS) for label in column) for column in columns)
+        cut = max((k for k, column in enumerate(self.columns) if column and column[0] == plain("=")), default=0)
+        if wide > _WIDE and cut > 1:
+            parts = [self.columns[:cut], (((), (), ()), *self.columns[cut:])]
+        long = max(map(len, parts))
+        return [[each[k] if each is not None else None for each in (head, *part)] + [()] * (long - len(part))
+                for part in parts for k in range(3)]  # fmt: skip
 
 
 @frozen

@@ -10,7 +10,7 @@ from math import inf
 from typing import assert_never
 
 import graphkin
-from graphkin.construction import Plane
+from graphkin.construction import Meet, Plane
 from graphkin.errors import Lang, NotBetween, NothingToGoOn, Where
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
@@ -23,13 +23,13 @@ from graphkin.say.catalogue import say
 from graphkin.say.problems import positions
 from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain, width
-from graphkin.sheet.marks import PointMark, Text
+from graphkin.sheet.marks import PointMark
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.paper import finest, written
 from graphkin.submissions import Student
 
 _HIGH, _LOW, _NAME = 211.0, 50.0, 7.5  # of a page but for a problem's name, entries and answers, and of a name [mm]
-_ENTRY, _LINE, _WIDE, _LETTERS = 6.4, 4.9, 170.0, 3.7  # of an entry, of each further line of it; a page's width [mm]
+_ENTRY, _LINE, _WIDE = 6.4, 4.9, 170.0  # of an entry, of each further line of it; a page's width [mm]
 _FINER, _SMALLEST = 1.05, 8.0  # a figure becomes so many times smaller at a time, and in all
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
@@ -171,9 +171,11 @@ def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
 
 def _gridded(problem: HandoutProblem, plane: Plane, grid: document.GridRoom) -> Iterator[Block]:
     """Gridded paper with the pole, and what is to be drawn there."""
-    angle = "".join(run.text for run in grid.mark)
-    which = plane == "position"
-    before, after = say("handouts.draw here", problem.lang, which=which, scale="\0", angle=angle).split("\0")
+    pole, angle = ("".join(run.text for run in label) for label in (grid.name, grid.mark))
+    construction = problem.construction(plane)
+    last = any(isinstance(step, Meet) and step.point == construction.pole for step in construction.steps)
+    words = {"which": 2 if last else plane == "position", "scale": "\0", "pole": pole, "angle": angle}
+    before, after = say("handouts.draw here", problem.lang, **words).split("\0")
     yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
     yield grid
 
@@ -219,7 +221,7 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
     figure = _figure(problem, "position", "construction" if solved else "given")
     notes = [] if there else [say("handouts.elsewhere", problem.lang)]
     texts = [each.text for each in problem.posed if isinstance(each, entry.Sentence | entry.Heading)]
-    further = sum(int(width(formula(text), _LETTERS) / _WIDE) for text in texts)
+    further = sum(int(width(formula(text), document.LETTERS) / _WIDE) for text in texts)
     answers = answers_room(problem)
     below = answers.row * (1 + len(answers.rows)) + (0.0 if problem.whose else _NAME)
     least, scale = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - below), problem.scales["position"]
@@ -325,16 +327,11 @@ def rows(equation: entry.VectorEquation, lang: Lang, points: Collection[str]) ->
 def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | None = None) -> document.HandoutPicture:
     """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
     drawing, lang = problem.drawing if style == "given" else problem.told, problem.lang
-    draw = partial(mechanism_sheet, drawing.method, drawing.plot, lang=lang, only=plane, style=style, tight=True)
-    every = [act for act in drawing.method.acts if act.plane == plane and act.numbered]
-    acts = [act for act in every if act.number in problem.numbers]
-    drawn = draw(equations=False)
-    labels = [mark.label for mark in drawn.marks if isinstance(mark, Text)]
-    if style == "construction" and not all(plain(str(act.number)) in labels for act in acts):
-        drawn = draw()  # a number that has no room stands with the equations
-    left = {act.page for act in every if act not in acts}  # of what a driver at rest holds
+    sheet = mechanism_sheet(drawing.method, drawing.plot, lang=lang, only=plane, style=style, tight=True, told=True)
+    acts = [act for act in drawing.method.acts if act.plane == plane and act.numbered]
+    left = {act.page for act in acts if act.number not in problem.numbers}  # of what a driver at rest holds
     end = inf if last is None else last
-    drawn = drawn.redrawn(lambda mark: None if mark.step in left or (mark.step or 0) > end else mark)
+    drawn = sheet.redrawn(lambda mark: None if mark.step in left or (mark.step or 0) > end else mark)
     key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
     words = say(key, lang, what=say(f"sheet.plane {plane}", lang), title=problem.title)
     return document.HandoutPicture(drawn, words)

@@ -33,7 +33,7 @@ _BOUND = re.compile(r"^ (?== [−\d])|(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|r
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
 _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
-_LETTERS, _INSET = 3.7, 5.0  # of a table: its letters, what a cell is wider than they [mm]
+_INSET = 5.0  # what a cell of a table is wider than its letters [mm]
 _HEAVY = 600  # the weight of bold letters
 _LINE = 6.0  # of a list of problems [mm]
 _SLACK = 0.5  # of a page's height that is left over, as lengths are rounded [mm]
@@ -310,8 +310,8 @@ def _table(table: document.HandoutTable, wide: float) -> str:
     cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
     first = ", ".join(f"[{_words(head)}]" for head in table.heads)
     room = table.under or min(30.0 * len(table.heads), wide - 10)
-    least = [width(head, _LETTERS) + _INSET for head in table.heads]
-    wraps = any(width(cell, _LETTERS) + _INSET > room / len(least) for row in table.rows for cell in row)
+    least = [width(head, document.LETTERS) + _INSET for head in table.heads]
+    wraps = any(width(cell, document.LETTERS) + _INSET > room / len(least) for row in table.rows for cell in row)
     columns = ", ".join("1fr" if each < room / len(least) else f"{mm(each)}mm" for each in least)
     rows = "auto" if wraps else f"{mm(table.row)}mm"
     shape = f"columns: ({columns}), rows: {rows}, align: center + horizon, stroke: 0.18mm"

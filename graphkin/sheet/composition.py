@@ -50,7 +50,7 @@ _BEYOND = 1.25  # so many times larger a figure may become to show what its dime
 @frozen
 class Planes:
     """Draws any plane through any window; planes: those the sheet shows; breaks: an arrow that is far longer than the
-    others of its plane is drawn broken, where the file gives no scale."""
+    others of its plane is drawn broken, where the file gives no scale; told: a text above gives all data."""
 
     method: Method
     plot: Plot
@@ -59,6 +59,7 @@ class Planes:
     lang: Lang
     paths: Paths = NONE
     breaks: bool = False
+    told: bool = False
 
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
@@ -143,7 +144,7 @@ class Planes:
         reading = self.reading(scales)
         if plane == "position" and self.style != "result":  # annotations, of what is used for the polygons too
             polygons = self.planes if self.style == "construction" else ()
-            return MechanismNotes(self.skeleton(window), reading, self.sizes, polygons)
+            return MechanismNotes(self.skeleton(window), reading, self.sizes, polygons, self.told)
         if self.style != "construction":
             return None
         acts = [act for act in self.method.acts if act.plane == plane]

@@ -49,12 +49,14 @@ Arc = tuple[tuple[str, ...], float, complex, bool, float]
 
 @frozen
 class MechanismNotes:
-    """Annotations of a mechanism as it is read, and what is given of it; planes: of which results may be shown."""
+    """Annotations of a mechanism as it is read, and what is given of it; planes: of which results may be shown; told: a
+    text above has what finds no room here."""
 
     skeleton: Skeleton
     reading: Reading
     given: Sequence[Size]
     planes: Sequence[Plane] = field(default_factory=tuple)
+    told: bool = False
 
     def lines(self) -> list[Mark]:
         """The way of extension lines: no number of a link should stand in one."""
@@ -75,7 +77,7 @@ class MechanismNotes:
             if not marks and datum not in measured and not lettered_too:
                 unsaid.setdefault(datum.derived, []).append(formula(datum.text))
         for derived, labels in unsaid.items() if self.planes else ():
-            words = self._written(labels, free, (LABEL,) if derived else (LABEL, LEAST))
+            words = self._written(labels, free, (LABEL,) if derived or self.told else (LABEL, LEAST))
             added += (replace(mark, accent="grey") for mark in words) if derived else words
         return added
 

@@ -46,7 +46,7 @@ _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the 
 def mechanism_sheet(
     method: Method, plot: Plot, *, paper: str | None = None, lang: Lang = "en",
     only: Plane | Collection[Plane] | None = None, style: Style = "construction", upto: int | None = None,
-    tight: bool = False, paths: Paths = NONE, equations: bool = True,
+    tight: bool = False, paths: Paths = NONE, told: bool = False,
 ) -> Sheet:  # fmt: skip
     """Draw a mechanism and its polygons to scale.
 
@@ -57,16 +57,16 @@ def mechanism_sheet(
     style  "construction": how the polygons are drawn, too; "result": what comes of it; "given": the mechanism with
            what is known of it, and nothing that would have to be found
     paths  of points, drawn under the mechanism
-    equations  of the polygons beside them; False where a text prints them above
+    told   a text above gives the equations of the polygons, and all data
     upto   draw the construction as far as this act of those planes, counted from 1, its newest marks emphasised
 
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
-        best = _arranged(method, plot, NONE, lang, ("position",), style, False, tight, True, paper)
+        best = _arranged(method, plot, NONE, lang, ("position",), style, False, tight, told, paper)
         return replace(best.page.sheet(), given=True)
     drawn = paths if paths.curves else NONE
-    best = _arranged(method, plot, drawn, lang, _planes(only), style, upto is None, tight, equations, paper)
+    best = _arranged(method, plot, drawn, lang, _planes(only), style, upto is None, tight, told, paper)
     return best.page.sheet() if upto is None else next(_staged(best, paper, [upto]))
 
 
@@ -75,16 +75,16 @@ def mechanism_step_sheets(
     only: Plane | Collection[Plane] | None = None, tight: bool = False,
 ) -> Iterator[Sheet]:  # fmt: skip
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
-    best = _arranged(method, plot, NONE, lang, _planes(only), "construction", False, tight, True, paper)
+    best = _arranged(method, plot, NONE, lang, _planes(only), "construction", False, tight, False, paper)
     yield from _staged(best, paper)
 
 
-def _contents(drawing: Planes, tight: bool = False, equations: bool = True) -> SheetContents:
+def _contents(drawing: Planes, tight: bool = False) -> SheetContents:
     """What is given and nothing else, or all that is found."""
     if drawing.style == "given":
         return SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
     found = {} if tight else tables(drawing.method, drawing.plot, drawing.lang)
-    return SheetContents(drawing, found, tight=tight, without=frozenset() if equations else frozenset({"equations"}))
+    return SheetContents(drawing, found, tight=tight, without=frozenset({"equations"} if drawing.told else ()))
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -94,7 +94,7 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 def scales_of(method: Method, plot: Plot, breaks: bool = True) -> Mapping[Plane, float]:
     """The scales of the sheet in every language, or of one on which no arrow is drawn broken."""
-    return _arranged(method, plot, NONE, "en", PLANES, "construction", breaks, False, True, None).layout.scales
+    return _arranged(method, plot, NONE, "en", PLANES, "construction", breaks, False, False, None).layout.scales
 
 
 @frozen
@@ -170,19 +170,19 @@ class Arrangement:
 @kept(8, objects=3)  # both languages of a handout's figures
 def _arranged(
     method: Method, plot: Plot, paths: Paths, lang: Lang, planes: tuple[Plane, ...], style: Style, breaks: bool,
-    tight: bool, equations: bool, paper: str | None,
+    tight: bool, told: bool, paper: str | None,
 ) -> Arrangement:  # fmt: skip
     """The cheapest arrangement of the English sheet; of another language in its rooms, or at least at its scales.
     Solution, sheet, steps and other languages of one drawing hang on the same, so it is kept for a while."""
     arranged = partial(_arranged, method, plot, paths)
     if lang == "en":
         drawn = (method, plot) if style == "given" else shown(method, plot)
-        drawing = Planes(*drawn, planes, style, lang, paths, breaks)
+        drawing = Planes(*drawn, planes, style, lang, paths, breaks, told)
         if breaks and not any(drawing.left_out.values()):  # as it is without
-            return arranged(lang, planes, style, False, tight, equations, paper)
-        return cheapest(_contents(drawing, tight, equations), paper)
-    best = arranged("en", planes, style, breaks, tight, equations, paper)
-    own = _contents(replace(best.contents.drawing, lang=lang), tight, equations)
+            return arranged(lang, planes, style, False, tight, told, paper)
+        return cheapest(_contents(drawing, tight), paper)
+    best = arranged("en", planes, style, breaks, tight, told, paper)
+    own = _contents(replace(best.contents.drawing, lang=lang), tight)
     english, layout = best.contents, best.layout
     details = {plane: replace(room, parts=best.panel(plane).magnified) for plane, room in english.detailed.items()}
     alike = replace(own, low=english.low, without=english.without, detailed=details, scales=layout.scales)
