@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 
 from graphkin.base.geometry import number, place
+from graphkin.base.scales import finest
 from graphkin.equations.expressions import Symbol
 from graphkin.equations.legend import point_place
 from graphkin.equations.model import Model
@@ -19,7 +20,7 @@ from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.marks import ArcMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.page import Page, Panel
-from graphkin.sheet.paper import Paper, finest
+from graphkin.sheet.paper import Paper
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Extent, Figure, Window, corners
 

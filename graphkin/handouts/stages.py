@@ -10,6 +10,7 @@ from math import inf
 from typing import assert_never
 
 import graphkin
+from graphkin.base.scales import finest
 from graphkin.construction import Meet, Plane
 from graphkin.errors import Lang, NotBetween, NothingToGoOn, Where
 from graphkin.handouts import document
@@ -25,7 +26,7 @@ from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain, width
 from graphkin.sheet.marks import PointMark
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
-from graphkin.sheet.paper import finest, written
+from graphkin.sheet.paper import written
 from graphkin.submissions import Student
 
 _HIGH, _LOW, _NAME = 211.0, 50.0, 7.5  # of a page but for a problem's name, entries and answers, and of a name [mm]

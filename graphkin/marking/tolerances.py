@@ -10,6 +10,7 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.base.geometry import Value, number
+from graphkin.base.scales import finer
 from graphkin.base.value import bulky, frozen
 from graphkin.construction import Construction, LayOff, Plane, Plot, Simultaneous, Term, terms
 from graphkin.marking.answers import ArrowPlaces, arrows_of, drawn_answer, readable, size_of
@@ -246,7 +247,7 @@ def untold(key: Key, method: Method) -> Untold:
         for entry, scatter in zip(asked, scatters, strict=True):
             there = part_off(replace(entry, tolerance=key.marking.sigmas * scatter), size(entry.unit))
             if entry.text in off and there <= TELLS:
-                scales = {name: scale / times for name, scale in key.marking.scales.items()}
+                scales = {name: finer(1.001 * scale / times) for name, scale in key.marking.scales.items()}
                 off[entry.text] = parts[entry.text], scales
     return off
 

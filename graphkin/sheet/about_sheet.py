@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from graphkin.base.geometry import place as as_place
+from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.construction.drafting import CarriedAngle, LineStep, PointStep, Step
@@ -22,7 +23,7 @@ from graphkin.sheet.lettering import Label, Run, number, plain, point_label, qua
 from graphkin.sheet.marks import Fill, Place
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import PenName, finest
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.path_figure import circle, clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.titleblock import Strip, Table

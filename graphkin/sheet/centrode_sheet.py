@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME, Link, Mechanism
@@ -21,7 +22,7 @@ from graphkin.sheet.marks import Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.motion_frames import lettered
 from graphkin.sheet.page import Page, Sheet
-from graphkin.sheet.paper import PenName, finest, papers_for
+from graphkin.sheet.paper import PenName, papers_for
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.single_figure import Picture, SingleFigure, gridded, place_for
 from graphkin.sheet.symbols import SWEEP, arrow, right_angle, spin

@@ -14,13 +14,14 @@ from functools import lru_cache
 import numpy as np
 
 from graphkin.base.geometry import Array
+from graphkin.base.scales import finer
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, TooLargeForPaper
 from graphkin.sheet.corners import Standing, standing
 from graphkin.sheet.marks import Place
 from graphkin.sheet.page import HEAD_WIDTH
-from graphkin.sheet.paper import KEYS, UNITS, Paper, Room, finer
+from graphkin.sheet.paper import KEYS, UNITS, Paper, Room
 from graphkin.sheet.window import Extent, Window
 
 HEAD = 7.5  # height of a figure's heading [mm]

@@ -1,7 +1,7 @@
 """Paper, pens, letters and scales, after ISO 216 (paper), ISO 128 (lines), ISO 3098 (lettering), ISO 5455 (scales).
 
 Sizes are in millimetres. A scale is what one millimetre on paper stands for: mu_l in m/mm, mu_v in (m/s)/mm, mu_a in
-(m/s²)/mm; it is chosen from the series of scales, or given and then kept.
+(m/s²)/mm; it is chosen from the series of scales (`base.scales`), or given and then kept.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from typing import Literal
 
 import numpy as np
 
-from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import UnknownPaper
@@ -160,11 +159,7 @@ LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}
 KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 """Key of a plane's scale in the mechanism file."""
-SERIES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
-"""The first digits of scales: 1-2-5 (ISO 5455, the first series of GB/T 14690) and between them its second series."""
-_ALL = np.array([float(f"{step}e{power}") for power in range(-30, 30) for step in SERIES])
-_NONE = 1e-30
-_CLOSE = 1 - 1e-9  # a scale that is too fine by rounding alone still fits
+
 
 
 def papers_for(name: str | None) -> list[Paper]:
@@ -172,24 +167,6 @@ def papers_for(name: str | None) -> list[Paper]:
     if name is not None and name not in PAPERS:
         raise UnknownPaper(name, ", ".join(PAPERS))
     return [PAPERS[name]] if name is not None else list(USUAL)
-
-
-def finest(size: complex, room: complex) -> float:
-    """The finest scale of the series at which a figure [SI] fits its room [mm], both width + i height. One of no size
-    takes 0.01, so that a mechanism at rest has a scale too."""
-    return float(finest_each(np.array([max(size.real / room.real, size.imag / room.imag)]))[0])
-
-
-def finest_each(least: Array) -> Array:
-    """The scale of the series next above each of many values (0.01 where there is none)."""
-    if not least.min() > _NONE:
-        return np.full(least.shape, 0.01)
-    return _ALL[np.searchsorted(_ALL, least * _CLOSE)]
-
-
-def finer(scale: float) -> float:
-    """The next finer scale of the series."""
-    return float(_ALL[np.searchsorted(_ALL, scale * _CLOSE) - 1])
 
 
 def written(plane: Plane, scale: float) -> Label:

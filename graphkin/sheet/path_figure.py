@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.say import names
@@ -17,7 +18,7 @@ from graphkin.say.catalogue import say
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LEAST, Label, formula, number, plain
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke
-from graphkin.sheet.paper import PenName, Room, finest
+from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.symbols import arrow
 from graphkin.sheet.window import Entry, Figure, Window, corners
 

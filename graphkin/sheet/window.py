@@ -9,12 +9,13 @@ from itertools import product
 
 import numpy as np
 
+from graphkin.base.scales import finest
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Plane
 from graphkin.sheet.label_requests import LabelRequest, lettering
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.obstacles import bounds, places
-from graphkin.sheet.paper import Room, finest
+from graphkin.sheet.paper import Room
 
 Entry = Mark | LabelRequest
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")

@@ -15,6 +15,7 @@ from large_mechanisms import triads
 from paper_scales import at_paper_scales
 
 from graphkin.analytic import motion
+from graphkin.base.scales import SERIES
 from graphkin.construction import Plot, replay
 from graphkin.errors import GraphkinError
 from graphkin.files import library
@@ -107,6 +108,7 @@ def test_an_answer_that_no_problem_asks_is_named(place: str, larger: bool) -> No
     wide = [e.text for e in key.entries if e.points and part_off(e, usual.size(e.unit)) > TELLS]
     assert [*found.untold] == wide == ["alpha 4"]
     part, told = found.untold["alpha 4"]
+    assert all(float(f"{scale:e}".partition("e")[0]) in SERIES for scale in (told or {}).values())  # as rulers have
     for lang, words in (("en", "`graphkin problems` asks no such value"), ("zh", "graphkin problems 不考查这样的量")):
         (line,) = (line for line in tolerance_lines(found, lang) if words in line)
         assert f"{part:.1%}" in line

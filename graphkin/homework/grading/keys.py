@@ -184,8 +184,8 @@ def page_scales(
 ) -> dict[str, float]:
     """The file's own scales; others are the finest at which the mechanism has one of these rooms, lying or standing,
     and a polygon a lying one: the paper that students draw on is as large for all."""
+    from graphkin.base.scales import finest
     from graphkin.sheet.composition import Planes
-    from graphkin.sheet.paper import finest
     from graphkin.sheet.window import PLANES, corners
 
     planes, scales = Planes(method, plot, PLANES, "construction", "en"), dict[str, float]()

@@ -1,0 +1,31 @@
+"""The series of scales: a drawing's is taken from it, or given and then kept."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from graphkin.base.geometry import Array
+
+SERIES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
+"""The first digits of scales: 1-2-5 (ISO 5455, the first series of GB/T 14690) and between them its second series."""
+_ALL = np.array([float(f"{step}e{power}") for power in range(-30, 30) for step in SERIES])
+_NONE = 1e-30
+_CLOSE = 1 - 1e-9  # a scale that is too fine by rounding alone still fits
+
+
+def finest(size: complex, room: complex) -> float:
+    """The finest scale of the series at which a figure [SI] fits its room [mm], both width + i height. One of no size
+    takes 0.01, so that a mechanism at rest has a scale too."""
+    return float(finest_each(np.array([max(size.real / room.real, size.imag / room.imag)]))[0])
+
+
+def finest_each(least: Array) -> Array:
+    """The scale of the series next above each of many values (0.01 where there is none)."""
+    if not least.min() > _NONE:
+        return np.full(least.shape, 0.01)
+    return _ALL[np.searchsorted(_ALL, least * _CLOSE)]
+
+
+def finer(scale: float) -> float:
+    """The next finer scale of the series."""
+    return float(_ALL[np.searchsorted(_ALL, scale * _CLOSE) - 1])
