@@ -69,7 +69,7 @@ class Hand(Generic[DrawnPlot]):
         return right
 
     def rolling(self, plot: DrawnPlot, plane: Plane, contact: kinds.InStep) -> kinds.InStep:
-        """The law of a rolling contact, before it is put into equations that are solved together."""
+        """The law of a rolling contact, before its unknown is found, or the equations that hold it are solved."""
         return contact
 
 
@@ -135,7 +135,7 @@ def draw(
             case kinds.Measure():
                 _measure(step, plot, plane, hand)
             case kinds.Roll():
-                roll(step, plot, plane)
+                roll(replace(step, contact=hand.rolling(plot, plane, step.contact)), plot, plane)
             case kinds.Fit():
                 compass.fit(step, plot)
             case kinds.Touch():

@@ -303,7 +303,8 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
 COMMON = (
     "coriolis-omitted", "coriolis-reversed", "normal-omitted", "image-mirrored", "image-wrong-point", "wrong-radius",
     "absolute-for-relative", "normal-outward", "omega-sense", "coriolis-half", "wrong-length", "sliding-across",
-    "centre-ratio", "arm-ignored", "velocity-along-link", "tangential-along", "driver-along-crank", "conversion",
+    "centre-ratio", "arm-ignored", "moves-as-centre", "velocity-along-link", "tangential-along", "driver-along-crank",
+    "conversion",
 )  # fmt: skip
 """Mistakes of students, the most frequent first."""
 

@@ -124,7 +124,7 @@ class Own(PolygonHand):
     def _calculated(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         """A further point by own rotations: the centre of a wheel by that of the arm which bears it."""
         wheel, points = plot.wheels.get(step.link), plot.points(plane)
-        if wheel is not None and wheel.centre == step.corners[2] and plane == "velocity":
+        if wheel is not None and wheel.pivot and wheel.centre == step.corners[2] and plane == "velocity":
             rate = self.rotations.get(("omega", wheel.arm), np.nan)
             pivot = points.get(plot.corners.get((plane, wheel.pivot), ""), 0j)
             return _where_given(pivot + 1j * rate * plot.arm(wheel.pivot, wheel.centre), right)

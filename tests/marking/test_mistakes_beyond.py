@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import pairwise
 
@@ -13,7 +14,10 @@ from graphkin import files as loading
 from graphkin.analytic import motion
 from graphkin.base.geometry import cross
 from graphkin.files import library
+from graphkin.homework.grading import key_for
 from graphkin.marking import Consequences, consequences
+from graphkin.marking.marker import Marker
+from graphkin.marking.records import HandedNumber, StudentWork
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import Quantity, read
 from graphkin.planning import plan
@@ -184,6 +188,77 @@ def test_an_arm_that_is_ignored_where_the_points_of_contact_give_the_velocities(
     """The planet of a fixed ring as of a fixed arm: omega 2 = 15 * 20 / 16."""
     found = led_to(loading.loads(PLANETARY_TRAIN, name="train"), "omega 2", "omega H")
     assert values(found, "arm-ignored", "", "omega 2") == pytest.approx([18.75, -15 * 20 / (2 * 36)])
+
+
+RACK = """
+frame = { O = [0, 0] }
+[links]
+1.OA = 40
+2.AB = 130
+3.points = ["B"]
+4.points = ["R"]
+[[slide]]
+name = "rack"
+block = "4"
+point = "R"
+guide = "frame"
+through = [0, 25]
+angle = 0
+[[roll]]
+wheel = "3"
+centre = "B"
+radius = 25
+on = "frame"
+through = [0, -25]
+angle = 0
+side = "left"
+[[roll]]
+wheel = "3"
+centre = "B"
+radius = 25
+on = "4"
+through = "R"
+angle = 0
+side = "right"
+[[driver]]
+vector = "OA"
+angle = 125
+omega = 12
+[[pose]]
+slide = "rack"
+at = 100
+[sketch]
+B = [100, 0]
+"""
+
+
+def test_a_rack_taken_to_move_as_the_centre_of_its_pinion():
+    """Which rolls on a fixed rack, too, so that the moving one is twice as fast."""
+    asked = ("omega 3", "v B", "v R", "a B", "a R")
+    found = led_to(loading.loads(RACK, name="rack"), *asked)
+    omega, v_b, v_r, a_b, a_r = (abs(float(answer.value)) for answer in found.right)
+    assert (v_r, a_r) == pytest.approx((2 * v_b, 2 * a_b))
+    assert np.abs(values(found, "moves-as-centre")) == pytest.approx([omega, v_b, v_b, a_b, a_b])
+
+
+def test_a_value_follows_where_a_wheel_rolls_on_racks():
+    """The pinion between a driven rack and a fixed one: omega = v_R / d, v_B = omega r."""
+    driven = 'slide = "rack"\nat = 100\nvelocity = "0.2 m/s"\n[[pose]]\nslide = "low"\nat = 100\n'
+    text = re.sub(r"1.OA.*\n.*\n", "", RACK[: RACK.index('vector = "OA"')]).replace("[[roll]]", '[[roll]]\nname = "low"', 1)
+    one = Marker(key_for(loading.loads(f'ask = ["omega 3", "v B"]\n{text}{driven}', name="racks")))
+    (found,) = one.mark([StudentWork("s", {"omega 3": HandedNumber(-5.0), "v B": HandedNumber(0.125)})])
+    assert [one.verdict for one in found.judged] == ["wrong", "carried"]
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("in", 39.37), ("cm", 100.0), ("mm", 1000.0)])
+def test_answers_in_another_unit_of_length_are_one_mistake(unit: str, factor: float):
+    text = library.load("ex3-5").text.replace("= 30", f'= "{30 * factor / 1000:.6f} {unit}"')
+    one = Marker(key_for(loading.loads(text, name="inches")))
+    right = {entry.text: entry.right for entry in one.key.entries if entry.points}
+    given = {text: HandedNumber(value * (factor if text[0] in "va" and text[1] == " " else 1.0)) for text, value in right.items()}
+    (found,) = one.mark([StudentWork("s", given)])
+    assert {name[0][:2] for name in found.diagnosis.explanations[0].names} == {("conversion", "lengths")}
+    assert [one.verdict for one in found.judged].count("wrong") == 1
 
 
 def _joining(mechanism: Mechanism, first: str, second: str) -> str:

@@ -205,3 +205,13 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
             if edits and (scene.plot.omega[arm] or scene.plot.alpha[arm]):
                 alone[name] = Rewrite("arm-ignored", name, edits=tuple(edits))
     yield from each_and_all([*alone.values()])
+
+
+@mistake("moves-as-centre", "wheels", "11-2")
+def moves_as_centre(scene: Scene) -> Iterator[Rewrite]:
+    """A rack moves as the centre of the wheel that rolls on it, which moves, too: without the wheel's turning."""
+    for contact in (contact for contacts, bases in scene.rolling if not bases for contact in contacts):
+        law, wheels = in_step(contact), tuple(map(scene.method.mechanism.called, contact.wheels))
+        if len(law.way) > 1 and FRAME not in contact.wheels:
+            edits = (Edit(("rolling", plane, law, link), Times(0.0)) for plane in PLANES for link, _ in law.angles)
+            yield Rewrite("moves-as-centre", wheels[0], wheels[1], tuple(edits))

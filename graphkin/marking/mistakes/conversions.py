@@ -9,6 +9,7 @@ from math import pi
 
 from graphkin.base.geometry import number
 from graphkin.construction import Plane
+from graphkin.files.values import UNITS
 from graphkin.marking.answers import asked_of, sort_of
 from graphkin.marking.mistakes.readings import measured, reading
 from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, Times
@@ -58,11 +59,20 @@ def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
     """Handed-in values alone; all of one unit, each of them, and rotations with the other sense."""
     for unit in dict.fromkeys(quantity.unit for quantity in asked):
         kind = [quantity.text for quantity in asked if quantity.unit == unit]
+        times = factors(unit, scene.scales) | ({} if unit.startswith("rad") else _lengths(scene))
         if len(kind) > 1:
-            yield from _times("conversion", {tuple(kind): unit}, factors(unit, scene.scales), "kind")
-        yield from _times("conversion", {(text,): text for text in kind}, factors(unit, scene.scales))
+            yield from _times("conversion", {tuple(kind): unit}, times, "kind")
+        yield from _times("conversion", {(text,): text for text in kind}, times)
     alphas = [quantity.text for quantity in asked if isinstance(quantity, Rotation) and quantity.word == "alpha"]
     yield from _times("conversion", {(text,): text for text in alphas}, {"": -1.0}, "sense")
+
+
+def _lengths(scene: Scene) -> dict[str, float]:
+    """A thousand times, and the units of the file's lengths for m: inches, cm."""
+    given = (one for one in scene.method.mechanism.given.values() if one.dimension == "length")
+    written = {str(one.written).lstrip("+-.0123456789eE ") for one in given} - {"m", "mm"}
+    own = (below / above for unit, (above, below) in UNITS["length"].items() if unit in written)
+    return THOUSANDS | {f"{factor:.4g}": factor for factor in own}
 
 
 def _times(id: str, of: Mapping[tuple[str, ...], str], times: Mapping[str, float], way: str = "") -> Iterator[Rewrite]:
@@ -84,7 +94,7 @@ def _throughout(scene: Scene) -> Iterator[Rewrite]:
     kinds = {unit: [q.text for q in scene.quantities if q.unit == unit] for unit in ("m/s", "m/s^2")}
     if not all(kinds.values()):
         return
-    ways = {("lengths", form): (factor, factor) for form, factor in THOUSANDS.items()}
+    ways = {("lengths", form): (factor, factor) for form, factor in _lengths(scene).items()}
     velocity, acceleration = (scene.scales.get(plane) for plane in ("velocity", "acceleration"))
     if velocity and acceleration:
         ways["paper", "1/μ_v, 1/μ_a"] = 1 / velocity, 1 / acceleration

@@ -250,9 +250,9 @@ PHRASES: Phrases = {
     "mistakes.made conversion": ("{of} off by the factor {form} of a unit or a scale", "{of} 的换算差因子 {form}"),
     "mistakes.made conversion kind": ("all values in {of} off by the factor {form} of a unit or a scale",
                                       "所有单位为 {of} 的量换算都差因子 {form}"),
-    "mistakes.made conversion lengths": ("all lengths in another unit, mm for m or m for mm: every value in {of} off "
-                                         "by the factor {form}",
-                                         "长度一律用错单位（mm 与 m 相混）：所有单位为 {of} 的量都差因子 {form}"),
+    "mistakes.made conversion lengths": ("all lengths in another unit, such as mm or inches for m: every value in "
+                                         "{of} off by the factor {form}",
+                                         "长度一律用错单位（如 mm、英寸与 m 相混）：所有单位为 {of} 的量都差因子 {form}"),
     "mistakes.made conversion paper": ("all values in {of} as they are measured on paper, off by the factors {form} "
                                        "of the scales",
                                        "所有单位为 {of} 的量都是图上量得的长度，未乘比例尺，差因子 {form}"),
@@ -278,6 +278,8 @@ PHRASES: Phrases = {
                                                      "速度为零的点，其加速度 {of} 也被当作零"),
     "mistakes.made arm-ignored": ("{of} from the ratio of the wheels without the rotation of the arm",
                                   "求 {of} 时在传动比中未计系杆（转臂）的转动"),
+    "mistakes.made moves-as-centre": ("link {of} taken to move as the centre of the wheel {form} does",
+                                      "把构件 {of} 的运动当作与轮 {form} 的轮心相同"),
     "mistakes.made relative-as-absolute": ("the relative rotation of the driver {of} taken as absolute",
                                            "把原动件 {of} 的相对角速度当作绝对角速度"),
     "mistakes.made driver-acceleration-dropped": ("the acceleration of the driver {of} left out", "漏掉原动件 {of} 的加速度"),
@@ -321,6 +323,7 @@ PHRASES: Phrases = {
     "mistakes.kind centre-acceleration-zero": ("a point without velocity is taken to have no acceleration",
                                                "把速度为零的点的加速度也当作零"),
     "mistakes.kind arm-ignored": ("the rotation of the arm is left out of the ratio of the wheels", "传动比中未计系杆（转臂）的转动"),
+    "mistakes.kind moves-as-centre": ("a rack is taken to move as the wheel's centre does", "把齿条的运动当作与轮心相同"),
     "mistakes.kind slider-normal-term": ("a slider is given a normal acceleration", "给滑块多画了法向加速度"),
     "mistakes.kind other-assembly": ("the mechanism is drawn in its other assembly", "机构取了另一装配位置"),
     # a hint, by topic: the place to look at again, and no more
