@@ -6,7 +6,7 @@ from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
     "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NeedsTwoLinks", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
-    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "SeveralPositions", "StandsStill", "TooManyRows", "UnevenArrays",
+    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "SeveralPositions", "StandsStill", "TooManyRows", "TurnsAsItLikes", "UnevenArrays",
     "UnknownQuantity", "ValueForEach",
 ]  # fmt: skip
 
@@ -153,6 +153,15 @@ class NeedsTwo(LocatedError):
         asked = ", ".join(f"`{self.quantity} {two}`" for two in self.pairs[:6])
         hint = {"en": f"Write {asked}." if asked else "", "zh": f"可写 {asked}。" if asked else ""}[lang]
         return {**super()._words(lang), "hint": hint}
+
+
+class TurnsAsItLikes(LocatedError):
+    """Asked is how a roller turns that nothing but its pin holds."""
+
+    quantity: str
+    link: str
+    en = "{where}: {quantity} has no value: roller {link} may turn as it likes (idle freedom). Leave it out."
+    zh = "{where}：{quantity} 没有确定的值：滚子 {link} 的自转为局部自由度。请删去。"
 
 
 class NoQuestion(AboutText):

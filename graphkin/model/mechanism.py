@@ -253,6 +253,15 @@ class Mechanism:
         return tuple(name for name in self.links if name != FRAME)
 
     @cached_property
+    def idle(self) -> tuple[str, ...]:
+        """Links of one point that may turn without moving anything (局部自由度): rollers."""
+        pairs = (*self.pairs, *self.replaced)
+        tied = {line.link for pair in pairs for line in pair.lines} | {slide.block for slide in self.slides}
+        tied |= {wheel for pair in pairs if pair.rolling is not None for wheel in pair.rolling.wheels}
+        tied |= {name for driver in self.drivers for name in (driver.link, driver.from_link)}
+        return tuple(name for name in self.moving if len(self.links[name].points) == 1 and name not in tied)
+
+    @cached_property
     def usual(self) -> Usual:
         """The usual sizes of its quantities."""
         arms = (link.arm(next(iter(link.points)), point) for link in self.links.values() for point in link.points)

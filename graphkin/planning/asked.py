@@ -33,9 +33,9 @@ def asked_parts(
 
 
 def all_motions(mechanism: Mechanism, planes: Sequence[Plane]) -> tuple[Quantity, ...]:
-    """What is asked where a file asks for nothing: how every link turns that is not driven, and how every point moves
-    that is no aid."""
-    links = [link for link in mechanism.moving if link not in mechanism.driven]
+    """What is asked where a file asks for nothing: how every link turns that is not driven or idle, and how every point
+    moves that is no aid."""
+    links = [link for link in mechanism.moving if link not in (*mechanism.driven, *mechanism.idle)]
     words: dict[Plane, Literal["omega", "alpha"]] = {"velocity": "omega", "acceleration": "alpha"}
     rotations = [Rotation(words[plane], mechanism.called(link), link) for plane in planes for link in links]
     unasked = aids(mechanism)

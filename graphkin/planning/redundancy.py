@@ -155,7 +155,7 @@ class Contradictions:
 
     def near(self, rows: ConstraintRows) -> list[SetAside]:
         """The constraint that leaves the drivers no freedom though it all but repeats others."""
-        freedoms = rows.slopes.shape[1] - rows.rank - len(self.restraints.structure.idle)
+        freedoms = rows.slopes.shape[1] - rows.rank - len(self.restraints.structure.mechanism.idle)
         if freedoms >= len(self.restraints.structure.mechanism.drivers):
             return []
         most = _RIGID if freedoms <= 0 else _NEAR

@@ -164,14 +164,6 @@ class Topology:
         """All of them by name, those set aside included."""
         return {slide.name: slide for slide in self.mechanism.slides} | {slide.name: slide for slide in self.joining}
 
-    @cached_property
-    def idle(self) -> tuple[str, ...]:
-        """Links of one point that may turn without moving anything (局部自由度): rollers."""
-        tied = {FRAME} | {name for slide in self.joining for name in (slide.guide, slide.block)}
-        tied |= {body for contact in self.contacts for body, _ in contact.angles}
-        tied |= {name for driver in self.mechanism.drivers for name in (driver.link, driver.from_link)}
-        return tuple(n for n, link in self.mechanism.links.items() if len(link.points) == 1 and n not in tied)
-
     @property
     def tying(self) -> tuple[Contact, ...]:
         """The rolling contacts that are not set aside."""
@@ -228,7 +220,7 @@ class Topology:
         """Drivers beyond the degrees of freedom by the formula F = 3 n - 2 p, idle ones apart."""
         hinges = sum(len(bodies) - 1 for bodies in self.owners.values())
         freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.joining)) - len(self.tying) + len(self.followers)
-        return len(self.mechanism.drivers) + len(self.idle) - freedoms
+        return len(self.mechanism.drivers) + len(self.mechanism.idle) - freedoms
 
     # --- links that hold their angles to one another ------------------------------------------
 
@@ -245,7 +237,7 @@ class Topology:
         for slide in self.joining:
             turn = slide.turn if slide.block is not None else phase(slide.line.direction)
             tie(slide.guide, self.block(slide), turn)
-        for idle in self.idle:
+        for idle in self.mechanism.idle:
             ties[FRAME].append((idle, TurnOf(FRAME)))
         for k, driver in enumerate(self.mechanism.drivers):
             if driver.kind != "slide":

@@ -119,7 +119,7 @@ class CentreReader:
 
     def _undetermined(self, pairs: Sequence[tuple[str, str]]) -> Iterator[Entry]:
         """Those of idle rollers, which may turn as they like."""
-        idle = [link for link in self.found.method.structure.idle if any(link in pair for pair in pairs)]
+        idle = [link for link in self.found.method.mechanism.idle if any(link in pair for pair in pairs)]
         if idle:
             called, comma = self.mechanism.called, self.say("common.list")
             count = len(self.mechanism.links) - len(idle)

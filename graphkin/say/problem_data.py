@@ -57,7 +57,7 @@ def solution_head(reading: Reading, drawn: Collection[str], leaves_out: bool) ->
     leaves_out  some steps of the drawing are not told
     """
     yield Heading(reading.say("solution.solution"))
-    if idle := reading.method.structure.idle:
+    if idle := reading.mechanism.idle:
         yield Sentence(reading.say("derivation.idle", links=reading.links(idle)))
     for line in redundant_constraints(reading.method, reading.lang):
         yield Sentence(reading.say("derivation.redundant", line=line))

@@ -168,7 +168,7 @@ class Reading:
     def translates(self, link: str) -> bool:
         """True of a link that cannot turn at all; one that is idle turns as it likes."""
         turn = self.plot.facts.turns[link]
-        return turn.base == FRAME and not turn.drivers and link not in self.method.structure.idle
+        return turn.base == FRAME and not turn.drivers and link not in self.mechanism.idle
 
     def against(self, driver: Driver | Pose, symbol: str) -> str:
         """The driven rotation: `ω1`, or `ω21` of a motor on a moving link."""

@@ -72,7 +72,7 @@ def _takes(mechanism: Mechanism, question: str, lang: Lang) -> str:
 
 def _rows(mechanism: Mechanism, position: Document, lang: Lang) -> Iterator[list[str]]:
     analytic = position["analytic"]
-    for link, motion in position["links"].items():
+    for link, motion in ((link, motion) for link, motion in position["links"].items() if link not in mechanism.idle):
         theta, right = math.degrees(motion["theta"]), math.degrees(analytic["links"][link]["theta"])
         turned = (theta - right + 180) % 360 - 180
         yield _row(f"theta {link}", theta, right, EDGE["rad"], turned)

@@ -90,10 +90,10 @@ class _TablesInMaking:
 
     def links(self) -> Table:
         """Angular velocities and accelerations, and their sense in a column of its own; an idle roller has none."""
-        machine, plot, idle = self.method.mechanism, self.plot, self.method.structure.idle
+        machine, plot = self.method.mechanism, self.plot
         head = (plain({"en": "link", "zh": "构件"}[self.lang]), _column("ω", "rad/s"), (), _column("α", "rad/s²"), ())
         rows = []
-        for name in (name for name in machine.moving if name in plot.omega and name not in idle):
+        for name in (name for name in machine.moving if name in plot.omega and name not in machine.idle):
             row = [self.title(lettering.link_label(machine.called(name)), [name], "omega", "alpha", "theta")]
             for kind, rates, plane in (("omega", plot.omega, "velocity"), ("alpha", plot.alpha, "acceleration")):
                 value = real(machine.usual.rate(rates[name], plane))

@@ -12,9 +12,10 @@ from repeating import FAMILIES
 
 from graphkin.analytic import mobility, motion
 from graphkin.api import Drawing, plan
-from graphkin.errors import NotRepeated, TooManyDrivers
+from graphkin.errors import NotRepeated, TooManyDrivers, TurnsAsItLikes
 from graphkin.files import loads
 from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import read
 from graphkin.planning import Method
 from graphkin.planning.equivalent import contacts, lower_pairs
 from graphkin.planning.redundancy import redundant_constraints
@@ -308,10 +309,16 @@ def test_rollers_may_turn_as_they_like() -> None:
     mechanism = loads(ROLLERS)
     method = plan(mechanism)
     plot = replay_all(method)
-    assert method.structure.idle == ("3", "4")
+    assert method.mechanism.idle == ("3", "4")
     assert [(each.pair, each.part) for each in method.aside] == [(("slide", 1), "whole")]
     assert compare(method, plot, motion(mechanism)) < 1e-9
     assert plot.s_rate["roller"] == pytest.approx(plot.s_rate["f"])
+
+
+@pytest.mark.parametrize("quantity", ["omega 3", "alpha 4", "theta 3", "omega 3 / omega 1"])
+def test_how_an_idle_roller_turns_is_no_question(quantity: str) -> None:
+    with pytest.raises(TurnsAsItLikes):
+        read(loads(ROLLERS), quantity)
 
 
 def test_too_many_drivers_are_no_contradicting_pair() -> None:

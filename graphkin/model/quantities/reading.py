@@ -44,7 +44,7 @@ def named(mechanism: Mechanism, text: str, where: Where) -> Quantity:
 
 def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | None:
     """The quantity that a text names; None for a text that is only to be shown. Raises UnknownLink, UnknownPoint,
-    UnknownSlide, NeedsTwo, NotOneOf for one that names something that is not there."""
+    UnknownSlide, NeedsTwo, NotOneOf for one that names something that is not there, TurnsAsItLikes for an idle one."""
     halves = [_one(mechanism, part.strip(), where) for part in text.split("/")]
     if len(halves) == 1:
         return halves[0]
@@ -159,6 +159,8 @@ def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
         # of a moving link; the frame's is only shown
         if of not in mechanism.moving and of != mechanism.frame:
             raise errors.UnknownLink(where, of, mechanism.moving)
+        if of in mechanism.idle:
+            raise errors.TurnsAsItLikes(where, text, of)
         return kinds.Rotation(word, of, of) if of in mechanism.moving else None
     if word == "s":
         # of a sliding pair, or of a wheel on a line; that of a wheel on a circle is only shown

@@ -210,9 +210,8 @@ PHRASES: Phrases = {
     "derivation.driven roll free": ("the rolling contact is driven", "滚动副为主动"),
     "derivation.driven line free": ("link {link} ({line}) is driven", "构件 {link}（{line}）"),
     "derivation.posed": ("The drawn position: {poses}.", "给定位置：{poses}。"),
-    "derivation.idle": ("Idle freedom: turning moves nothing but the roller itself, so these are drawn without "
-                        "turning: {links}.",
-                        "局部自由度：滚子的自转不影响其他构件的运动，作图时视为不转：{links}。"),
+    "derivation.idle": ("Idle freedom: turning moves nothing but the roller itself; drawn without turning: {links}.",
+                        "局部自由度：滚子的自转不影响其他构件的运动，作图时滚子 {links} 视为不转。"),
     "derivation.redundant": ("Redundant constraint, set aside: {line}.", "虚约束，求解时除去不计：{line}。"),
     "derivation.pose line": ("[{line} of link {link}|{line}] {heading}", "[构件 {link} 的 {line} |{line} ]{heading}"),
     "derivation.pose joint": ("{line} of link {link} turned by {angle} from {other} of link {seen_from}",

@@ -254,7 +254,7 @@ class _CentreSearch:
         return [pair for pair in combinations(self.names, 2) if frozenset(pair) not in self.centres]
 
     def _is_idle(self, pair: tuple[str, str]) -> bool:
-        return any(link in self.method.structure.idle for link in pair)
+        return any(link in self.method.mechanism.idle for link in pair)
 
     def run(self) -> None:
         """All centres: by definition, then rounds of lines, and one from velocities where a round brings nothing."""
