@@ -138,15 +138,6 @@ class PolygonFigure:
         """The points that are somebody's."""
         return {name: at for name, at in self.points.items() if self.of(name)}
 
-    @cached_property
-    def lettered(self) -> dict[str, Place]:
-        """Those that bear a letter: not the corners whose own arrow has no length."""
-        nodes, points = self.construction.nodes, self.points
-        still = {term.head for term in self.construction.vectors().values() if {term.tail, term.head} <= points.keys()
-                 and term.head != self.construction.pole and nodes[term.head].site is None
-                 and abs(points[term.head] - points[term.tail]) < _NOTHING}  # fmt: skip
-        return {name: at for name, at in self.named.items() if name not in still}
-
     def of(self, name: str) -> str:
         return "pole" if name == self.construction.pole else self.construction.nodes[name].of
 
@@ -266,7 +257,7 @@ def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[
 def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
     """A label for each place: points that lie on one another share it, the pole first; each joins at its own step."""
     places: list[tuple[Place, list[str]]] = []
-    for name, at in polygon.lettered.items():
+    for name, at in polygon.named.items():
         same = next((names for there, names in places if abs(there - at) < _SAME), None)
         if same is None:
             places.append((at, same := []))
