@@ -58,10 +58,10 @@ class GraphkinError(Exception):
         # nothing may steer a terminal, wherever it came from: names of files, words of a command
         return "".join(ascii(letter)[1:-1] if letter != "\n" and steers(letter) else letter for letter in text)
 
-    def at(self, where: Where) -> GraphkinError:
-        """The same error at a place, for those that were raised with `NOWHERE`."""
+    def at(self, where: Where, **more: object) -> GraphkinError:
+        """The same error at a place, for those that were raised with `NOWHERE`; with more data that is known there."""
         moved: Callable[..., GraphkinError] = type(self)
-        return moved(**{**self._data(), "where": where})
+        return moved(**{**self._data(), "where": where, **more})
 
     def _words(self, lang: Lang) -> dict[str, object]:
         """The data as the sentence takes them: names are listed as the language does, by `{names:,}` with commas."""

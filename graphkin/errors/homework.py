@@ -311,9 +311,17 @@ class ForeignBoard(LocatedError):
     zh = "{where}：此画板文件是另一题的：其机构与本题不同。"
 
 
-class NotAnAnswer(AboutText):
-    en = "{where}: {given!r} does not read as a value. Write a number, with its unit and sense where wanted: \"62.2 rad/s² ccw\"."
-    zh = "{where}：“{given}”不能读作数值。请写数，必要时带单位和转向，例如“62.2 rad/s² 逆时针”。"
+EXAMPLES: WordTable = {
+    "rad": ("105.6°", "105.6°"), "rad/s": ("3.92 rad/s cw", "3.92 rad/s 顺时针"), "rad/s^2": ("62.2 rad/s² ccw", "62.2 rad/s² 逆时针"),
+    "m": ("101 mm", "101 mm"), "m/s": ("0.271 m/s 72.5°", "0.271 m/s 72.5°"), "m/s^2": ("4.31 m/s² 163°", "4.31 m/s² 163°"), "1": ("2.8", "2.8"),
+}
+"""Answers by the SI unit of what is asked."""
+
+
+class NotAnAnswer(AboutText, unit=EXAMPLES):
+    unit: str = "rad/s^2"
+    en = "{where}: {given!r} does not read as a value. Write a number, with its unit and sense or direction where wanted: \"{unit}\"."
+    zh = "{where}：“{given}”不能读作数值。请写数，必要时带单位和转向或方向，例如“{unit}”。"
 
 
 class AnsweredTwice(LocatedError):

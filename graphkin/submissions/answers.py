@@ -71,7 +71,8 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
         question, quantity, unit = read
         value = _value(raw, quantity, unit, scales)
         if value.fault is not None:
-            value = replace(value, fault=value.fault.at(where))
+            of_kind = {"unit": quantity.unit} if isinstance(value.fault, errors.NotAnAnswer) else {}
+            value = replace(value, fault=value.fault.at(where, **of_kind))
         first = values.get(question)
         if first is None or first.value is None:  # of two answers one where they say the same, else none
             values[question] = value if first is None or value.value is not None else first

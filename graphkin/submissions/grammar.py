@@ -360,6 +360,7 @@ _REWRITTEN: tuple[tuple[str, str | Callable[[re.Match[str]], str], Collection[st
     ("(π(?: ?/ ?[0-9]+)?)(?![ 0-9/]*[a-z°度弧*])", r"\1 rad", ("rad",)), ("(?<=[0-9]) ?: ?(?=[0-9])", "/", ("1",)),
     (r"(?<=\S) +-+$", "", _STRAIGHT),  # in the last column of a table; of what turns a minus may be a sign
     (r"([0-9][.,][0-9]+)\([0-9]{1,2}\)", r"\1", _EVERY),
+    (rf"(?<=[0-9]) +(?=[-+]?[0-9.,]+ ?(?:{numbers.ATOMS['deg']}))", ", ", numbers.PLANES),  # `0.967 80.9°`
     (r"([0-9]+)° ?([0-9]+(?:\.[0-9]+)?)'(?: ?([0-9]+(?:\.[0-9]+)?)'')?",
      lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", _EVERY),
     ("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$", "", _EVERY),

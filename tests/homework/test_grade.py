@@ -75,6 +75,13 @@ def test_the_teacher_is_told_once_what_paper_cannot_tell(lang: Lang):
     assert (told.count(words), other.count(words)) == (1, 0)
 
 
+@pytest.mark.parametrize(("asked", "like"), [("omega 3", "3.92 rad/s cw"), ("v E", "0.271 m/s 72.5°"), ("theta 3", "105.6°")])
+def test_an_unread_answer_is_told_how_one_of_its_kind_is_written(asked: str, like: str):
+    told = run("grade", "ex3-5", handed(f'"{asked}" = "furlongs"')).stdout
+    (note,) = (line for line in told.splitlines() if "does not read as a value" in line)
+    assert f'"{like}"' in note
+
+
 def test_carried_values_in_the_line():
     (line,) = lines("ex3-1", handed('"omega 3" = -5.65\n"a_k B3B2" = 3.63'))
     one = line["quantities"]["a_k B3B2"]

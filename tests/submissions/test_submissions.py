@@ -81,7 +81,8 @@ def test_a_unit_of_another_kind_is_told_beside_the_number():
 
 
 def test_a_direction_beside_a_size():
-    assert parsed_value("0.32 m/s ∠ 90°", SPEED).vector == pytest.approx(0.32j)
+    for text in ("0.32 m/s ∠ 90°", "0.32 90°", "0.32  90 deg", "32/100 90度"):
+        assert parsed_value(text, SPEED).vector == pytest.approx(0.32j)
 
 
 QUESTIONS = {
