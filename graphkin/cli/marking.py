@@ -175,8 +175,8 @@ class _Grading:
             raise misused("usage.one", option="--confirm", what="KEY")
         usual = grading.MarkingOptions(limits, self.jobs, words=self.lang)
         judges = [grading.judge_from(problem.key, pencils, self.roster) for problem in problems]
-        for line in (line for judge in judges for line in untold_lines(judge.untold(), self.lang)):
-            click.echo(line, err=True)
+        for one in (judge for judge in judges if isinstance(judge, grading.OneKey)):
+            click.echo("".join(f"{line}\n" for line in untold_lines(one.untold(), self.lang)), nl=False, err=True)
         options = []
         for problem, judge in zip(problems, judges, strict=True):
             crop = self.confirm is not None

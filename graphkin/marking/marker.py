@@ -28,7 +28,7 @@ from graphkin.marking.key_making import by_other_methods, make_key, pairs_of, wi
 from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
 from graphkin.marking.records import Departure, Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
-from graphkin.marking.synonyms import called_as_asked, same_answers
+from graphkin.marking.synonyms import called_as_asked, other_ways, same_answers
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
@@ -364,12 +364,14 @@ class Marker:
         if entry.sort == "sense" and by != 0:
             sense = "wrong" if (sense_only and not agrees) or np.sign(given) != np.sign(by) else "right"
         follows_from = np.isfinite(judged_by) and not right and (verdict == "carried" or not explained)
+        turned = number.reversed and verdict == "wrong"
+        ways = other_ways(self.method, self.plot, self.quantities[n]) if turned else ()
         return Judged(
             entry.text, entry.unit, number.value, entry.right, entry.tolerance, verdict, sense, unit_right,
             float(judged_by) if follows_from else None,
             carried.own(k, n) if not right and not explained else {}, carried.refused(k, n) if not right else (),
             credit, entry.points, number.measured, of_mistake=follows and verdict == "carried",
-            reversed=number.reversed and verdict == "wrong",
+            reversed=turned, other=next((one.quantity.text for one in ways if one.kind == "reversed"), ""),
         )  # fmt: skip
 
 

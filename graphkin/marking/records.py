@@ -71,7 +71,7 @@ class Judged:
     measured  as of the `HandedNumber`
     written   the answer as it was written, where it was not read
     of_mistake  whether what is carried follows from the mistake that was named, made before
-    reversed  whether its arrow points just the other way
+    reversed  whether its arrow points just the other way; other: the motion that has this direction, of a relative one
     """
 
     text: str
@@ -91,6 +91,7 @@ class Judged:
     written: str = ""
     of_mistake: bool = False
     reversed: bool = False
+    other: str = ""
 
     @property
     def of_equations(self) -> bool:

@@ -80,7 +80,7 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
 def _quantity(one: Judged) -> Json:
     """All of one quantity; of what few have, only what is so."""
     rare: Json = {"measured": one.measured, "written": one.written, "of_mistake": one.of_mistake,
-                  "reversed": one.reversed}  # fmt: skip
+                  "reversed": one.reversed, "other": one.other}  # fmt: skip
     return {
         **{name: getattr(one, name) for name in _QUANTITY},
         "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),

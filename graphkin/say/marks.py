@@ -98,7 +98,8 @@ def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
     numbers = [one for one in marked.judged if not one.of_equations]
     if not any(one.verdict in ("wrong", "carried") and one.unit_right for one in numbers):
         return
-    if not marked.diagnosis.explanations and marked.departure is not None:
+    told = [one.text for one in numbers if one.reversed and one.credit]  # by its verdict
+    if not marked.diagnosis.explanations and marked.departure is not None and marked.departure.text not in told:
         yield departs(marked.departure, lang)
     for one in marked.diagnosis.explanations:
         texts = [mistakes_together(names, lang) for names in one.names]
@@ -137,6 +138,8 @@ def verdict(one: Judged, lang: Lang) -> str:
         return say("verdicts.verdict partly right", lang)
     if not (one.credit > 0 and one.sense == "wrong"):
         return say("verdicts.verdict wrong", lang)
+    if one.reversed:
+        return say("verdicts.verdict wrong reversed", lang, which=bool(one.other), other=in_signs(one.other))
     return say(f"verdicts.verdict wrong {'direction' if one.unit in ('m/s', 'm/s^2') else 'sense'}", lang)
 
 

@@ -161,6 +161,8 @@ def test_a_size_alone_is_right_and_a_wrong_direction_is_worth_half():
     assert graded({"v E": "0.1943"})["quantities"]["v E"]["sense"] is None
     assert graded({"v E": answer("v E")})["score"] == pytest.approx(1 / 8)
     assert graded({"v E": answer("v E", 180)})["score"] == pytest.approx(1 / 16, abs=1e-6)
+    assert "size right, direction reversed" in run("grade", "key.json", "s1.json")
+    assert graded({"v E": answer("v E", 90)})["score"] == pytest.approx(1 / 16, abs=1e-6)
     assert "wrong direction" in run("grade", "key.json", "s1.json")
 
 

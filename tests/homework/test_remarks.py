@@ -200,6 +200,19 @@ def test_an_arrow_that_is_reversed_is_told_to_be():
         assert "sign" not in text
 
 
+@pytest.mark.parametrize(("asked", "other"), [("v B3", ""), ("a_k B3B2", "a_k B2B3")])
+def test_a_direction_that_is_the_opposite_one_is_told_with_its_motion(asked: str, other: str):
+    text = re.sub(r"(?m)^ask .*$", f'ask = ["{asked}"]', library.load("ex3-1").text)
+    one = Marker(key_for(loads(text)))
+    right = one.directions.right[asked][1]
+    (marked,) = one.mark([StudentWork("s", {asked: HandedNumber(abs(right), vector=-right)})])
+    assert marked.judged[0].other == other
+    told = "\n".join(grade_lines(Graded("s", "s.toml", "", marked), "en"))
+    assert ("size right, direction reversed" + (": that of aᵏ_B2B3" if other else "")) in told
+    assert "leaves the right way" not in told
+    assert marked.score == 0.5
+
+
 def test_a_decimal_point_is_told_without_the_equation():
     values = {"omega 3": quantity(1.0, 0.0, "rad/s", given=39.2, right=3.92, verdict="wrong")}
     departure = {"quantity": "omega 3", "left": ["v_B3"], "right": ["v_B2", "v_B3B2"]}

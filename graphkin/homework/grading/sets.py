@@ -60,10 +60,6 @@ class SetMarker:
         """The remarks that other students' keys give on one student's numbers."""
         return ()
 
-    def untold(self) -> Untold:
-        """The answers that paper does not tell; a set of problems asks for none."""
-        return {}
-
 
 @lru_cache(maxsize=1)  # a class has one key, or each student's own, once
 def asked_by(marker: Marker) -> ReadableProblem:
@@ -86,6 +82,7 @@ class OneKey(SetMarker):
         return self._marker
 
     def untold(self) -> Untold:
+        """The answers that paper does not tell, of all positions; a set of problems asks for none."""
         each = ((at, untold(one.key, one.method)) for at, one in enumerate(self._marker.positions, 1))
         return {at_position(text, at): part for at, parts in each for text, part in parts.items()}
 

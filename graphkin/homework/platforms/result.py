@@ -135,7 +135,7 @@ def _line(name: str, each: Record) -> Judged:
         each["verdict"], each["sense"], bool(each["unit_right"]), _number(each["carried"]),
         {str(text): _finite(value) for text, value in each["own"].items()}, credit=credit, points=worth,
         written=_string(each.get("written", "")), of_mistake=bool(each.get("of_mistake")),
-        reversed=bool(each.get("reversed")),
+        reversed=bool(each.get("reversed")), other=_string(each.get("other", "")),
     )  # fmt: skip
 
 

@@ -83,6 +83,8 @@ PHRASES: Phrases = {
     "verdicts.verdict too small": ("a pencil errs too much here: paper cannot tell this value", "作图误差过大，图上无法确定该值"),
     "verdicts.verdict not read": ("not read", "未能读出"),
     "verdicts.verdict wrong sense": ("wrong sense", "转向（符号）相反"),
+    "verdicts.verdict wrong reversed": ("size right, direction reversed[|: that of {other}]",
+                                        "大小正确，指向相反[|：这是 {other} 的方向]"),
     "verdicts.verdict wrong direction": ("wrong direction", "方向错误"),
     "verdicts.verdict wrong unit": ("wrong unit", "单位不符"),
     "verdicts.status marked": ("marked", "已评阅"),
