@@ -6,7 +6,7 @@ from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
     "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NeedsTwoLinks", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
-    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "SeveralPositions", "StandsStill", "TooManyRows", "TurnsAsItLikes", "UnevenArrays",
+    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "SeveralPositions", "SketchMirrored", "StandsStill", "TooManyRows", "TurnsAsItLikes", "UnevenArrays",
     "UnknownQuantity", "ValueForEach",
 ]  # fmt: skip
 
@@ -153,6 +153,15 @@ class NeedsTwo(LocatedError):
         asked = ", ".join(f"`{self.quantity} {two}`" for two in self.pairs[:6])
         hint = {"en": f"Write {asked}." if asked else "", "zh": f"可写 {asked}。" if asked else ""}[lang]
         return {**super()._words(lang), "hint": hint}
+
+
+class SketchMirrored(LocatedError):
+    """Said as a note: the assembly that is nearest to the sketch is drawn."""
+
+    link: str
+    points: str
+    en = "{where}: note: the sketch shows {points} the other way round than link {link} has them. Look at ccw, and at the sketch."
+    zh = "{where}：提示：草图中 {points} 的绕行方向与构件 {link} 上的相反，请核对 ccw 与草图。"
 
 
 class TurnsAsItLikes(LocatedError):

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from graphkin import errors
 from graphkin.base.value import filled
 from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.files.shapes import orientation
 from graphkin.files.toml import tidied
 from graphkin.model.mechanism import EQUATIONS, FRAME, Driver, KeyPath, Link, Mechanism
 from graphkin.model.pairs import Pair
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from graphkin.files.schema import SlideTable
 
 UNEVEN = 1e9  # no length is so many times another one
+_SURELY = 0.2  # the sine of an angle by which a sketch surely shows which way points run round
 RATES = ("omega", "alpha", "velocity", "acceleration")  # keys that say how fast a driver moves
 MOST_PROBLEMS = 100  # nobody reads more of them at a time
 
@@ -198,8 +200,17 @@ def check_questions(draft: Draft, mechanism: Mechanism) -> None:
             draft.problems.append(errors.UnknownQuantity(draft.where("points", question), question, mechanism.ask))
 
 
-def remarks(mechanism: Mechanism) -> Iterator[errors.NoRate]:
-    """Notes on drivers that stand still because nothing is said of how fast they move."""
+def remarks(mechanism: Mechanism) -> Iterator[errors.NoRate | errors.SketchMirrored]:
+    """Notes on drivers that stand still because nothing is said of how fast they move, and on links that the sketch
+    shows the other way round."""
+    sketched = {**mechanism.links[FRAME].points, **mechanism.sketch}
+    for name in mechanism.moving:
+        points = mechanism.links[name].points
+        for triple in combinations([point for point in mechanism.named(name) if point in sketched], 3):
+            if orientation(points, triple, _SURELY) * orientation(sketched, triple, _SURELY) < 0:
+                where = mechanism.where("sketch", next(point for point in triple[::-1] if point in mechanism.sketch))
+                yield errors.SketchMirrored(where, mechanism.called(name), ", ".join(triple))
+                break
     for number, driver in enumerate(mechanism.drivers):
         if driver.rate or not mechanism.lines:
             continue

@@ -259,12 +259,13 @@ def _size(layout: Places) -> float:
     return max(abs(place - places[0]) for place in places)
 
 
-def orientation(layout: Places, triple: Sequence[str]) -> int:
-    """1 if the three points run counter-clockwise, -1 if clockwise, 0 on one line."""
+def orientation(layout: Places, triple: Sequence[str], least: float = 1e-9) -> int:
+    """1 if the three points run counter-clockwise, -1 if clockwise, 0 on one line; least: the sine under which they
+    are."""
     a, b, c = (layout[point] for point in triple)
     area = ((b - a).conjugate() * (c - a)).imag
     sides = abs(b - a) * abs(c - a)
-    return 0 if abs(area) <= 1e-9 * sides else int(math.copysign(1, area))
+    return 0 if abs(area) <= least * sides else int(math.copysign(1, area))
 
 
 def check_round(shape: ShapeMeasures, places: Places) -> None:

@@ -353,6 +353,22 @@ def test_a_driver_without_a_rate_is_remarked_on() -> None:
     assert "note: driver O1A has no omega" in result.stderr
 
 
+@pytest.mark.parametrize(("place", "said"), [("[8, 60]", False), ("[60, 8]", True), ("[60, 55]", False)])
+def test_a_link_that_the_sketch_shows_the_other_way_round_is_remarked_on(place: str, said: bool) -> None:
+    """The sketch only picks the assembly: a wrong ccw draws the link mirrored. Near the line AB it shows neither."""
+    own = """
+    frame = { A = [0, 0] }
+    [links]
+    1 = { AB = 85, AE = 60, BE = 50, ccw = ["A", "B", "E"] }
+    [[driver]]
+    vector = "AB"
+    angle = 45
+    omega = 1
+    """
+    Path("mine.toml").write_text(f"{own}\n[sketch]\nB = [60, 60]\nE = {place}\n", encoding="utf-8")
+    assert ("the sketch shows A, B, E the other way round than link 1 has them" in run("solve", "mine.toml").stderr) is said
+
+
 def test_a_unit_in_place_of_its_key() -> None:
     Path("mine.toml").write_text(re.sub("(?m)^omega.*", "rpm = 95", COLLAR), encoding="utf-8")
     result = run("solve", "mine.toml")
