@@ -44,6 +44,6 @@ def library_sheet(name: str, style: Style = "construction", lang: Lang = "en") -
 
 
 @cache
-def textbook_sheet(name: str, lang: Lang = "en") -> Sheet:
+def textbook_sheet(name: str, lang: Lang = "en", paper: str | None = None) -> Sheet:
     """Of a mechanism of other textbooks."""
-    return Drawing.of(load(TEXTBOOK / f"{name}.toml")).sheet(lang=lang)
+    return Drawing.of(load(TEXTBOOK / f"{name}.toml")).sheet(lang=lang, paper=paper)

@@ -25,7 +25,7 @@ from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.window import corners
 
 _MORE = 1.2
-_EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
+_EDGE, _GRID = 2.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
 _FEW, _MANY = 6, 10  # vectors for which a table to measure into has room at least, or two beside each other
 _STEP = 10.0  # rooms are so many millimetres, or a multiple of it
 
@@ -81,7 +81,7 @@ def _placed(low: float, high: float, room: float, lot: float) -> float:
 
 
 def _whole(length: float, usual: float) -> float:
-    return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
+    return usual if length <= usual - 2 * _EDGE - _GRID else _STEP * math.ceil(_MORE * length / _STEP)
 
 
 def empty_rows(problem: HandoutProblem, equations: Sequence[VectorEquation], terms: int = 0) -> TermRows:

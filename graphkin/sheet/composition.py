@@ -8,6 +8,7 @@ from functools import cache, cached_property, partial
 from itertools import product
 from typing import Literal
 
+from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
@@ -33,7 +34,7 @@ from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import Last, Panel, heading
-from graphkin.sheet.paper import KEYS, Paper, Room
+from graphkin.sheet.paper import KEYS, LARGEST, Paper, Room
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
@@ -50,7 +51,8 @@ _BEYOND = 1.25  # so many times larger a figure may become to show what its dime
 @frozen
 class Planes:
     """Draws any plane through any window; planes: those the sheet shows; breaks: an arrow that is far longer than the
-    others of its plane is drawn broken, where the file gives no scale; told: a text above gives all data."""
+    others of its plane is drawn broken, where the file gives no scale; told: a text above gives all data; whole: it is
+    the sheet at whose scales a handout is made, too."""
 
     method: Method
     plot: Plot
@@ -60,6 +62,7 @@ class Planes:
     paths: Paths = NONE
     breaks: bool = False
     told: bool = False
+    whole: bool = False
 
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
@@ -154,8 +157,10 @@ class Planes:
     def extents(self) -> dict[Plane, Extent]:
         """The size of each plane's points, and the reach of its signs beyond them."""
         given = self.method.mechanism.scales
-        return {plane: Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane]))
-                for plane in self.planes}  # fmt: skip
+        every = ((plane, Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane])))
+                 for plane in self.planes)  # fmt: skip
+        return {plane: replace(extent, least=finest(extent.size, LARGEST[plane]) if self.whole else 0.0)
+                for plane, extent in every}  # fmt: skip
 
     @cached_property
     def ladders(self) -> dict[Plane, Ladder]:

@@ -127,7 +127,7 @@ def standing(rooms: Array, extent: Extent) -> Standing:
         blocks.append((size, corner, np.concatenate([each.shape for each in every])[best]))
     fit = np.isfinite(least)
     if extent.given is None:
-        scales = np.where(fit, finest_each(np.where(fit, least, 1.0)), np.nan)
+        scales = np.where(fit, finest_each(np.where(fit, np.maximum(least, extent.least), 1.0)), np.nan)
     else:
         scales = np.where(fit & (least <= extent.given * CLOSE), extent.given, np.nan)
     return Standing(scales, keeps, blocks)

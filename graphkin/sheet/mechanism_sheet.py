@@ -177,7 +177,7 @@ def _arranged(
     arranged = partial(_arranged, method, plot, paths)
     if lang == "en":
         drawn = (method, plot) if style == "given" else shown(method, plot)
-        drawing = Planes(*drawn, planes, style, lang, paths, breaks, told)
+        drawing = Planes(*drawn, planes, style, lang, paths, breaks, told, planes == PLANES and not paper)
         if breaks and not any(drawing.left_out.values()):  # as it is without
             return arranged(lang, planes, style, False, tight, told, paper)
         return cheapest(_contents(drawing, tight), paper)

@@ -159,6 +159,8 @@ LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "
 UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "acceleration": "(m/s²)/mm"}
 KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 """Key of a plane's scale in the mechanism file."""
+LARGEST: dict[Plane, complex] = {"position": 140 + 190j, "velocity": 151 + 111j, "acceleration": 151 + 111j}
+"""The largest figures of a sheet, but for given scales and papers: a handout's page has room for them [mm]."""
 
 
 

@@ -85,7 +85,7 @@ class Extent:
 
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
-    given   its scale where the file gives one
+    given   its scale where the file gives one; least: no finer one is chosen
     labels  their number; lettering: the room that they take [mm^2]
     stairs  how its outline goes down to each corner
     blocks  of what stands in corners beside it: the sizes of all its shapes [mm], and True where it is for the foot
@@ -102,6 +102,7 @@ class Extent:
     lettering: float = 0.0
     stairs: Stairs = ()
     blocks: tuple[tuple[tuple[complex, ...], bool], ...] = ()
+    least: float = 0.0
 
     @classmethod
     def of(

@@ -139,6 +139,17 @@ def test_a_worksheet_tells_nothing_by_its_rooms(name):
     assert len({room.pole for room in again}) > 2
 
 
+@pytest.mark.parametrize("name", ["p3-6c", "p3-18", "s2-1b"])
+def test_sheet_and_handout_have_the_same_scales(name):
+    """Also where a sheet alone would have room for more: a page is the smaller one. A paper that is asked for is used."""
+    machine = loaded(name)
+    drawing = graphkin.Drawing.of(machine)
+    sheet = drawing.sheet()
+    assert drawn_problem(machine, "en").scales == pytest.approx(sheet.scales)
+    large = drawing.sheet(paper="A3").scales
+    assert any(large[plane] < 0.7 * scale for plane, scale in sheet.scales.items())
+
+
 def test_a_worksheet_has_room_for_all_that_is_measured():
     """Eight vectors of p3-14's velocities: a row for two of them."""
     blocks = handout([loaded("p3-14")], "blank", "en").blocks

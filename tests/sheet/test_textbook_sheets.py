@@ -90,7 +90,7 @@ def test_letters_of_arcs_are_nearest_to_them() -> None:
 
 def test_the_arc_of_an_angle_is_apart_from_that_of_its_driver() -> None:
     """Of an angle that goes nearly all round, over the ground under its pivot."""
-    page = textbook_sheet("wiper")
+    page = textbook_sheet("wiper", paper="A3")
     about = [mark for mark in page.marks if isinstance(mark, ArcMark) and abs(mark.centre - point(page, "O")) < 0.05]
     assert {mark.pen for mark in about} == {"vector", "thin"}
     [drive], angles = [mark for mark in about if mark.pen == "vector"], [mark for mark in about if mark.pen == "thin"]

@@ -30,7 +30,6 @@ from graphkin.running import driver_values, replay_all
 
 _LARGEST = 64 << 20
 _PAGE = complex(130.0, 97.0)  # of any figure that is drawn as large as a page allows, of every polygon [mm]
-_ALONE = complex(140.0, 190.0)  # of a mechanism that is alone on its page
 _SAME = 1e-6  # values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same
 
 
@@ -168,22 +167,19 @@ def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, fl
 
 
 def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
-    """The file's own scales; others are those of the mechanism's sheet. They are its handout's, too: of one without
-    room on a page they are coarser."""
+    """The file's own scales; others are those of the mechanism's sheet. They are its handout's, too."""
     written = method.mechanism.scales
     if all(key in written for key in SCALES.values()):
         return {key: written[key] for key in SCALES.values()}
     from graphkin.sheet import scales_of
 
-    of_sheet, least = scales_of(method, plot, breaks=False), page_scales(method, plot, (_ALONE,))
-    return {key: written.get(key) or max(float(of_sheet[plane]), least[key]) for plane, key in SCALES.items()}
+    of_sheet = scales_of(method, plot, breaks=False)
+    return {key: float(of_sheet[plane]) for plane, key in SCALES.items()}
 
 
-def page_scales(
-    method: Method, plot: Plot, rooms: Sequence[complex] = (_PAGE, complex(_PAGE.imag, _PAGE.real))
-) -> dict[str, float]:
-    """The file's own scales; others are the finest at which the mechanism has one of these rooms, lying or standing,
-    and a polygon a lying one: the paper that students draw on is as large for all."""
+def page_scales(method: Method, plot: Plot) -> dict[str, float]:
+    """The file's own scales; others are the finest at which the mechanism has room, lying or standing, and a polygon
+    lies: the paper that students draw on is as large for all."""
     from graphkin.base.scales import finest
     from graphkin.sheet.composition import Planes
     from graphkin.sheet.window import PLANES, corners
@@ -191,7 +187,7 @@ def page_scales(
     planes, scales = Planes(method, plot, PLANES, "construction", "en"), dict[str, float]()
     for plane, key in SCALES.items():
         low, high = corners(planes.values(plane))
-        fits = rooms if plane == "position" else (_PAGE,)
+        fits = (_PAGE, complex(_PAGE.imag, _PAGE.real))[: 1 + (plane == "position")]
         scales[key] = method.mechanism.scales.get(key) or min(finest(high - low, room) for room in fits)
     return scales
 
