@@ -31,7 +31,7 @@ from graphkin.submissions import Student
 
 _HIGH, _LOW, _NAME = 211.0, 50.0, 7.5  # of a page but for a problem's name, entries and answers, and of a name [mm]
 _ENTRY, _LINE, _WIDE = 6.4, 4.9, 170.0  # of an entry, of each further line of it; a page's width [mm]
-_FINER, _SMALLEST = 1.05, 8.0  # a figure becomes so many times smaller at a time, and in all
+_FINER, _SMALLEST = 1.05, (8.0, 2.5)  # a figure becomes so many times smaller at a time; in all, one to measure on last
 _NO_LIST = 3  # so many problems need no list of them
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
@@ -210,8 +210,8 @@ def scales_to_use(problem: HandoutProblem) -> Label:
 
 
 def figure_of(problem: HandoutProblem, solved: bool = False) -> document.HandoutPicture:
-    """The mechanism with what is given, so large that the problem has room on its page; with a note where it stands
-    elsewhere, as what is asked could be measured on it, or is smaller.
+    """The mechanism with what is given, so large that the problem has room on its page; one that would be far smaller
+    may stand on the next. With a note where it is smaller, or stands elsewhere, as what is asked could be measured.
 
     solved  its position is drawn here: it stands where that is, with all that is drawn of it if there is room
     """
@@ -226,14 +226,16 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
     answers = answers_room(problem)
     below = answers.row * (1 + len(answers.rows)) + (0.0 if problem.whose else _NAME)
     least, scale = max(_LOW, _HIGH - _ENTRY * len(texts) - _LINE * further - below), problem.scales["position"]
-    notes += [say("handouts.smaller", problem.lang)] if figure.sheet.paper.height > least else []
-    while (high := figure.sheet.paper.height) > least and scale < _SMALLEST * problem.scales["position"]:
+    whole, most = figure, _SMALLEST[there] * scale
+    while (high := figure.sheet.paper.height) > least and scale <= most:
         scale = finest(complex(0, max(high / least, _FINER) * scale), complex(1, 1))  # signs are as large as before
         machine = replace(method.mechanism, scales={**method.mechanism.scales, "length": scale})
         reduced = replace(problem.drawing, mechanism=machine, method=replace(method, mechanism=machine))
         figure = _figure(replace(problem, drawing=reduced), "position", "given")
+    far = scale > most
+    notes += [say("handouts.smaller", problem.lang)] if figure is not whole and not far else []
     note = say("common.note", problem.lang, note=say("common.semicolon", problem.lang).join(notes)) if notes else ""
-    return replace(figure, of_all=True, note=note)
+    return replace(whole if far else figure, of_all=not far, note=note)
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:

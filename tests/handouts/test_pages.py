@@ -217,6 +217,15 @@ def test_a_problem_has_room_on_its_page(name, lang):
     assert len(table.rows) >= len(loaded(name).ask)
 
 
+def test_a_figure_that_would_be_far_too_small_stands_on_the_next_page():
+    """At the scale to use, so that directions can be taken from it; the room for answers is behind it."""
+    made = handout([loaded("s3-guide")], "blank", "en")
+    (figure,) = (block for block in made.blocks if isinstance(block, HandoutPicture))
+    assert figure.sheet.scales == pytest.approx({"position": 0.0006})
+    assert figure.note == ""
+    assert [any(line.role == "Figure" for line in page.body) for page in read(pdf(made))][:2] == [False, True]
+
+
 def test_a_worksheet_with_many_vectors_is_one_page():
     """Three equations, gridded paper and the table to measure into stand on one page."""
     content = pdf(handout([graphkin.load(TEXTBOOK / "scissors.toml")], "blank", "en"))
