@@ -271,6 +271,17 @@ class Topology:
     def base(self, body: str) -> str:
         return self.turns[body].base
 
+    @cached_property
+    def calculated(self) -> frozenset[str]:
+        """Bases whose rates the drivers give by ratios of wheels alone, one after another, wherever all is drawn."""
+        known, more = frozenset[str](), {FRAME}
+        while more:
+            known |= more
+            rolling = [{self.base(body) for body, _ in contact.angles} - known for contact in self.tying
+                       if not contact.slide or contact.slide in self.slides_driven]  # fmt: skip
+            more = set().union(*(unknown for unknown in rolling if len(unknown) == 1))
+        return known
+
     def steady(self, body: str) -> bool:
         """True if a body of the frame's group has no angular acceleration, whatever the position."""
         turn, drivers = self.turns[body], self.mechanism.drivers

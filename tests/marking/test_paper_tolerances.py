@@ -18,7 +18,7 @@ from graphkin.analytic import motion
 from graphkin.base.scales import SERIES
 from graphkin.construction import Plot, replay
 from graphkin.errors import GraphkinError
-from graphkin.files import library
+from graphkin.files import library, loads
 from graphkin.homework.grading import key_for, marking_of
 from graphkin.homework.grading.keys import page_scales
 from graphkin.marking.answers import readable
@@ -227,3 +227,26 @@ def test_an_error_of_one_fitted_group_leaves_the_one_before_as_it_is() -> None:
     for mark in every.seen:
         drawn = drawn_positions(method, pencil, Slips(1, 3, mark.__eq__))
         assert all(np.isfinite(place).any() for place in drawn.position.values()), mark
+
+
+GEARS = """
+ask = ["omega 3", "alpha 3", "omega 3/omega 1", "v C"]
+frame = { A = [0, 0], D = [62.35, 0], E = [62.35, 60] }
+links = { 1.AC = 15, 2.points = ["D"], 3.points = ["E"] }
+gear = [{ links = ["1", "2"], centres = ["A", "D"], radii = [22.35, 40] }, { links = ["2", "3"], centres = ["D", "E"], radii = [40, 20] }]
+driver = [{ vector = "AC", angle = 60, omega = 10, alpha = 3 }]
+"""  # fmt: skip
+
+
+@pytest.mark.parametrize(("of", "calculated"), [
+    ("train", {"omega 2", "omega 3", "alpha 2", "alpha 3", "omega 3/omega 1"}), ("s4-ex4", {"omega 1", "omega 2", "omega 1 / omega H"}),
+    ("p3-12", set()), ("s4-ex5", set()),
+])  # fmt: skip
+def test_what_ratios_of_wheels_give_is_as_exact_as_its_figures(of: str, calculated: set[str]) -> None:
+    """Where the arm stands still or is given; a wheel on a link of the linkage has what the drawing tells of it."""
+    machine = loads(GEARS) if of == "train" else library.load(of)
+    exact = set()
+    for entry in key_for(on_a_page(machine)).entries:
+        if entry.text.startswith(("omega", "alpha")) and entry.tolerance < 2 * half_digit(entry.right, entry.unit):
+            exact.add(entry.text)
+    assert exact == calculated
