@@ -16,6 +16,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import centre_place
 from graphkin.say.names import in_signs, of_slide
 from graphkin.say.numbers import degrees, exact, heading, sense
+from graphkin.say.sizes import in_files_unit
 from graphkin.say.text_table import table, unbraced
 
 _SLIDING = (("s", "s", EDGE["m"]), ("v", "ṡ", EDGE["m/s"]), ("a", "s̈", EDGE["m/s^2"]))
@@ -53,6 +54,8 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
                     note = say("common.and", lang).join(filter(None, (note, _takes(mechanism, question, lang))))
                 elif isinstance(read(mechanism, question), Rotation) and entry["unit"] != "rad":
                     note = sense(size, lang) if size else ""
+                other = in_files_unit(mechanism, size / unit.factor, entry["unit"]) if size else ""
+                note = say("common.and", lang).join(filter(None, (other, note)))
                 value = f"{exact(size)} {in_signs(unit.name)}".rstrip().replace(" °", "°")
                 yield f"  {name} = {value}" + (say("common.note", lang, note=note) if note else "")
         yield f"{say('results.worst', lang)}{colon}" + f"{position['worst']:.1e}".replace("-", "−")

@@ -11,7 +11,7 @@ from typing import Literal
 from graphkin.base.value import frozen
 from graphkin.files.values import DIMENSIONS, UNITS
 from graphkin.model.mechanism import Dimension, KeyPath, Mechanism
-from graphkin.model.units import EDGE
+from graphkin.model.units import EDGE, Unit
 from graphkin.say.numbers import MOST_TYPED, given_figure, number, stated_figure
 from graphkin.say.reading import Reading
 
@@ -151,11 +151,17 @@ def in_unit(value: float, unit: str, dimension: Dimension) -> float:
 
 def in_files_unit(mechanism: Mechanism, value: float, unit: str) -> str:
     """`48.58 in/s`: a value [SI] in the unit of the file; "" in a file in mm or m, and of what has no length in it."""
-    dimension, length = DIMENSIONS.get(unit, "angle"), length_unit(mechanism)
+    own = files_unit(mechanism, unit)
+    return "" if own is EDGE[unit] else f"{number(value * own.factor)} {own.sign}"
+
+
+def files_unit(mechanism: Mechanism, unit: str) -> Unit:
+    """The unit that values in this SI unit are shown in, by the file's unit of length where that is not mm or m."""
+    dimension, length, edge = DIMENSIONS.get(unit, "angle"), length_unit(mechanism), EDGE[unit]
     if length in ("mm", "m") or dimension not in ("length", "velocity", "acceleration"):
-        return ""
-    own = length + EDGE[unit].sign.lstrip("m")
-    return f"{number(in_unit(value, own, dimension))} {own}"
+        return edge
+    name, own = (length + each.lstrip("m") for each in (edge.name, edge.sign))
+    return Unit(name, own, in_unit(1.0, own, dimension))
 
 
 def length_unit(mechanism: Mechanism) -> str:

@@ -15,7 +15,7 @@ from graphkin.running.path import Event
 from graphkin.say.catalogue import say
 from graphkin.say.names import in_signs, relative
 from graphkin.say.numbers import at_edge, exact, number
-from graphkin.say.sizes import in_files_unit
+from graphkin.say.sizes import files_unit, in_files_unit
 from graphkin.say.text_table import table, unbraced
 from graphkin.studies.sweeps import Course, Series, Sweep
 from graphkin.studies.sweeps.course import SEEN, TURN
@@ -117,12 +117,12 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
         if entry.is_place or not np.isfinite(values).any():
             continue
         if np.nanmax(values) - np.nanmin(values) <= CONSTANT * np.nanmax(np.abs(values)):
-            value = in_signs(_value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]])))
+            value = in_signs(_value(sweep, entry, float(values[np.flatnonzero(np.isfinite(values))[0]])))
             yield say("sweeps.constant", lang, name=name, value=value)
             continue
         for which, k in enumerate((_first_greatest(values), _first_greatest(-values))):
             place = _named(sweep.course, float(sweep.driven[k]))
-            value = in_signs(_value(entry, float(values[k])))
+            value = in_signs(_value(sweep, entry, float(values[k])))
             yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
 
 
@@ -132,17 +132,17 @@ def _first_greatest(values: np.ndarray) -> int:
     return int(np.argmax(values >= most - CONSTANT * np.nanmax(np.abs(values))))
 
 
-def _value(entry: Series, value: float) -> str:
-    text = at_edge(value, entry.unit)
+def _value(sweep: Sweep, entry: Series, value: float) -> str:
+    text = in_files_unit(sweep.mechanism, value, entry.unit) or at_edge(value, entry.unit)
     return text + (f" ({number(value * IN_GRAVITY.factor, 1e-9)} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
 
 
 def sweep_lines(sweep: Sweep, lang: Lang) -> Iterator[str]:
-    """A row for each position, in mm and deg; of an instant centre x and y."""
-    first = EDGE[sweep.course.unit]
+    """A row for each position, in mm or the file's own unit, and deg; of an instant centre x and y."""
+    first = files_unit(sweep.mechanism, sweep.course.unit)
     heads, values = [[sweep.course.driver.name, first.name]], [sweep.driven * first.factor]
     for entry in sweep.series:
-        unit = EDGE[entry.unit]
+        unit = files_unit(sweep.mechanism, entry.unit)
         heads += [[f"{entry.name}{part}", unit.name or "1"] for part in ((" x", " y") if entry.is_place else ("",))]
         at = entry.vectors if entry.is_place else None
         values += [part * unit.factor for part in ((entry.signed,) if at is None else (at.real, at.imag))]

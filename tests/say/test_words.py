@@ -508,6 +508,21 @@ def test_degrees(vector: complex, text: str) -> None:
     assert degrees(vector) == text
 
 
+def test_tables_and_results_of_a_file_in_inches_are_in_inches(tmp_path: Path) -> None:
+    file, tables = tmp_path / "inches.toml", []
+    asks = AS_SET.replace('["omega 3"]', '["v C"]')
+    for text in (asks.replace('"1 in"', "25.4"), asks.replace("BC = 60", 'BC = "2.4 in"').replace("DC = 40", 'DC = "1.6 in"')):
+        file.write_text(text, "utf-8")
+        words = ["sweep", str(file), "--driver", "30:40:10", "--of", "v C, x C, a C, omega 3", "--lang", "en"]
+        tables.append(CliRunner().invoke(main, words).output.splitlines())
+    assert [table[1].split() for table in tables] == [
+        ["[°]", "[m/s]", "[mm]", "[m/s²]", "[rad/s]"], ["[°]", "[in/s]", "[in]", "[in/s²]", "[rad/s]"]
+    ]  # fmt: skip
+    greatest = next(line for line in tables[1] if line.startswith("greatest of the rows: v_C"))
+    assert re.search(r"= [\d.]+ in/s at AB = \d+°$", greatest)
+    assert re.search(r"v_C = [\d.]+ m/s \([\d.]+ in/s, at ", CliRunner().invoke(main, ["solve", str(file), "--lang", "en"]).output)
+
+
 def test_answers_of_a_file_in_inches_are_in_inches_too() -> None:
     """Behind the unit of the solution; rotations have none of their own, and most lengths of a file tell its unit."""
     inches = AS_SET.replace("BC = 60", 'BC = "2.4 in"').replace("DC = 40", 'DC = "1.6 in"')
