@@ -65,15 +65,21 @@ class AlongOwnAxis(DeadPoint):
 class GearsApart(LocatedError):
     centres: tuple[str, str]
     distance_mm: float
-    wanted_mm: float
+    radii_mm: tuple[float, float]  # signed
     en = (
-        "{where}: the centres {pair} stand {distance_mm:.6g} mm apart, the pitch radii want {wanted_mm:.6g} mm. "
-        "Change the radii, or the links that hold the centres."
+        "{where}: the centres {pair} stand {distance_mm:.6g} mm apart, {off:+.3g} mm from the {wanted:.6g} mm that the "
+        "pitch radii want. Change the links that hold the centres, or the radii: of the same ratio {radii} mm fit."
     )
-    zh = "{where}：中心距 {pair} 为 {distance_mm:.6g} mm，而节圆半径要求 {wanted_mm:.6g} mm。请修改半径，或修改确定中心位置的构件。"
+    zh = (
+        "{where}：中心距 {pair} 为 {distance_mm:.6g} mm，与节圆半径要求的 {wanted:.6g} mm 相差 {off:+.3g} mm。"
+        "请修改确定中心位置的构件，或改写半径：比值相同而相合的半径为 {radii} mm。"
+    )
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"pair": "".join(self.centres)}
+        wanted = abs(sum(self.radii_mm))
+        radii = listed((f"{abs(radius) * self.distance_mm / wanted:.8g}" for radius in self.radii_mm), lang)
+        words = {"pair": "".join(self.centres), "off": self.distance_mm - wanted, "wanted": wanted, "radii": radii}
+        return super()._words(lang) | words
 
 
 PAIRS: dict[str, dict[Lang, str]] = {

@@ -167,7 +167,8 @@ def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot:
         if not tie.slide:
             distance, radii = abs(place(plot.arm(*tie.centres))), abs(sum(tie.radii))
             if abs(distance - radii) > ROUNDED * max(distance, radii):
-                raise errors.GearsApart(_radii(mechanism, tie), tie.centres, distance * 1000, radii * 1000)
+                first, second = (1000 * radius for radius in tie.radii)
+                raise errors.GearsApart(_radii(mechanism, tie), tie.centres, 1000 * distance, (first, second))
         elif mechanism.slides and (path := tie.pair.path) is not None:
             line, offset = path.line, path.offset  # the point lies so far to the left of its line
             along = line.direction * np.exp(1j * plot.theta[line.link])

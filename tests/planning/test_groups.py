@@ -122,8 +122,13 @@ def test_any_coincident_point_gives_the_same(name: str, points: str):
 
 def test_gears_that_do_not_mesh_are_refused():
     text = library.text("p3-12").replace("radii = [30, 20]", "radii = [30, 21]")
-    with pytest.raises(GearsApart):
+    with pytest.raises(GearsApart) as refused:
         plan(loads(text, name="gears", file="gears.toml"))
+    assert "-1 mm from the 51 mm" in refused.value.message("en")
+    fitting = text.replace("radii = [30, 21]", "radii = [29.411765, 20.588235]")
+    assert "29.411765 and 20.588235 mm fit" in refused.value.message("en")
+    assert "相合的半径为 29.411765、20.588235 mm" in refused.value.message("zh")
+    plan(loads(fitting, name="gears", file="gears.toml"))
 
 
 def test_positions_by_fit_keep_the_branch():
