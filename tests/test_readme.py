@@ -12,9 +12,9 @@ import pytest
 
 import graphkin
 from graphkin.cli import main
+from graphkin.cli.manual import skeleton
 from graphkin.errors import Lang
 from graphkin.outputs import drawings
-from graphkin.say.manual import skeleton
 
 ROOT = Path(__file__).parent.parent
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")

@@ -9,15 +9,14 @@ from __future__ import annotations
 import gc
 import os
 from collections.abc import Sequence
-from copy import copy
 from importlib import import_module
-from inspect import cleandoc
 from itertools import islice
 from typing import Any
 
 import click
 
 from graphkin.cli import spoken, streams
+from graphkin.say.catalogue import say
 
 __all__ = ["main"]
 
@@ -71,8 +70,6 @@ class Program(click.Group):
             with streams.written():
                 return super().invoke(ctx)
         except KeyboardInterrupt as end:
-            from graphkin.say.catalogue import say
-
             said = str(end) or say("common.broken off", spoken.user_language())
             click.echo("\n" + said, err=True)
             ctx.exit(BROKEN_OFF)
@@ -81,8 +78,8 @@ class Program(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name, command, rest = super().resolve_command(ctx, args)
-        if command is not None and not {"-h", "--help"}.isdisjoint(rest):
-            command = described(command)
+        if command is not None and not {"-h", "--help"}.isdisjoint(rest) and spoken.user_language() == "zh":
+            command = import_module(f"graphkin.cli.{COMMANDS['help']}").in_chinese(command)
         return name, command, rest if command is None else spelled_out(command, rest)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -94,18 +91,6 @@ class Program(click.Group):
         module = import_module(f"graphkin.cli.{COMMANDS[name]}")
         commands = (entry for entry in vars(module).values() if isinstance(entry, click.Command))
         return next((command for command in commands if command.name == name), None)
-
-
-def described(command: click.Command) -> click.Command:
-    """The command, in Chinese with the manual's description of it."""
-    if spoken.user_language() == "en":
-        return command
-    from graphkin.say.manual import description
-
-    _, mark, examples = cleandoc(command.help or "").partition("\b")
-    told, text = copy(command), description(str(command.name), "zh")
-    told.help = f"{text}\n\n{mark}{examples}" if text else command.help
-    return told
 
 
 def spelled_out(command: click.Command, args: Sequence[str]) -> list[str]:

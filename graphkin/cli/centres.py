@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -82,18 +82,15 @@ class _CentreCommand:
         if self.velocities:
             self._pole_of_two_velocities()
             return
-        if self.animate and not self.pair:
-            raise misused("usage.needs", option="--animate", other="--centrodes 3,1")
-        if not mechanisms:
-            raise misused("usage.either", others="--velocities")
-        if len(mechanisms) > 1 and draws:
-            raise misused("usage.one", option="-o, --steps", what="MECHANISM")
+        misused("usage.needs", self.animate and not self.pair, option="--animate", other="--centrodes 3,1")
+        misused("usage.either", not mechanisms, others="--velocities")
+        misused("usage.one", draws and len(mechanisms) > 1, option="-o, --steps", what="MECHANISM")
         if draws:
             with streams.waiting():
                 pages = self._pages(self._centres(mechanisms[0]))
             shared.write_drawings(pages, self.output, self.steps, self.force)
         else:
-            shared.print_each(mechanisms, lambda source: self._lines(self._centres(source)), self.as_json, self.lang)
+            shared.print_each(mechanisms, self._lines, self.as_json, self.lang)
 
     def _centres(self, source: str) -> Centres:
         from graphkin.studies.centres import centres as find
@@ -107,11 +104,8 @@ class _CentreCommand:
 
         return around(found, self.link, self.point, self.pair, self.centre, self.ranges)
 
-    def _lines(self, found: Centres) -> Iterator[str]:
-        from graphkin.api.answers import data_of, lines_of
-
-        answer = self._answer(found)
-        yield from [shared.json_line(data_of(answer))] if self.as_json else lines_of(answer, self.lang)
+    def _lines(self, source: str) -> list[str]:
+        return shared.answer_lines(self._answer(self._centres(source)), self.as_json, self.lang)
 
     def _pole_of_two_velocities(self) -> None:
         from graphkin.outputs import svg
@@ -119,8 +113,7 @@ class _CentreCommand:
         from graphkin.sheet.centrode_sheet import pole_sheet
         from graphkin.studies.centres.two_velocities import from_text
 
-        if self.steps is not None:
-            raise misused("usage.without", option="--velocities", others="--steps")
+        misused("usage.without", self.steps, option="--velocities", others="--steps")
         pole = from_text(self.velocities)
         if self.output is None:
             click.echo("\n".join(pole_words(pole, self.lang)))

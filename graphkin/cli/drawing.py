@@ -61,17 +61,20 @@ def draw(
       graphkin draw p3-20 --path E --arrows
       graphkin draw mine.toml --watch
     """
-    if style == "given" and (steps is not None or only not in (None, "position")):
-        raise misused("usage.without", option="--style given", others="--steps, --only")
-    _check_paths(paths, arrows, style, only, output)
+    planes = only not in (None, "position")
+    misused("usage.without", style == "given" and (steps or planes), option="--style given", others="--steps, --only")
+    misused("usage.needs", arrows and not paths, option="--arrows", other="--path E")
+    misused("usage.without", paths and (style == "given" or planes), option="--path", others="--style given, --only")
+    ggb = output is not None and output.suffix.lower() == ".ggb"
+    misused("usage.locus", ggb and paths)
+    misused("usage.without", ggb and only, option=output, others="--only")
     machine = shared.read(mechanism)
     alone = output is None and steps is not None
     output = _file(output, machine.name)
-    if animate and (steps is not None or tight or style != "construction" or paths or at):
-        others = "--steps, --tight, --style, --path, --angle, --at"
-        raise misused("usage.without", option="--animate", others=others)
-    if animate and output.suffix.lower() not in (".svg", ".png"):
-        raise misused("usage.suffix", output=output, kinds=".svg, .png")
+    if animate:
+        still = steps or tight or style != "construction" or paths or at
+        misused("usage.without", still, option="--animate", others="--steps, --tight, --style, --path, --angle, --at")
+        misused("usage.suffix", output.suffix.lower() not in (".svg", ".png"), output=output, kinds=".svg, .png")
     drawing = shared.drawing(machine, at, coincident, method)
     if animate:
         moving = drawing.animate(output, paper=paper, lang=lang, only=only, dpi=dpi or 100.0, ink=ink, force=force)
@@ -93,17 +96,6 @@ def _file(output: Path | None, name: str) -> Path:
         return output or Path(f"{name}.svg")
     output.mkdir(parents=True, exist_ok=True)
     return output / f"{name}.svg"
-
-
-def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane | None, output: Path | None) -> None:
-    if arrows and not paths:
-        raise misused("usage.needs", option="--arrows", other="--path E")
-    if paths and (style == "given" or only not in (None, "position")):
-        raise misused("usage.without", option="--path", others="--style given, --only")
-    if paths and output is not None and output.suffix.lower() == ".ggb":
-        raise misused("usage.locus")
-    if only is not None and output is not None and output.suffix.lower() == ".ggb":
-        raise misused("usage.without", option=output, others="--only")
 
 
 @click.command()
@@ -132,8 +124,7 @@ def explain(
       graphkin explain p3-22 --only velocity
       graphkin explain mine.toml --watch
     """
-    if output is not None and as_drawn:
-        raise misused("usage.without", option="--as-drawn", others="-o")
+    misused("usage.without", output and as_drawn, option="--as-drawn", others="-o")
     drawing = shared.drawing(shared.read(mechanism), at, coincident, method)
     if output is None:
         click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
@@ -175,8 +166,7 @@ def equations(
     if output is None:
         shared.print_each(mechanisms, lambda source: writing.write_text(document(source)).splitlines(), False, lang)
         return
-    if len(mechanisms) > 1:
-        raise misused("usage.one", option=f"-o {output}", what="MECHANISM")
+    misused("usage.one", len(mechanisms) > 1, option=f"-o {output}", what="MECHANISM")
     writing.write(output, document(mechanisms[0]), force)
     click.echo(str(output))
 
@@ -233,8 +223,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lan
     from graphkin.check import measure
     from graphkin.say.results import check_json, check_lines
 
-    if not math.isfinite(tolerance):
-        raise misused("usage.finite", option="--tolerance")
+    misused("usage.finite", not math.isfinite(tolerance), option="--tolerance")
     status = 0
     for drawing in streams.counted(drawings, True):
         try:

@@ -67,10 +67,10 @@ def handout(
         shared.refuse_one_file((machine.name for machine, _ in problems), ".pdf")
         output.mkdir(parents=True, exist_ok=True)
         books, sheets = [(output / f"{one.name}.pdf", [(one, who)]) for one, who in problems], output / NAME
-    elif output.suffix.lower() not in (".pdf", ".html"):
-        raise misused("usage.suffix", output=output, kinds=".pdf, .html")
-    elif scan is not None and output.suffix.lower() == ".html":
-        raise misused("usage.needs", option="--scan", other="-o OUT.pdf")
+    else:
+        kind = output.suffix.lower()
+        misused("usage.suffix", kind not in (".pdf", ".html"), output=output, kinds=".pdf, .html")
+        misused("usage.needs", scan is not None and kind == ".html", option="--scan", other="-o OUT.pdf")
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     for path, several in streams.counted(books, True):
         files.refuse(path, force, saving.MARKS)
@@ -95,8 +95,7 @@ def _problems(
     problems: list[tuple[Mechanism, Student | None]] = []
     for source in sources:
         if source and is_set(Path(source)):
-            if at:
-                raise misused("usage.without", option=source, others="--angle, --at")
+            misused("usage.without", at, option=source, others="--angle, --at")
             own, students = students_of(Path(source))
             seed = seed or own
             problems += [(shared.read(str(path)), who) for who, path in students]

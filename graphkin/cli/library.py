@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import click
@@ -44,8 +43,7 @@ def list_(
 
             click.echo(str(NotebookSheet.of(family_sheet(lang)).save(output, force=force)), err=True)
         return
-    if output is not None:
-        raise misused("usage.needs", option="-o", other="--kinds")
+    misused("usage.needs", output, option="-o", other="--kinds")
     names = library.chosen(kind or "", group or "", source)
     if not names:
         click.echo(say("structure.none listed", lang), err=True)
@@ -97,13 +95,12 @@ def structure(
     Example:
       graphkin structure p3-15
     """
+    from graphkin.api import answers
+
     data = shared.wants_json(as_json, output, len(mechanisms))
 
-    def lines(source: str) -> Iterator[str]:
-        from graphkin.api.answers import data_of, lines_of, structure
-
-        parts = structure(shared.placed(source, at))
-        return iter([shared.json_line(data_of(parts))] if data else lines_of(parts, lang))
+    def lines(source: str) -> list[str]:
+        return shared.answer_lines(answers.structure(shared.placed(source, at)), data, lang)
 
     shared.print_each(mechanisms, lines, data, lang, output, force)
 

@@ -48,14 +48,10 @@ def linkage(
       graphkin linkage ex3-5 --fix 2 > inverted.toml
     """
     given = [(kind, sizes) for kind, sizes in (("fourbar", fourbar), ("slider", slider), ("guide", guide)) if sizes]
-    if len(given) + bool(mechanisms) != 1:
-        raise misused("usage.either", others="--fourbar, --slider, --guide")
-    if given and at:
-        raise misused("usage.without", option=f"--{given[0][0]}", others="--angle, --at")
-    if len(mechanisms) > 1 and (fix or output is not None):
-        raise misused("usage.one", option="--fix, -o", what="MECHANISM")
-    if fix and (as_json or output is not None):
-        raise misused("usage.without", option="--fix", others="--json, -o")
+    misused("usage.either", len(given) + bool(mechanisms) != 1, others="--fourbar, --slider, --guide")
+    misused("usage.without", given and at, option="--fourbar, --slider, --guide", others="--angle, --at")
+    misused("usage.one", len(mechanisms) > 1 and (fix or output), option="--fix, -o", what="MECHANISM")
+    misused("usage.without", fix and (as_json or output), option="--fix", others="--json, -o")
     if output is None and mechanisms and not fix:
         shared.print_each(mechanisms, lambda source: _lines(linkage_of(shared.read_at(source, at)), as_json, lang),
                           as_json, lang)  # fmt: skip

@@ -1,8 +1,8 @@
 """The manual: the guide, every command with what it gives, every key, every name, and the library. `help --html`.
 
-In the text of `say.manual`, `{run draw ex3-1 -o @.svg}`, with lines below it, is a command: these lines, what that
-command line draws or prints, and what the command says of itself. Files that command lines need stand there as code
-with a name.
+`say/manual.md` says what stands where: from `#en` on English, from `#zh` on Chinese. In it `{run draw ex3-1 -o @.svg}`,
+with lines below it, is a command: these lines, what that command line draws or prints, and what the command says of
+itself. Files that command lines need stand there as code with a name.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from graphkin.errors import Lang
 from graphkin.files import library
 from graphkin.outputs.markdown import slug
 from graphkin.say.file_help import file_lines
-from graphkin.say.manual import skeleton
 
+_PAIR, _ONE = re.compile(r"(?m)#en (.*?) #zh (.*)$"), re.compile(r"#(?:en|zh) ")
 _PART = re.compile(r"(?m)^\{(?!contents)(\w+) ?(.*)\}\n((?:.+\n)*)")
 _FILE = re.compile(r"(?ms)^```\w+ (\S+)\n(.*?)^```$")
 _HEAD = re.compile(r"(?m)^```(?s:.*?)^```$|^(###?) (.*)")
@@ -114,6 +114,14 @@ class Manual:
                 title, source = mechanism.headline(self.lang), mechanism.credit(self.lang)
                 cells = (self.pictured(name), f"`{name}` {title}", kinds, group, source)
                 yield f"| {' | '.join(cell.replace('|', '&#124;') for cell in cells)} |\n"
+
+
+def skeleton(lang: Lang) -> str:
+    """The manual's own text, and lines that say what stands between."""
+    both = (Path(graphkin.__file__).parent / "say" / "manual.md").read_text("utf-8")
+    each = _PAIR.sub(r"\2" if lang == "zh" else r"\1", both).splitlines()
+    lines = (line.removeprefix(f"#{lang} ") for line in each if not _ONE.match(line) or line.startswith(f"#{lang} "))
+    return re.sub("\n{3,}", "\n\n", "\n".join([*lines, ""]))
 
 
 def write(output: Path, force: bool, lang: Lang, api: Mapping[str, str]) -> None:

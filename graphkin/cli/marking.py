@@ -162,17 +162,14 @@ class _Grading:
         from graphkin.homework.result_files import ResultFiles
         from graphkin.say.tolerances import untold_lines
 
-        if self.kinds and self.output is None:
-            raise misused("usage.needs", option="--format", other="-o DIR")
-        if not self.kinds and self.output is not None and self.output.suffix.lower() != ".json":
-            raise misused("usage.records", output=self.output)
+        file = None if self.kinds else self.output
+        misused("usage.needs", self.kinds and self.output is None, option="--format", other="-o DIR")
+        misused("usage.suffix", file and file.suffix.lower() != ".json", output=file, kinds=".json")
         problems = grading.problems_of(key, submissions)
-        if self.output is not None and not self.kinds and problems[0].name:
-            raise misused("usage.folder")
+        misused("usage.needs", file and problems[0].name, option="-o", other="--format")
         pencils = grading.pencils_of(self.pencil, self.sigmas, self.relative)
         limits = grading.limits_of(self.turned, self.letters)
-        if self.confirm is not None and problems[0].name:
-            raise misused("usage.one", option="--confirm", what="KEY")
+        misused("usage.one", self.confirm and problems[0].name, option="--confirm", what="KEY")
         usual = grading.MarkingOptions(limits, self.jobs, words=self.lang)
         judges = [grading.judge_from(problem.key, pencils, self.roster) for problem in problems]
         for one in (judge for judge in judges if isinstance(judge, grading.OneKey)):

@@ -140,10 +140,8 @@ def find(
 
     machine = shared.read(mechanism)
     if dimensions:
-        if len(dimensions) > 1:
-            raise misused("usage.one", option="--vary", what="NAME=FROM:TO:STEP")
-        if output is not None:
-            raise misused("usage.without", option="--vary", others="-o")
+        misused("usage.one", len(dimensions) > 1, option="--vary", what="NAME=FROM:TO:STEP")
+        misused("usage.without", output, option="--vary", others="-o")
         with streams.waiting():
             table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
         shared.print_answer(table, as_json, lang)

@@ -41,8 +41,7 @@ def page(
       graphkin page ex3-1 --board -o board.html
       graphkin page mine.toml --watch
     """
-    if board and len(mechanisms) > 1:
-        raise misused("usage.one", option="--board", what="MECHANISM")
+    misused("usage.one", board and len(mechanisms) > 1, option="--board", what="MECHANISM")
     sources, made = list(dict.fromkeys(mechanisms)), dict[str, "Data"]()
 
     def write(changed: list[str]) -> None:

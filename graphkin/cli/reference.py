@@ -9,6 +9,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator
+from copy import copy
 from dataclasses import fields, is_dataclass
 from functools import cached_property
 from importlib import import_module
@@ -99,6 +100,17 @@ def _signature(value: object) -> str:
     return _QUOTED.sub(r"\1\2", re.sub(r"\((?:self|cls)(?:, )?", "(", shown, count=1))
 
 
+def in_chinese(command: click.Command) -> click.Command:
+    """A command with what the manual's own text says of it, line by line, before its examples."""
+    from graphkin.cli.manual import skeleton
+
+    told = "".join(re.findall(rf"(?m)^\{{run {command.name} ?.*\}}\n((?:.+\n)*)", skeleton("zh")))
+    _, mark, examples = inspect.cleandoc(command.help or "").partition("\b")
+    described, lines = copy(command), "\n\n".join(f"\b\n{line}" for line in told.splitlines())
+    described.help = f"{lines}\n\n{mark}{examples}" if told else command.help
+    return described
+
+
 @click.command("help")
 @click.argument("topic", metavar="[file|api|COMMAND]", default="")
 @click.argument("chosen", nargs=-1, metavar="[NAME]...")
@@ -119,30 +131,29 @@ def help_(topic: str, chosen: tuple[str, ...], whole: bool, output: Path | None,
       graphkin help --html -o manual.html
     """
     if whole or output is not None:
-        if topic or output is None or not whole:
-            raise misused("usage.manual")
+        misused("usage.manual", topic or output is None or not whole)
+        assert output is not None
         from graphkin.cli import manual
 
         manual.write(output, force, lang, {name: text(name) for name in names()})
         return
     if topic == "api":
-        if unknown := [name for name in chosen if name not in names()]:
-            raise misused("usage.names", names=", ".join(unknown), known=", ".join(names()))
+        unknown = [name for name in chosen if name not in names()]
+        misused("usage.names", unknown, names=", ".join(unknown), known=", ".join(names()))
         click.echo(text(*chosen))
         return
-    if chosen:
-        raise misused("usage.no names")
+    misused("usage.needs", chosen, option=" ".join(chosen), other="help api")
     if topic == "file":
         from graphkin.say.file_help import file_lines
 
         click.echo("\n".join(file_lines(lang)))
         return
     context = click.get_current_context().find_root()
-    assert isinstance(context.command, click.Group)
-    command = context.command.get_command(context, topic) if topic else context.command
-    if command is None:
-        raise misused("usage.page", topic=topic)
-    within = context if command is context.command else click.Context(command, info_name=topic, parent=context)
-    from graphkin.cli import described
-
-    click.echo(described(command).get_help(within))
+    group = context.command
+    assert isinstance(group, click.Group)
+    misused("usage.page", topic and topic not in group.list_commands(context), topic=topic)
+    if topic:
+        _, command, _ = group.resolve_command(context, [topic, "--help"])
+        assert command is not None
+        context = click.Context(command, info_name=topic, parent=context)
+    click.echo(context.get_help())

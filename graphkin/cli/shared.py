@@ -70,11 +70,10 @@ def svg_option(
     """`-o`: a drawing, written as SVG; another kind of file is refused before anything is done."""
 
     def checked(ctx: click.Context, option: click.Parameter, path: Path | None) -> Path | None:
-        if path is None or path.suffix.lower() in kinds or (to_stdout and str(path) == "-"):
-            return path
-        if folders and is_folder(path):
-            return path
-        raise misused("usage.suffix", output=path, kinds=", ".join(kinds))
+        taken = path is None or path.suffix.lower() in kinds or (to_stdout and str(path) == "-")
+        taken = taken or (folders and path is not None and is_folder(path))
+        misused("usage.suffix", not taken, output=path, kinds=", ".join(kinds))
+        return path
 
     kind = click.Path(path_type=Path, dir_okay=folders)
     return click.option("-o", "--output", type=kind, callback=checked, help=text)
@@ -138,8 +137,7 @@ def read(source: str) -> Mechanism:
     """The mechanism of a MECHANISM argument; what is to be remarked on it goes to stderr."""
     from graphkin import api, files
 
-    if not source:
-        raise misused("usage.empty")
+    misused("usage.empty", not source)
     through_pipe = source == "-"
     machine = files.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
     lang = click.get_current_context().params.get("lang", "en")
@@ -166,13 +164,12 @@ class DriverOptions:
 
         angles, slides = [math.radians(angle) for angle in self.angles], [s / 1000 for s in self.displacements]
         rest: dict[str, list[float]] = {"angle": angles, "slide": slides, "spin": []}
-        if not all(math.isfinite(value) for values in rest.values() for value in values):
-            raise misused("usage.finite", option="--angle, --at")
+        finite = all(map(math.isfinite, angles + slides))
+        misused("usage.finite", not finite, option="--angle, --at")
         drawn = method.facts(None).values
         values = [rest[d.kind].pop(0) if rest[d.kind] else float(v) for d, v in zip(method.drivers, drawn, strict=True)]
         for option, kind in (("--angle", "angle"), ("--at", "slide")):
-            if rest[kind]:
-                raise misused("usage.drivers", name=method.mechanism.name, option=option, count=len(values))
+            misused("usage.drivers", rest[kind], name=method.mechanism.name, option=option, count=len(values))
         return [Number(value, driven(d.kind == "slide")) for value, d in zip(values, method.drivers, strict=True)]
 
 
@@ -194,9 +191,7 @@ def position(
     return planned, at.values(planned)
 
 
-def drawing(
-    machine: Mechanism, at: DriverOptions, coincident: str = "", method: str = "special"
-) -> Drawing:
+def drawing(machine: Mechanism, at: DriverOptions, coincident: str = "", method: str = "special") -> Drawing:
     """The constructions there, proved."""
     from graphkin import api
 
@@ -220,8 +215,7 @@ def plan(machine: Mechanism, coincident: str, method: str) -> Method:
     """The method that `--coincident` and `--method` ask for."""
     from graphkin import api
 
-    if coincident and coincident not in machine.points:
-        raise misused("usage.coincident", name=machine.name, point=coincident)
+    misused("usage.coincident", coincident not in ("", *machine.points), name=machine.name, point=coincident)
     return api.plan(machine, coincident, centres=method == "centre")
 
 
@@ -240,10 +234,8 @@ def json_line(value: object) -> str:
 def wants_json(as_json: bool, output: Path | None, count: int) -> bool:
     """True where texts of `count` mechanisms are JSON: `-o` says so, too."""
     kind = output.suffix.lower() if output is not None else ""
-    if kind == ".json" and count > 1:
-        raise misused("usage.objects")
-    if kind == ".txt" and as_json:
-        raise misused("usage.suffix", output=output, kinds=".json, .jsonl")
+    misused("usage.suffix", kind == ".json" and count > 1, output=output, kinds=".jsonl")
+    misused("usage.suffix", kind == ".txt" and as_json, output=output, kinds=".json, .jsonl")
     return as_json or kind in (".json", ".jsonl")
 
 
@@ -290,8 +282,7 @@ def refuse_one_file(names: Iterable[str], suffix: str) -> None:
     """Each mechanism has a file of its name: of two with one name the second would replace the first."""
     seen = set[str]()
     for name in names:
-        if name in seen:
-            raise misused("usage.same file", file=f"{name}{suffix}")
+        misused("usage.same file", name in seen, file=f"{name}{suffix}")
         seen.add(name)
 
 
@@ -315,8 +306,13 @@ def write_drawings(
         click.echo(str(path), err=err or printed)
 
 
-def print_answer(answer: object, as_json: bool, lang: Lang) -> None:
+def answer_lines(answer: object, as_json: bool, lang: Lang) -> list[str]:
     """An answer of a study, in words or as one line of JSON."""
     from graphkin.api.answers import data_of, lines_of
 
-    click.echo(json_line(data_of(answer)) if as_json else "\n".join(lines_of(answer, lang)))
+    return [json_line(data_of(answer))] if as_json else [*lines_of(answer, lang)]
+
+
+def print_answer(answer: object, as_json: bool, lang: Lang) -> None:
+    """The same, printed."""
+    click.echo("\n".join(answer_lines(answer, as_json, lang)))

@@ -11,42 +11,33 @@ import click
 from click import core, decorators, exceptions, formatting, parser, types
 
 from graphkin.errors import Lang
+from graphkin.say.catalogue import is_phrase, phrase, say
 
-_SPOKEN: ContextVar[Lang] = ContextVar("spoken")
+_SAID: ContextVar[Sequence[str]] = ContextVar("said", default=())
 
 
 def listen(words: Sequence[str]) -> None:
     """Of what a command line says of its language the last counts, wherever the rest of it goes wrong."""
-    said = re.findall("(?:^|\0)--lang[=\0](en|zh)(?=\0|$)", "\0".join(words))
-    _SPOKEN.set(said[-1] if said else _environment())
+    _SAID.set(re.findall("(?:^|\0)--lang[=\0](en|zh)(?=\0|$)", "\0".join(words))[-1:])
 
 
 def user_language() -> Lang:
     """As the command line says; else Chinese where the environment asks for it, else English."""
-    return _SPOKEN.get(None) or _environment()
+    asked = (os.environ.get(name) for name in ("GRAPHKIN_LANG", "LC_ALL", "LC_MESSAGES", "LANG"))
+    language = next(filter(None, (*_SAID.get(), *asked)), "")
+    return "zh" if language.lower().startswith("zh") else "en"
 
 
-def _environment() -> Lang:
-    names = ("GRAPHKIN_LANG", "LC_ALL", "LC_MESSAGES", "LANG")
-    value = next((value for name in names if (value := os.environ.get(name))), "")
-    return "zh" if value.lower().startswith("zh") else "en"
-
-
-def misused(name: str, /, **words: object) -> click.UsageError:
-    """Wrong usage, as the phrase of this name tells it."""
-    from graphkin.say.catalogue import say
-
-    return click.UsageError(say(name, user_language(), **words), click.get_current_context(silent=True))
+def misused(name: str, wrong: object, /, **words: object) -> None:
+    """Where something is wrong, wrong usage as the phrase of this name tells it."""
+    if wrong:
+        raise click.UsageError(say(name, user_language(), **words))
 
 
 def _said(text: str) -> str:
     """A text of click's own."""
-    if user_language() == "en":
-        return text
-    from graphkin.say.catalogue import is_phrase, phrase
-
     name = f"usage.click {text}"
-    return phrase(name, "zh") if is_phrase(name) else text
+    return phrase(name, user_language()) if is_phrase(name) else text
 
 
 for _module in (core, decorators, exceptions, formatting, parser, types):  # where each looks for translations

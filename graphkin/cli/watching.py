@@ -26,8 +26,8 @@ def each_mechanism(command: Callable[..., None]) -> Callable[..., None]:
     @functools.wraps(command)
     def wrapped(mechanisms: tuple[str, ...], watched: bool, **options: object) -> None:
         output = options.get("output")
-        if len(mechanisms) > 1 and isinstance(output, Path) and not (draws and is_folder(output)):
-            raise misused("usage.one", option=f"-o {output}", what="MECHANISM")
+        one = isinstance(output, Path) and not (draws and is_folder(output))
+        misused("usage.one", one and len(mechanisms) > 1, option=f"-o {output}", what="MECHANISM")
         if draws:
             refuse_one_file((Path(source).stem for source in dict.fromkeys(mechanisms)), ".svg")
         if watched:
@@ -65,8 +65,7 @@ def _again(command: Callable[..., None], source: str, options: dict[str, object]
 def watch(files: Sequence[str], act: Callable[[str], None]) -> None:
     """Act on each file, and again on each one that is saved, until Ctrl-C."""
     for file in files:
-        if not Path(file).is_file():
-            raise misused("usage.watched", file=file)
+        misused("usage.watched", not Path(file).is_file(), file=file)
     seen: dict[str, Stamp] = dict.fromkeys(files, ())
     try:
         while True:

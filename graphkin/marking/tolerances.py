@@ -124,13 +124,9 @@ class Drawings:
 
 def _calculated(method: Method, quantity: Quantity) -> bool:
     """True of a rate that no drawing decides, as wheels have it from the drivers by their ratios."""
-    match quantity:
-        case kinds.Quotient():
-            return all(_calculated(method, half) for half in quantity.halves)
-        case kinds.Rotation(word="omega" | "alpha", of=of):
-            return method.structure.base(of) in method.structure.calculated
-        case _:
-            return False
+    halves = quantity.halves if isinstance(quantity, kinds.Quotient) else (quantity,)
+    bases = [method.structure.base(q.of) for q in halves if isinstance(q, kinds.Rotation) and q.word != "theta"]
+    return len(bases) == len(halves) and method.structure.calculated.issuperset(bases)
 
 
 def _closed(positions: Plot, count: int) -> np.ndarray:
