@@ -180,9 +180,8 @@ def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
 
 def _by_ratio(polygon: PolygonPlan, stage: Mesh) -> bool:
     """True of a gear whose angular acceleration constant ratios give from those of drivers: no arrow is as exact."""
-    rolled = {part.angle for part in polygon.parts if isinstance(part, kinds.Roll)}
-    others = {polygon.structure.base(body) for body, _ in stage.contact.angles} - {stage.angle}
-    return polygon.plane == "acceleration" and not stage.contact.slide and others <= {FRAME, *rolled}
+    turning = {polygon.structure.base(body) for body, _ in stage.contact.angles}
+    return polygon.plane == "acceleration" and not stage.contact.slide and turning <= polygon.structure.calculated
 
 
 def _train(polygon: PolygonPlan, stage: Group) -> bool:
