@@ -157,8 +157,7 @@ class Planes:
     def extents(self) -> dict[Plane, Extent]:
         """The size of each plane's points, and the reach of its signs beyond them."""
         given = self.method.mechanism.scales
-        draw = self._figure if self.told else self._outline  # alone on its paper all of it is to have room
-        every = ((plane, Extent.of(self.values(plane), partial(draw, plane), given.get(KEYS[plane])))
+        every = ((plane, Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane])))
                  for plane in self.planes)  # fmt: skip
         return {plane: replace(extent, least=finest(extent.size, LARGEST[plane]) if self.whole else 0.0)
                 for plane, extent in every}  # fmt: skip

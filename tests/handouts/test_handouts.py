@@ -30,7 +30,7 @@ from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.photo.markers import MARKERS, MOST, digits
 from graphkin.sheet.lettering import LABEL, plain
-from graphkin.sheet.marks import ArcMark, PointMark, Text, VectorMark
+from graphkin.sheet.marks import PointMark, Text, VectorMark
 
 _CRUSHER = """
 ask = ["omega 5", "alpha 5", "v B", "a B"]
@@ -257,20 +257,6 @@ def test_what_has_no_room_in_a_figure_stands_in_the_text_alone():
     small = [mark.label for mark in figure.marks if isinstance(mark, Text) and mark.size < LABEL]
     assert not [text for text in map(plain_text, small) if "=" in text]
     assert any("170 r/min" in plain_text(block.words) for block in blocks if isinstance(block, Paragraph))
-
-
-def test_the_arc_of_an_angle_keeps_off_the_heading():
-    """About the uppermost point of a press, nearly all round it."""
-    machine = loads("""
-frame = { O = [0, 0] }
-links = { 1.OA = 50, 2.AB = 180, 3.points = ["B"] }
-slide = [{ block = "3", point = "B", guide = "frame", through = [-20, 0], angle = -90 }]
-driver = [{ vector = "OA", angle = 210, omega = -20, alpha = 50 }]
-sketch = { B = [-20, -200] }
-""")
-    figure = next(block.sheet for block in handout([machine], "solution", "en").blocks if isinstance(block, HandoutPicture))
-    heading = next(mark for mark in figure.marks if isinstance(mark, Text) and plain_text(mark.label) == "Mechanism")
-    assert min(mark.centre.imag - mark.radius for mark in figure.marks if isinstance(mark, ArcMark)) > heading.at.imag
 
 
 def test_a_wide_equation_stands_in_two_lines():
