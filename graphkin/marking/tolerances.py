@@ -14,7 +14,6 @@ from graphkin.base.scales import finer
 from graphkin.base.value import bulky, frozen
 from graphkin.construction import Construction, LayOff, Plane, Plot, Simultaneous, Term, terms
 from graphkin.marking.answers import ArrowPlaces, arrows_of, drawn_answer, readable, size_of
-from graphkin.marking.consequences import combined
 from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.key import TELLS, Key, KeyEntry, Marking, Sort, part_off
 from graphkin.marking.pencil import Mark, Pencil, PencilHand, Slips, called, drawn_positions, seed_of
@@ -22,7 +21,6 @@ from graphkin.marking.rewrite import Rewrite
 from graphkin.model.mechanism import ROUNDING
 from graphkin.model.quantities import Quantity, kinds
 from graphkin.planning import Method
-from graphkin.running import replay_all
 
 _AT_ONCE, _NUMBERS = 64, 2**21
 """Mistakes that are drawn at once, each many times; fewer where more numbers than these are read off."""
@@ -96,9 +94,6 @@ class Drawings:
                     other = factor * written.instead
                     around = number(size_of(quantities[k], other)) if is_vector else other.real
                     values[row, :, k] = read + (around - float(np.nanmean(read)))
-        if exact := [k for k, quantity in enumerate(quantities) if _calculated(self.method, quantity)]:
-            found = combined(self.method, replay_all(self.method), quantities, columns).values
-            values[:, :, exact] = found[:, None, exact]
         return values
 
     def _slip(self, plot: Redrawing, quantity: Quantity) -> Value:
@@ -120,13 +115,6 @@ class Drawings:
                 return 0.0
             case _:
                 assert_never(quantity)
-
-
-def _calculated(method: Method, quantity: Quantity) -> bool:
-    """True of a rate that no drawing decides, as wheels have it from the drivers by their ratios."""
-    halves = quantity.halves if isinstance(quantity, kinds.Quotient) else (quantity,)
-    bases = [method.structure.base(q.of) for q in halves if isinstance(q, kinds.Rotation) and q.word != "theta"]
-    return len(bases) == len(halves) and method.structure.calculated.issuperset(bases)
 
 
 def _closed(positions: Plot, count: int) -> np.ndarray:

@@ -86,17 +86,24 @@ def aids(mechanism: Mechanism) -> frozenset[str]:
 
 
 def without_aids(method: Method) -> Method:
-    """The polygons without `aids`, but for those that another step needs."""
-    facts, left, points = set[Fact](), False, aids(method.mechanism)
-    for construction in (method.velocity, method.acceleration) if points else ():
-        reader, nodes = PartsReader(method, construction), construction.nodes.items()
-        own = {(reader.plane, name) for name, node in nodes if node.site is not None and node.site.point in points}
+    """The polygons without `aids`, without points on a link that has none there, and without sliding that has no name,
+    if nobody asks for them; but for those that another step needs."""
+    mechanism, facts, left = method.mechanism, set[Fact](), False
+    points, asked = aids(mechanism), " ".join(mechanism.ask)
+    nameless = [pair.name for pair in mechanism.pairs if not pair.given]
+    for construction in (method.velocity, method.acceleration):
+        reader, own, corners = PartsReader(method, construction), set[Fact](), set[Fact]()
+        own |= {(f"s_{rate}", name) for rate in ("rate", "acceleration") for name in nameless}
+        for name, node in construction.nodes.items():
+            if (at := node.site) is None:
+                corners.add((reader.plane, name))
+            elif at.point in points or not (at.link in mechanism.owners.get(at.point, (at.link,))
+                                            or node.of in asked or f"{at.point}@" in asked):  # fmt: skip
+                own.add((reader.plane, name))
         for part in construction.parts:
             gives = {*reader.gives(part)}
-            if gives & own and not isinstance(part, kinds.Given):
-                left = True
-            else:
-                facts |= gives
+            left |= bool(gives & own)
+            facts |= gives if isinstance(part, kinds.Given) else gives - own - corners
     return cut_to(method, needed(method, facts)) if left else method
 
 

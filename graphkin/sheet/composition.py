@@ -51,8 +51,7 @@ _BEYOND = 1.25  # so many times larger a figure may become to show what its dime
 @frozen
 class Planes:
     """Draws any plane through any window; planes: those the sheet shows; breaks: an arrow that is far longer than the
-    others of its plane is drawn broken, where the file gives no scale; told: a text above gives all data; whole: it is
-    the sheet at whose scales a handout is made, too."""
+    others of its plane is drawn broken, where the file gives no scale; told: a text above gives all data."""
 
     method: Method
     plot: Plot
@@ -62,7 +61,6 @@ class Planes:
     paths: Paths = NONE
     breaks: bool = False
     told: bool = False
-    whole: bool = False
 
     def values(self, plane: Plane) -> list[complex]:
         """The points a plane shows, in SI units."""
@@ -157,10 +155,13 @@ class Planes:
     def extents(self) -> dict[Plane, Extent]:
         """The size of each plane's points, and the reach of its signs beyond them."""
         given = self.method.mechanism.scales
-        every = ((plane, Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane])))
-                 for plane in self.planes)  # fmt: skip
-        return {plane: replace(extent, least=finest(extent.size, LARGEST[plane]) if self.whole else 0.0)
-                for plane, extent in every}  # fmt: skip
+        return {plane: Extent.of(self.values(plane), partial(self._outline, plane), given.get(KEYS[plane]))
+                for plane in self.planes}  # fmt: skip
+
+    @cached_property
+    def least(self) -> dict[Plane, float]:
+        """The finest scales at which a handout's page has room for each."""
+        return {plane: extent.given or finest(extent.size, LARGEST[plane]) for plane, extent in self.extents.items()}
 
     @cached_property
     def ladders(self) -> dict[Plane, Ladder]:
@@ -205,6 +206,7 @@ class SheetContents:
     low, without   blocks that stand in the strip, not with their figures; blocks for which no paper is large enough
     detailed  the planes in which what lies too close together is drawn once more, magnified, and the room for it
     larger    the polygons that are to be larger than their number of labels asks for
+    paged     none is larger than a handout's page has room for
     stages, said, scales  over the lines of the pencil, for single steps; room for the sentence of one [mm]; those kept
     """
 
@@ -216,6 +218,7 @@ class SheetContents:
     without: frozenset[BlockName] = frozenset()
     detailed: Mapping[Plane, DetailRoom] = field(default_factory=dict)
     larger: frozenset[Plane] = frozenset()
+    paged: bool = False
     stages: bool = False
     said: float = 0.0
     scales: Mapping[Plane, float] = field(default_factory=dict)
@@ -244,7 +247,8 @@ class SheetContents:
         for plane, extent in self.drawing.extents.items():
             blocks = tuple((tuple(s.size for s in shapes), _FEET[name]) for name, shapes in self.blocks[plane].items())
             labels = extent.labels * (_LARGER if plane in self.larger else 1)
-            extents[plane] = replace(extent, blocks=blocks, given=self.scales.get(plane, extent.given), labels=labels)
+            given, least = self.scales.get(plane, extent.given), self.drawing.least[plane] if self.paged else 0.0
+            extents[plane] = replace(extent, blocks=blocks, given=given, labels=labels, least=least)
         return extents
 
     @cached_property
@@ -309,6 +313,10 @@ class SheetContents:
         place = (self.stages, plane, layout.rooms[plane], window, *corners, *self.blocks[plane], *layout.scales.items())
         if place not in panels:
             panel = self._plain_panel(layout, plane, window, corners)
+            figure, pole = panel.figure, panel.figure.pole
+            if pole & {*panel.near.unclear, *panel.near.clashing}:  # what is fixed, the text tells, too
+                wanted = [want.alone if k in pole else want for k, want in enumerate(figure.wanted)]
+                panel = replace(panel, figure=Figure(figure.marks, wanted))
             if plane in self.detailed:
                 panel = detailed(panel, partial(self.drawing.figure, plane), plane, self.detailed[plane].parts)
             panels[place] = panel

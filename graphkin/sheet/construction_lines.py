@@ -131,8 +131,10 @@ class PolygonConstruction:
                                 yield from right_angle(at, a - at, b - at, _SQUARE, step)
 
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
-        """A number in a circle beside each thing drawn, at the next or a name, or with the equations; images first."""
+        """A number in a circle beside each thing drawn, at the next or a name, or with the equations, else beside the
+        number before it; images first."""
         images, lost = [act for act in self.acts if isinstance(act.done, Image)], set[int]()
+        drawn = dict[int, Sequence[Mark]]()
         for acts in (images, [act for act in self.acts if act not in images]):
             waiting = list[tuple[list[int], list[LabelRequest]]]()
             for act in acts:
@@ -142,21 +144,32 @@ class PolygonConstruction:
                     waiting[-1][0].append(act.number)
                 else:
                     lost.add(act.number)
+            named = True  # an arrow's number stands best beside its name
             while waiting:
                 halves = [complex(ring_width(numbers) / 2, RING) for numbers, _ in waiting]
                 middles = free.places([first for _, (first, *_) in waiting], halves)
                 tried, waiting = waiting, []
                 for (numbers, requests), half, middle in zip(tried, halves, middles, strict=True):
-                    if middle is None and requests[1:]:
+                    beside = free.beside(requests[0].step, half) if requests[0].of and named else None
+                    if not (beside or middle) and requests[1:]:
                         waiting.append((numbers, requests[1:]))
-                    elif middle or (middle := free.beside(requests[0].step, half)):
+                    elif middle := beside or middle or free.beside(requests[0].step, half):
                         marks = [*ringed(numbers, middle, requests[0].step)]
                         free.add(marks)
                         yield from marks
+                        drawn |= dict.fromkeys(numbers, marks)
                     else:
                         lost.update(numbers)
+                named = False
         if self.rings is not None:
             yield from self.rings(sorted(lost))
+            return
+        for act in (act for act in self.acts if act.number in lost):
+            near = drawn.get(act.number - 1, drawn.get(act.number + 1))
+            if near and (middle := free.next_to(near, complex(RING, RING))) is not None:
+                drawn[act.number] = marks = [*ringed([act.number], middle, act.page)]
+                free.add(marks)
+                yield from marks
 
     def _beside(self, act: Act) -> Iterator[LabelRequest]:
         """Requests for its number: at what it finds, then at each arrow that comes with it; none without a length."""

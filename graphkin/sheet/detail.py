@@ -11,7 +11,7 @@ import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import compress, pairwise, takewhile
+from itertools import compress, pairwise
 
 import numpy as np
 
@@ -144,15 +144,13 @@ class _DetailDrawing:
         """The letters of one circle left to the other, where that part is drawn once more; others stand as they did."""
         whole, figure = self.draw(view.window), self.panel.figure
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
-        named = [want for want in whole.wanted if view.shown.names(want)]
+        pole, seen = figure.pole, whole.pole
+        if (self.burdens[[*pole]] >= UNCLEAR).any():
+            pole = seen = set()  # it has no better place for its names either
+        named = [want.alone if k in seen else want for k, want in enumerate(whole.wanted) if view.shown.names(want)]
         arrows = {want.of for want in named if want.of}
-        pole, seen = ([mark.at for mark in each.marks if isinstance(mark, PointMark) and mark.of == "pole"][:1]
-                      for each in (figure, whole))  # fmt: skip
-        if (self.burdens[[want.start in pole and not want.of for want in figure.wanted]] >= UNCLEAR).any():
-            pole = seen = []  # it has no better place for its names either
-        named = [_alone(want) if want.start in seen and not want.of else want for want in named]
-        stay = [not (want.of in arrows if want.of else view.part.names(want) and want.start not in pole)
-                for want in figure.wanted]  # fmt: skip
+        stay = [not (want.of in arrows if want.of else view.part.names(want) and k not in pole)
+                for k, want in enumerate(figure.wanted)]  # fmt: skip
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
         numeral = _NUMERALS[len(self.views)] + self.prime
         sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=LABEL, step=step)
@@ -169,12 +167,6 @@ class _DetailDrawing:
         magnified = *self.panel.magnified, (view.window.value(at), view.shown.radius * view.window.scale)
         panel = replace(self.panel, figure=drawn, magnified=magnified)
         return replace(self, panel=panel, views=(*self.views, view), burdens=burdens)
-
-
-def _alone(want: LabelRequest) -> LabelRequest:
-    """A label with the first of its names alone: of the pole, where all of them stand already."""
-    first = tuple(takewhile(lambda run: run.text != ", ", want.label))
-    return replace(want, label=first, parts=())
 
 
 def knots(figure: Figure, burdens: Array) -> dict[_DetailCircle, float]:

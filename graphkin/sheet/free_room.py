@@ -29,6 +29,7 @@ _EDGE, _GRID = 2.0, 2.0
 """The distance of a rectangle from all others; the grid of the places that are tried for it [mm]."""
 _SLICE = 1.0  # between places of a line, and of slices of turned letters [mm]
 _STEPS = 0.5  # the steps in which a line is shortened [mm]
+_CRUMB = 2.0  # shorter pieces of a line that letters break are left out [mm]
 _AT_ONCE = 10  # ways that are tried together; then twice as many, and so on
 _Way = TypeVar("_Way")
 
@@ -81,7 +82,7 @@ class FreeRoom:
         pieces: list[tuple[Place, Place]] = []
         for first, after in zip(turns[::2], turns[1::2], strict=True):
             low, high = float(steps[first]), float(steps[after - 1]) if after < len(steps) else length
-            if high - low > _STEPS:
+            if high - low > _CRUMB:
                 pieces.append((start + along * low, start + along * high))
         return pieces
 
@@ -119,16 +120,18 @@ class FreeRoom:
         texts = {mark.label: mark for mark in self.marks[len(self._scene.drawn) :] if isinstance(mark, Text)}
         wanted = (want for want in reversed(self._scene.wanted) if want.gap < SIGN)
         names = (label for want in wanted for label, born in want.parts or ((want.label, want.step),) if born == step)
-        for mark in (texts[name] for name in names if name in texts):
-            left, top, right, bottom = bounds([mark])
-            wide, high = (right - left) / 2 + half.real + _OFF, (bottom - top) / 2 + half.imag + _OFF
-            at = complex(left + right, top + bottom) / 2 + np.array([wide, -wide, 1j * high, -1j * high])
-            low, most = xy(at - half).T, xy(at + half).T
-            others = self._letters[(self._letters[:, 0] != (left, top)).any(axis=1)]
-            free = self.free(low, most) & ~_beside(low, most, others)
-            if free.any():
-                return complex(at[free.argmax()])
-        return None
+        every = (self.next_to([texts[name]], half) for name in names if name in texts)
+        return next((at for at in every if at is not None), None)
+
+    def next_to(self, marks: Sequence[Mark], half: complex) -> Place | None:
+        """The first free middle of a box beside marks, near no letters but theirs, if any is."""
+        first, last = np.array(bounds(marks)).reshape(2, 2, 1)
+        wide, high = (last - first)[:, 0] / 2 + (half.real + _OFF, half.imag + _OFF)
+        at = complex(*(first + last)[:, 0]) / 2 + np.array([wide, -wide, 1j * high, -1j * high])
+        low, most = xy(at - half).T, xy(at + half).T
+        own = overlap(*self._letters.transpose(1, 2, 0), first, last)
+        free = self.free(low, most) & ~_beside(low, most, self._letters[~own])
+        return complex(at[free.argmax()]) if free.any() else None
 
     def corner(self, size: complex, from_below: bool = False) -> Place | None:
         """The upper left corner of the uppermost (or lowest) free rectangle of a size; None where there is none."""

@@ -5,7 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from functools import cached_property
+from itertools import takewhile
 from typing import NamedTuple
 
 import numpy as np
@@ -97,6 +99,11 @@ class LabelRequest:
         for label, step in self.parts or ((self.label, self.step),):
             yield Text(label, at, self.size, step)
             at += width(label, self.size)
+
+    @property
+    def alone(self) -> LabelRequest:
+        """The same with the first of its names alone: of the pole, where its others are told elsewhere."""
+        return replace(self, label=tuple(takewhile(lambda run: run.text != ", ", self.label)), parts=())
 
     @cached_property
     def half(self) -> complex:

@@ -92,9 +92,12 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
     return tuple(plane for plane in PLANES if plane in planes)
 
 
-def scales_of(method: Method, plot: Plot, breaks: bool = True) -> Mapping[Plane, float]:
-    """The scales of the sheet in every language, or of one on which no arrow is drawn broken."""
-    return _arranged(method, plot, NONE, "en", PLANES, "construction", breaks, False, False, None).layout.scales
+def scales_of(method: Method, plot: Plot, breaks: bool = True, paged: bool = False) -> Mapping[Plane, float]:
+    """The scales of the sheet in every language, or of one on which no arrow is drawn broken; paged: none is finer than
+    a handout's page has room for."""
+    best = _arranged(method, plot, NONE, "en", PLANES, "construction", breaks, False, False, None)
+    least = best.contents.drawing.least if paged else {}
+    return {plane: max(scale, least.get(plane, 0.0)) for plane, scale in best.layout.scales.items()}
 
 
 @frozen
@@ -145,6 +148,10 @@ class Arrangement:
             yield (price := round(price + _LOST * len(panel.near.clashing) + burden(panel.burdens), 6))
 
     @property
+    def price(self) -> float:
+        return [*self.bounds()][-1]
+
+    @property
     def knotted(self) -> dict[Plane, DetailRoom]:
         """Details that would relieve labels of polygons: small ones where little is to be seen in them; none of an
         overfull figure, or of one in which more labels have no good place than a detail relieves."""
@@ -177,10 +184,15 @@ def _arranged(
     arranged = partial(_arranged, method, plot, paths)
     if lang == "en":
         drawn = (method, plot) if style == "given" else shown(method, plot)
-        drawing = Planes(*drawn, planes, style, lang, paths, breaks, told, planes == PLANES and not paper)
+        drawing = Planes(*drawn, planes, style, lang, paths, breaks, told)
         if breaks and not any(drawing.left_out.values()):  # as it is without
             return arranged(lang, planes, style, False, tight, told, paper)
-        return cheapest(_contents(drawing, tight), paper)
+        best = cheapest(contents := _contents(drawing, tight), paper)
+        fits = all(best.layout.scales[plane] >= least for plane, least in drawing.least.items())
+        if fits or paper or planes != PLANES:
+            return best
+        paged = cheapest(replace(contents, paged=True), paper)  # a handout is to have its scales, if nothing suffers
+        return paged if paged.price <= best.price else best
     best = arranged("en", planes, style, breaks, tight, told, paper)
     own = _contents(replace(best.contents.drawing, lang=lang), tight)
     english, layout = best.contents, best.layout
@@ -206,7 +218,8 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
             larger.sort(key=lambda other: other.lying == best.layout.paper.lying)
             if (other := larger.pop()) != best.sold:
                 with suppress(TooLargeForPaper):
-                    for each in _arrangements(replace(contents, detailed=every[-1].contents.detailed), [other]):
+                    for rooms in (every[-1].contents.detailed, {})[: 1 + bool(every[-1].contents.detailed)]:
+                        each = Arrangement.on(replace(contents, detailed=rooms), [other])
                         heappush(tried, (0.0, len(tried), each, each.bounds()))
         elif (price := next(bounds, -1.0)) >= 0:
             heapreplace(tried, (price, number, best, bounds))

@@ -265,8 +265,10 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     points = [image for image in polygon.gears if image.radius / polygon.window.scale < _LEAST]
     requests: list[LabelRequest] = []
+    pole, nodes = polygon.construction.pole, polygon.construction.nodes
     for at, names in places:
         labels = dict[Label, int | None]()
+        names = [name for name in names if pole not in names or name == pole or nodes[name].site]  # no corners there
         for name in sorted(names, key=lambda name: polygon.step(name) or 0):
             labels.setdefault(point_label(polygon.letters(name)), polygon.step(name))
         gears = ((image.label, image.step) for name in names for image in points if image.centre == name)

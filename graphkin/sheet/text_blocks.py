@@ -85,8 +85,7 @@ _ASIDE = 0.6  # between two of them [mm]
 def ringed(numbers: Sequence[int], middle: Place, step: int | None) -> Iterator[Mark]:
     """The number of a step in a circle, of those that follow one another in a longer ring, `5\u20137`; side by side."""
     at = middle - ring_width(numbers) / 2
-    for text in _runs(numbers):
-        label, half = plain(text), _half(text)
+    for label, half in _runs(numbers):
         (wide, up, down), at = box(label, LEAST), at + half + RING
         if half > 0:
             turns = [cmath.rect(RING, math.pi * (k / 8 - 0.5)) for k in range(9)]
@@ -100,19 +99,15 @@ def ringed(numbers: Sequence[int], middle: Place, step: int | None) -> Iterator[
 
 def ring_width(numbers: Sequence[int]) -> float:
     """The width of these rings [mm]."""
-    return sum(2 * (_half(text) + RING) + _ASIDE for text in _runs(numbers)) - _ASIDE
+    return sum(2 * (half + RING) + _ASIDE for _, half in _runs(numbers)) - _ASIDE
 
 
-def _half(text: str) -> float:
-    """Half of the straight part of a ring, 0 of a circle [mm]."""
-    return width(plain(text), LEAST) / 2 - 0.7 * RING if "\u2013" in text else 0.0
-
-
-def _runs(numbers: Sequence[int]) -> list[str]:
-    """`4`, `6\u20138`."""
-    first = [number for number in numbers if number - 1 not in numbers]
-    last = [number for number in numbers if number + 1 not in numbers]
-    return ["\u2013".join(map(str, dict.fromkeys(ends))) for ends in zip(first, last, strict=True)]
+def _runs(numbers: Sequence[int]) -> Iterator[tuple[Label, float]]:
+    """`4`, `6\u20138`, and half of the straight part of the ring about it, 0 of a circle [mm]."""
+    last = (number for number in numbers if number + 1 not in numbers)
+    for first, end in zip((number for number in numbers if number - 1 not in numbers), last, strict=True):
+        label = plain(str(first) if first == end else f"{first}\u2013{end}")
+        yield label, width(label, LEAST) / 2 - 0.7 * RING if first < end else 0.0
 
 
 _LINES = tuple(k * LABEL for k in (1, 2.2, 3.4))  # base lines of terms and of the rows under them [mm]

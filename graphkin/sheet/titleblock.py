@@ -193,7 +193,7 @@ class Strip:
     def marks(self, machine: Mechanism, paper: Paper, scales: Mapping[Plane, float], lang: Lang) -> Iterator[Mark]:
         """The drawing frame, the footer, and what stands over that."""
         _, room = paper.divided(self.height(paper))
-        yield frame(paper)
+        yield Stroke(paper.frame.corners, "visible", closed=True)
         for top in dict.fromkeys((room.top, room.bottom - FOOT)):
             yield Stroke((complex(room.left, top), complex(room.right, top)), "outline")
         corner = complex(room.left + 3, room.top + 1.5)
@@ -208,11 +208,6 @@ class Strip:
 def tables_room(paper: Paper) -> float:
     """The width of what stands over the footer [mm]."""
     return paper.frame.size.real - 6
-
-
-def frame(paper: Paper) -> Mark:
-    """The drawing frame."""
-    return Stroke(paper.frame.corners, "visible", closed=True)
 
 
 def _footer(

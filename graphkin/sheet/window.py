@@ -13,7 +13,7 @@ from graphkin.base.scales import finest
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Plane
 from graphkin.sheet.label_requests import LabelRequest, lettering
-from graphkin.sheet.marks import Mark, Place
+from graphkin.sheet.marks import Mark, Place, PointMark
 from graphkin.sheet.obstacles import bounds, places
 from graphkin.sheet.paper import Room
 
@@ -61,6 +61,12 @@ class Figure:
         every = [*entries]
         marks = [entry for entry in every if not isinstance(entry, LabelRequest)]
         return cls(marks, [entry for entry in every if isinstance(entry, LabelRequest)])
+
+    @property
+    def pole(self) -> set[int]:
+        """The numbers of the labels at its pole."""
+        at = {mark.at for mark in self.marks if isinstance(mark, PointMark) and mark.of == "pole"}
+        return {k for k, want in enumerate(self.wanted) if want.start in at and not want.of}
 
     def __add__(self, other: Figure) -> Figure:
         """The other painted over this one."""

@@ -238,12 +238,10 @@ driver = [{ vector = "AC", angle = 60, omega = 10, alpha = 3 }]
 """  # fmt: skip
 
 
-@pytest.mark.parametrize(("of", "calculated"), [
-    ("train", {"omega 2", "omega 3", "alpha 2", "alpha 3", "omega 3/omega 1"}), ("s4-ex4", {"omega 1", "omega 2", "omega 1 / omega H"}),
-    ("p3-12", set()), ("s4-ex5", set()),
-])  # fmt: skip
+@pytest.mark.parametrize(("of", "calculated"), [("train", {"alpha 2", "alpha 3"}), ("p3-12", set()), ("s4-ex5", set())])
 def test_what_ratios_of_wheels_give_is_as_exact_as_its_figures(of: str, calculated: set[str]) -> None:
-    """Where the arm stands still or is given; a wheel on a link of the linkage has what the drawing tells of it."""
+    """An angular acceleration where the arm stands still or is given; the polygon of velocities is drawn and measured, so
+    whoever reads an angular velocity off it is right."""
     machine = loads(GEARS) if of == "train" else library.load(of)
     exact = set()
     for entry in key_for(on_a_page(machine)).entries:

@@ -167,13 +167,14 @@ def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, fl
 
 
 def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
-    """The file's own scales; others are those of the mechanism's sheet. They are its handout's, too."""
+    """The file's own scales; others are those of the mechanism's sheet. They are its handout's, too: of one without
+    room on a page they are coarser."""
     written = method.mechanism.scales
     if all(key in written for key in SCALES.values()):
         return {key: written[key] for key in SCALES.values()}
     from graphkin.sheet import scales_of
 
-    of_sheet = scales_of(method, plot, breaks=False)
+    of_sheet = scales_of(method, plot, breaks=False, paged=True)
     return {key: float(of_sheet[plane]) for plane, key in SCALES.items()}
 
 
