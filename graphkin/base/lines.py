@@ -1,4 +1,4 @@
-"""Straight lines between points of a plane, and the lines by which a link is drawn through its points."""
+"""Straight lines and arcs of a plane, and the lines by which a link is drawn through its points."""
 
 from __future__ import annotations
 
@@ -59,3 +59,9 @@ def hull(places: list[complex]) -> list[int]:
 
     middle = sum(places) / len(places)
     return sorted(filter(outer, range(len(places))), key=lambda k: cmath.phase(places[k] - middle))
+
+
+def arc_places(centre: complex, arm: complex, start: float, end: float) -> list[complex]:
+    """Places along an arc about a centre, from an arm turned by `start` to the arm turned by `end` [rad]."""
+    steps = max(8, math.ceil(abs(end - start) / math.radians(3)))
+    return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]

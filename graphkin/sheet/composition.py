@@ -271,16 +271,17 @@ class SheetContents:
         return Strip(found, equations=ladders, notes=self.notes)
 
     @property
-    def notes(self) -> dict[Plane, Label]:
+    def notes(self) -> list[Label]:
         """How that was found which ruler and compass do not give."""
-        notes, drawing = dict[Plane, Label](), self.drawing
+        how, drawing = dict[Plane, str](), self.drawing
         for plane in drawing.planes if drawing.style != "given" else ():
             steps = drawing.method.construction(plane).steps
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
-                notes[plane] = plain(say("sheet.fitted", drawing.lang))
+                how[plane] = "fitted"
             elif plane not in drawing.ladders and any(isinstance(step, Simultaneous) for step in steps):
-                notes[plane] = plain(say("sheet.together", drawing.lang))
-        return notes
+                how[plane] = "together"
+        return [plain(f"{say(f'sheet.plane {plane}', drawing.lang)}{say('common.colon', drawing.lang)}"
+                      f"{say(f'sheet.{word}', drawing.lang)}") for plane, word in how.items()]  # fmt: skip
 
     def laid_out(self, papers: Sequence[Paper]) -> tuple[SheetContents, Layout]:
         """The best division of the smallest paper that holds all figures; blocks for which they would be drawn much

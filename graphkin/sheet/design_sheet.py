@@ -14,6 +14,7 @@ from typing import assert_never
 
 from graphkin import planning
 from graphkin.base import geometry
+from graphkin.base.lines import arc_places
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, drafting
 from graphkin.construction.drafting import Bisector, CircleThrough, LineStep, Step
@@ -170,7 +171,7 @@ class DesignFigure:
         self, centre: complex, radius: float, ends: tuple[float, float], pen: PenName, stage: int
     ) -> Iterator[Entry]:
         """An arc as a polyline, as far as the paper goes."""
-        places = symbols.arc_places(self.on.window(centre), radius / self.on.window.scale, -ends[0], -ends[1])
+        places = arc_places(self.on.window(centre), radius / self.on.window.scale, -ends[0], -ends[1])
         yield from clipped(places, self.on.room, pen, stage)
 
     def _positions(self) -> Iterator[Entry]:

@@ -103,12 +103,7 @@ class DimensionLines:
     def _joined(self, start: Place, end: Place) -> bool:
         """True where a bar goes from one to the other."""
         along = (end - start) / abs(end - start) if start != end else 1
-        return any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in self._bars)
-
-    @cached_property
-    def _bars(self) -> list[tuple[Place, Place]]:
-        """All that are drawn."""
-        return [bar for link in self.skeleton.mechanism.moving for bar in self.skeleton.drawn(link)]
+        return any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in self.skeleton.drawn)
 
     def _through(self, start: Place, end: Place, near: float) -> bool:
         """True of a line that passes a joint between its ends, as near as that."""

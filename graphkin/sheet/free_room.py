@@ -129,7 +129,7 @@ class FreeRoom:
         wide, high = (last - first)[:, 0] / 2 + (half.real + _OFF, half.imag + _OFF)
         at = complex(*(first + last)[:, 0]) / 2 + np.array([wide, -wide, 1j * high, -1j * high])
         low, most = xy(at - half).T, xy(at + half).T
-        own = overlap(*self._letters.transpose(1, 2, 0), first, last)
+        own = overlap(self._letters[:, 0].T, self._letters[:, 1].T, first, last)
         free = self.free(low, most) & ~_beside(low, most, self._letters[~own])
         return complex(at[free.argmax()]) if free.any() else None
 

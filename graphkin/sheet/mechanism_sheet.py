@@ -148,10 +148,6 @@ class Arrangement:
             yield (price := round(price + _LOST * len(panel.near.clashing) + burden(panel.burdens), 6))
 
     @property
-    def price(self) -> float:
-        return [*self.bounds()][-1]
-
-    @property
     def knotted(self) -> dict[Plane, DetailRoom]:
         """Details that would relieve labels of polygons: small ones where little is to be seen in them; none of an
         overfull figure, or of one in which more labels have no good place than a detail relieves."""
@@ -192,7 +188,7 @@ def _arranged(
         if fits or paper or planes != PLANES:
             return best
         paged = cheapest(replace(contents, paged=True), paper)  # a handout is to have its scales, if nothing suffers
-        return paged if paged.price <= best.price else best
+        return paged if max(paged.bounds()) <= max(best.bounds()) else best
     best = arranged("en", planes, style, breaks, tight, told, paper)
     own = _contents(replace(best.contents.drawing, lang=lang), tight)
     english, layout = best.contents, best.layout

@@ -183,11 +183,8 @@ class Page:
     @property
     def windows(self) -> Mapping[Plane, Window]:
         """The window of each plane; the first, where several figures show it."""
-        windows: dict[Plane, Window] = {}
-        for panel in self.panels:
-            if panel.plane is not None:
-                windows.setdefault(panel.plane, panel.window)
-        return windows
+        shown = dict.fromkeys(panel.plane for panel in self.panels if panel.plane is not None)
+        return {plane: next(panel.window for panel in self.panels if panel.plane == plane) for plane in shown}
 
     @property
     def scales(self) -> Mapping[Plane, float]:
@@ -217,10 +214,7 @@ class Page:
         foot: list[Mark] = []
         if self.strip is not None:  # title, results, and the scales that are not over their figures
             texts = {mark.label for panel in self.panels for mark in panel.before if isinstance(mark, Text)}
-            notes = self.strip.notes
-            once = len(notes) > 1 == len(set(notes.values()))  # a note on all of them needs no scale beside it
-            unsaid = {plane for plane, scale in self.scales.items() if written(plane, scale) not in texts}
-            scales = {p: s for p, s in self.scales.items() if p in unsaid or (p in notes and not once)}
+            scales = {plane: scale for plane, scale in self.scales.items() if written(plane, scale) not in texts}
             foot += self.strip.marks(self.mechanism, self.paper, scales, self.lang)
         yield Layer("sheet", tuple(foot))
         drawn: dict[Plane, list[Mark]] = {}

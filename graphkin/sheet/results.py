@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import assert_never
 
@@ -37,27 +37,35 @@ _WIDE = 62.0  # lines of what is given are no longer [mm]
 
 def tables(method: Method, plot: Plot, lang: Lang) -> dict[Plane, list[TableBlock]]:
     """Links, points, coincident points, slides, as each plane gives of them, in all shapes; empty ones left out."""
-    results = _TablesInMaking(method, plot, lang)
-    every = (results.links(), results.points(), results.coincident_points(), results.slides(), results.answers())
-    parts = {plane: [part for table in every if (part := table.of(plane))] for plane in PLANES}
-    return {plane: TableBlock.shapes(own) for plane, own in parts.items() if own}
+    shown, blocks = set[_Key](), dict[Plane, list[TableBlock]]()
+    for plane in PLANES[::-1]:  # what is asked and stands in no other table comes last
+        if own := [table for table in _PlaneTables(method, plot, lang, plane, shown).every if table.rows]:
+            blocks[plane] = TableBlock.shapes(own)
+    return blocks
 
 
 @frozen
-class _TablesInMaking:
+class _PlaneTables:
+    """shown: what has a value in the tables of all planes so far."""
+
     method: Method
     plot: Plot
     lang: Lang
+    plane: Plane
+    shown: set[_Key]
+
+    @property
+    def every(self) -> Iterator[Table]:
+        if self.plane != "position":
+            yield from (self.links(), self.points(), self.coincident_points())
+        yield self.slides()
+        if self.plane == "position":
+            yield self.answers()
 
     @cached_property
     def questions(self) -> dict[_Key, asked.Quantity]:
         quantities = (read(self.method.mechanism, text) for text in self.method.mechanism.ask)
         return {self.key(quantity): quantity for quantity in quantities if quantity is not None}
-
-    @cached_property
-    def shown(self) -> set[_Key]:
-        """What has a value in these tables so far."""
-        return set()
 
     def key(self, quantity: asked.Quantity) -> _Key:
         """What it is of, however it is written: a link, a slide, or the points of the velocity polygon."""
@@ -75,87 +83,77 @@ class _TablesInMaking:
             case _:
                 assert_never(quantity)
 
-    def title(self, label: Label, of: Iterable[str], *words: str) -> Label:
-        """What heads a row, in bold where one of these quantities of it is asked for."""
-        return bold(label) if any((word, frozenset(of)) in self.questions for word in words) else label
+    def cell(self, label: Label, of: Iterable[str], *words: str) -> Label:
+        """What tells of these quantities, in bold where one of them is asked for."""
+        keys = {(word, frozenset(of)) for word in words}
+        self.shown.update(keys)
+        return bold(label) if keys & self.questions.keys() else label
 
-    def value(self, label: Label, of: Iterable[str], word: str) -> Label:
-        """A value, in bold where it is asked for."""
-        self.shown.add((word, frozenset(of)))
-        return self.title(label, of, word)
-
-    def size(self, value: float, plane: Plane) -> Label:
+    def size(self, value: float) -> Label:
         """A speed or an acceleration as a figure."""
-        return number(real(self.method.mechanism.usual.motion(value, plane)))
+        return number(real(self.method.mechanism.usual.motion(value, self.plane)))
 
     def links(self) -> Table:
-        """Angular velocities and accelerations, and their sense in a column of its own; an idle roller has none."""
-        machine, plot = self.method.mechanism, self.plot
-        head = (plain({"en": "link", "zh": "构件"}[self.lang]), _column("ω", "rad/s"), (), _column("α", "rad/s²"), ())
+        """Angular velocities or accelerations, and their sense in a column of its own; an idle roller has none."""
+        machine, rates, word, column = self.method.mechanism, self.plot.omega, "omega", _column("ω", "rad/s")
+        if self.plane == "acceleration":
+            rates, word, column = self.plot.alpha, "alpha", _column("α", "rad/s²")
         rows = []
-        for name in (name for name in machine.moving if name in plot.omega and name not in machine.idle):
-            row = [self.title(lettering.link_label(machine.called(name)), [name], "omega", "alpha", "theta")]
-            for kind, rates, plane in (("omega", plot.omega, "velocity"), ("alpha", plot.alpha, "acceleration")):
-                value = real(machine.usual.rate(rates[name], plane))
-                sense = plain(say("sheet.sense", self.lang, which=int(value < 0))) if value else ()
-                label = number(abs(value)) if value else plain("0")
-                row += [self.value(label, [name], kind), self.value(sense, [name], kind)]
-            rows.append(tuple(row))
-        return Table(head, tuple(rows))
+        for name in (name for name in machine.moving if name in rates and name not in machine.idle):
+            value = real(machine.usual.rate(rates[name], self.plane))
+            sense = plain(say("sheet.sense", self.lang, which=int(value < 0))) if value else ()
+            cells = lettering.link_label(machine.called(name)), number(abs(value)) if value else plain("0"), sense
+            rows.append(tuple(self.cell(label, [name], word) for label in cells))
+        return Table((plain({"en": "link", "zh": "构件"}[self.lang]), column, ()), tuple(rows))
 
     def points(self) -> Table:
-        """Speeds and accelerations of the named points of moving links."""
-        head = (plain({"en": "point", "zh": "点"}[self.lang]), _column("v", "m/s"), _column("a", "m/s²"))
-        method, plot = self.method, self.plot
+        """Speeds or accelerations of the named points of moving links."""
+        method, velocity, letter = self.method, self.plane == "velocity", self.plane[0]
         primed = {node.of: name for name, node in method.acceleration.nodes.items() if node.site is not None}
         rows = []
-        for node in method.velocity.nodes.values():
-            if node.of not in primed or node.site is None or node.site.link == FRAME:
-                continue
-            if node.site.point not in method.mechanism.unnamed:
-                speed = self.size(abs(place(plot.velocity[node.name])), "velocity")
-                other = self.size(abs(place(plot.acceleration[primed[node.of]])), "acceleration")
-                of = [node.name]
-                name = self.title(point_label(node.of), of, "v", "a")
-                rows.append((name, self.value(speed, of, "v"), self.value(other, of, "a")))
+        for node in (node for node in method.velocity.nodes.values() if node.site is not None and node.of in primed):
+            assert node.site is not None
+            if node.site.link != FRAME and node.site.point not in method.mechanism.unnamed:
+                value = self.plot.points(self.plane)[node.name if velocity else primed[node.of]]
+                cells = point_label(node.of), self.size(abs(place(value)))
+                rows.append(tuple(self.cell(label, [node.name], letter) for label in cells))
+        head = plain({"en": "point", "zh": "点"}[self.lang]), _column(letter, "m/s" if velocity else "m/s²")
         return Table(head, tuple(rows))
 
     def coincident_points(self) -> Table:
-        """Relative motions of coincident points: velocity, Coriolis and relative acceleration."""
-        head = ((), _column("v", "m/s", "r"), _column("a", "m/s²", "k"), _column("a", "m/s²", "r"))
-        rows: list[tuple[Label, ...]] = []
-        arrows, velocity, acceleration = self.method.acceleration.vectors(), self.plot.velocity, self.plot.acceleration
+        """Relative motions of coincident points: velocity, or Coriolis and relative acceleration."""
+        columns = {"v": _column("v", "m/s", "r")}
+        if self.plane == "acceleration":
+            columns = {"a_k": _column("a", "m/s²", "k"), "a_r": _column("a", "m/s²", "r")}
+        arrows, points = self.method.acceleration.vectors(), self.plot.points(self.plane)
+        rows = list[tuple[Label, ...]]()
         for name, term in self.method.velocity.vectors().items():
-            low = name.partition("_")[2]
-            pair = [arrows.get(f"a^{part}_{low}") for part in ("k", "r")]
-            if not any(pair):
-                continue
-            label = tuple(Run(run.text, run.italic) for run in lettering.vector_label(f"v_{low}")[1:])
-            values = [self.size(abs(place(velocity[term.head] - velocity[term.tail])), "velocity")]
-            for arrow in pair:
-                size = abs(place(acceleration[arrow.head] - acceleration[arrow.tail])) if arrow else None
-                values.append(plain("") if size is None else self.size(size, "acceleration"))
-            cells = zip(values, ("v", "a_k", "a_r"), strict=True)
-            pair_of = (term.tail, term.head)
-            first = self.title(label, pair_of, "v", "a_k", "a_r")
-            rows.append((first, *(self.value(value, pair_of, kind) if value else () for value, kind in cells)))
-        filled = [k for k in range(len(head)) if not k or any(run.text for row in rows for run in row[k])]
+            low, of = name.partition("_")[2], (term.tail, term.head)
+            every = {word: arrow for word in ("a_k", "a_r") if (arrow := arrows.get(f"a^{word[-1]}_{low}"))}
+            if own := {"v": term, **every} if every else {}:
+                label = tuple(Run(run.text, run.italic) for run in lettering.vector_label(f"v_{low}")[1:])
+                sizes = {word: self.size(abs(place(points[one.head] - points[one.tail])))
+                         for word, one in own.items() if word in columns}  # fmt: skip
+                cells = (self.cell(sizes[word], of, word) if word in sizes else () for word in columns)
+                rows.append((self.cell(label, of, *sizes), *cells))
+        filled = [0, *(k for k in range(1, 1 + len(columns)) if any(row[k] for row in rows))]
+        head = (), *columns.values()
         return Table(tuple(head[k] for k in filled), tuple(tuple(row[k] for k in filled) for row in rows))
 
     def slides(self) -> Table:
-        """Displacements that have a name and are not given, with their rates; a name of the file in italics."""
-        head = ((), _column("s", "mm"), _column("ds/dt", "m/s"), _column("d²s/dt²", "m/s²"))
+        """Displacements that have a name and are not given, or their rates; a name of the file in italics."""
         machine, plot, rows = self.method.mechanism, self.plot, list[tuple[Label, ...]]()
         given = {pose.link for pose in machine.poses} | {one.link for one in machine.drivers if one.value is not None}
         for name in (slide.name for slide in machine.slides if slide.named and slide.name in plot.s):
             title = machine.slide_title(name, self.lang)
-            rows.append((
-                self.title(plain(title, title.isascii()), [name], "s"),
-                () if name in given else self.value(number(1000 * real(plot.s[name])), [name], "s"),
-                self.size(real(plot.s_rate.get(name, 0.0)), "velocity"),
-                self.size(real(plot.s_acceleration.get(name, 0.0)), "acceleration"),
-            ))  # fmt: skip
-        return Table(head, tuple(rows))
+            label = plain(title, title.isascii())
+            if self.plane != "position":
+                rates = plot.s_rate if self.plane == "velocity" else plot.s_acceleration
+                rows.append((label, self.size(real(rates.get(name, 0.0)))))
+            elif name not in given:
+                rows.append((self.cell(label, [name], "s"), self.cell(number(1000 * real(plot.s[name])), [name], "s")))
+        columns = {"position": ("s", "mm"), "velocity": ("ds/dt", "m/s"), "acceleration": ("d²s/dt²", "m/s²")}
+        return Table(((), _column(*columns[self.plane])), tuple(rows))
 
     def answers(self) -> Table:
         """What is asked for and stands in no other table."""

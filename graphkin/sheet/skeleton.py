@@ -100,13 +100,14 @@ class Skeleton:
         yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
         yield from self._guide_bars(link)
 
-    def drawn(self, link: str) -> Iterator[tuple[Place, Place]]:
-        """Those of them that are drawn."""
-        places = [self.at(p) for p in self.named(link)]
-        for through, closed in lines_through(places) if len(places) > 1 else ():
-            ends = [places[k] for k in through]
-            yield from pairwise([*ends, *ends[:closed]])
-        yield from self._guide_bars(link)
+    @cached_property
+    def drawn(self) -> list[tuple[Place, Place]]:
+        """Those of all links that are drawn."""
+        drawn = [bar for link in self.mechanism.moving for bar in self._guide_bars(link)]
+        for places in ([self.at(p) for p in self.named(link)] for link in self.mechanism.moving):
+            for through, closed in lines_through(places) if len(places) > 1 else ():
+                drawn += pairwise([places[k] for k in (*through, *through[:closed])])
+        return drawn
 
     def _guide_bars(self, link: str) -> Iterator[tuple[Place, Place]]:
         for slide in self.guides(link):

@@ -94,12 +94,6 @@ def slot(along: Sequence[Place], shows: Shows, step: int | None = None) -> list[
     return [Stroke(rim, "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 
-def arc_places(centre: Place, arm: complex, start: float, end: float) -> list[Place]:
-    """Places along an arc about `centre`, from `arm` turned by `start` to `arm` turned by `end` [rad]."""
-    steps = max(8, math.ceil(abs(end - start) / math.radians(3)))
-    return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]
-
-
 def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], step: int | None = None) -> list[Mark]:
     """A cylinder hinged at its foot, with piston and rod. `shows`: what its foot, its tube and its rod do."""
     length = abs(rod_end - foot)

@@ -59,14 +59,6 @@ class Table:
         own = _whole(cell)
         return 0.0 if own is None else self._points[column] - own
 
-    def of(self, plane: Plane) -> Table | None:
-        """Its first column and those of one plane's values; None where there are none."""
-        own = [k for k, label in enumerate(self.head) if k and (label or self.head[k - 1])]
-        planes = {k: _PLANES.get((self.head[k] or self.head[k - 1])[0].text, "position") for k in own}
-        shown = [0, *(k for k in own if planes[k] == plane)]
-        rows = tuple(tuple(row[k] for k in shown) for row in self.rows if any(row[k] for k in shown[1:]))
-        return Table(tuple(self.head[k] for k in shown), rows) if rows else None
-
     @cached_property
     def cut(self) -> Callable[[int], list[Table]]:
         """In parts of so many rows; it is tried on many papers."""
@@ -169,13 +161,13 @@ _RULER, _NAME = 100.0, "graphkin"
 @frozen
 class Strip:
     """What stands at the foot of a sheet over title, source and scales: tables that were found, sentences under them,
-    equations that have no room with their polygons, notes beside a plane's scale, further scales that no figure tells.
+    equations that have no room with their polygons, notes beside the scales, further scales that no figure tells.
     least: room for all that stands over the footer, at least [mm]."""
 
     found: Sequence[Table] = ()
     told: Sequence[str] = ()
     equations: Sequence[Ladder] = ()
-    notes: Mapping[Plane, Label] = field(default_factory=dict)
+    notes: Sequence[Label] = ()
     further: Mapping[Plane, float] = field(default_factory=dict)
     least: float = 0.0
 
@@ -202,7 +194,8 @@ class Strip:
             yield from (replace(m, accent=own) if own and isinstance(m, Text) else m for m in block.marks(corner))
             corner += 1j * block.size.imag
         foot = Room(room.left + 3, room.bottom - FOOT, room.right - 3, room.bottom)
-        yield from _footer(machine, foot, {**scales, **self.further}, self.notes, lang, _RULER / paper.times)
+        told = [*(written(plane, scale) for plane, scale in {**scales, **self.further}.items()), *self.notes]
+        yield from _footer(machine, foot, told, lang, _RULER / paper.times)
 
 
 def tables_room(paper: Paper) -> float:
@@ -210,13 +203,8 @@ def tables_room(paper: Paper) -> float:
     return paper.frame.size.real - 6
 
 
-def _footer(
-    machine: Mechanism, room: Room, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang,
-    ruler: float,
-) -> Iterator[Mark]:  # fmt: skip
-    """Title and scales; under them source, a line of 100 mm to lay a ruler on, and the program's name."""
-    told = [label for plane in scales for label in (written(plane, scales[plane]), notes.get(plane, ())) if label]
-    told += dict.fromkeys(label for plane, label in notes.items() if plane not in scales)
+def _footer(machine: Mechanism, room: Room, told: Sequence[Label], lang: Lang, ruler: float) -> Iterator[Mark]:
+    """Title, scales and notes; under them source, a line of 100 mm to lay a ruler on, and the program's name."""
     free = room.size.real - sum(width(label, LABEL) + 4 for label in told)
     title = machine.headline(lang)
     size = TITLE if width(plain(title), TITLE) <= free else LABEL

@@ -11,7 +11,7 @@ from itertools import product
 import numpy as np
 
 from graphkin.base.boxes import free_about
-from graphkin.base.lines import off_stretch
+from graphkin.base.lines import arc_places, off_stretch
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import spelled
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Rod, RollingContact, Slide, Slot, rod_name
@@ -248,7 +248,7 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     centre, pin = skeleton.at(slot.centre), skeleton.at(slot.point)
     step, radius = skeleton.step(slot.centre, slot.point), slot.radius / skeleton.window.scale
     arm, half = radius * ((pin - centre) / abs(pin - centre)), min(_ARC / radius, _MOST)
-    cut = symbols.arc_places(centre, arm, -half, half)
+    cut = arc_places(centre, arm, -half, half)
     shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     if slot.guide == FRAME:
         marks: list[Mark] = [*symbols.arc_hatch(centre, arm * (1 + symbols.SLOT / radius), half, 1.0, step)]
@@ -259,7 +259,7 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
         ends = {centre + arm * cmath.rect(1, turn): turn for turn in (-more, more)}
         near = {end: min([_FREE, *(off_stretch(end, *bar) for bar in bars)]) for end in ends}
         joint = min(product(near, points), key=lambda pair: (-near[pair[0]], abs(pair[1] - pair[0])))  # no false joint
-        arc = symbols.arc_places(centre, arm, math.copysign(half, -ends[joint[0]]), ends[joint[0]])
-        marks = [Stroke(tuple(arc), "visible", shows=shows, step=step), Stroke(joint, "visible", step=step)]
+        bar = arc_places(centre, arm, math.copysign(half, -ends[joint[0]]), ends[joint[0]])
+        marks = [Stroke(tuple(bar), "visible", shows=shows, step=step), Stroke(joint, "visible", step=step)]
     marks += symbols.slot(cut, shows, step)
     return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]

@@ -23,6 +23,8 @@ def _set(text: str) -> str:
         ("Measured: pe = 70.49 mm", "Measured: *pe* = 70.49 mm"),
         ("dc = db3 × CD/BD = 71.87 mm", "*dc* = *db*[3] × *CD*/*BD* = 71.87 mm"),
         ("pp1 = pm_sun × KP1/KM", "*pp*[1] = *pm*[*sun*] × *KP*[1]/*KM*"),
+        ("(A above O2B); clockwise: oa, carried to A", "(*A* above *O*[2]*B*); clockwise: *oa*, carried to *A*"),
+        ("L 在 CK 线上，故 l2 在线段 cp 上", "*L* 在 *CK* 线上，故 *l*[2] 在线段 *cp* 上"),
         ("△ek1d is similar to △EKD, both", "∆*ek*[1]*d* is similar to ∆*EKD*, both"),
         ("∆sk11f ∽ ∆SKF", "∆*sk*[11]*f* ∽ ∆*SKF*"),
         ("∆z2′ a1′ u1_3′ ∽ ∆Z2A1U1", "∆*z*[2]′ *a*[1]′ *u*[1,3]′ ∽ ∆*Z*[2]*A*[1]*U*[1]"),

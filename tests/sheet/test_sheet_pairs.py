@@ -96,7 +96,7 @@ def test_a_cam_has_its_equivalent_over_it_in_dashes(name: str) -> None:
 
 
 @pytest.mark.parametrize(("lang", "fitted", "together"), [
-    ("en", "fitted by trial", "solved together"), ("zh", "样板法试凑", "联立求解"),
+    ("en", "Mechanism: fitted by trial", "solved together"), ("zh", "机构运动简图：样板法试凑", "联立求解"),
 ])  # fmt: skip
 def test_the_sheet_says_what_paper_alone_does_not_give(
     lang: Literal["en", "zh"], fitted: str, together: str

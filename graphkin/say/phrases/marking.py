@@ -231,9 +231,9 @@ PHRASES: Phrases = {
     "mistakes.made coriolis-not-laid-off": ("the Coriolis acceleration {of} calculated, but not laid off", "科氏加速度 {of} 已算出但未画入"),
     "mistakes.made coriolis-crank-omega": ("the Coriolis acceleration {of} with the driver's angular velocity {form}",
                                            "科氏加速度 {of} 误用原动件的角速度 {form}"),
-    "mistakes.made coriolis-crank-omega sense": ("the Coriolis acceleration {of} with the driver's angular velocity "
-                                                 "{form}, in the sense of the block's",
-                                                 "科氏加速度 {of} 误用原动件角速度的大小 {form}，转向按滑块"),
+    "mistakes.made coriolis-crank-omega sense": ("the Coriolis acceleration {of} with the size of the driver's angular "
+                                                 "velocity {form}, in the right sense",
+                                                 "科氏加速度 {of} 误用原动件角速度的大小 {form}，转向正确"),
     "mistakes.made coriolis-absolute-velocity": ("the Coriolis acceleration {of} with the absolute velocity {form} "
                                                  "instead of that of sliding",
                                                  "科氏加速度 {of} 误用绝对速度 {form}"),
