@@ -277,11 +277,11 @@ class SheetContents:
         for plane in drawing.planes if drawing.style != "given" else ():
             steps = drawing.method.construction(plane).steps
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
-                how[plane] = "fitted"
+                how[plane] = "sheet.fitted"
             elif plane not in drawing.ladders and any(isinstance(step, Simultaneous) for step in steps):
-                how[plane] = "together"
+                how[plane] = "sheet.together"
         return [plain(f"{say(f'sheet.plane {plane}', drawing.lang)}{say('common.colon', drawing.lang)}"
-                      f"{say(f'sheet.{word}', drawing.lang)}") for plane, word in how.items()]  # fmt: skip
+                      f"{say(key, drawing.lang)}") for plane, key in how.items()]  # fmt: skip
 
     def laid_out(self, papers: Sequence[Paper]) -> tuple[SheetContents, Layout]:
         """The best division of the smallest paper that holds all figures; blocks for which they would be drawn much

@@ -109,10 +109,10 @@ def division(
 ) -> Layout | None:
     """The best division, in which no figure is much coarser than in a bare one; None where nothing fits. Blocks are
     held against those alone that would be better without."""
-    best, layout = -math.inf, None
-    for paper in (each.reduced for each in papers):
+    best, layout, reduced = -math.inf, None, (each.reduced for each in papers)
+    every = ((paper, *paper.divided(strip_height(paper))) for paper in reduced)
+    for paper, field, strip in (each for each in every if each[1].size.imag > 0):  # the strip has left some
         extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
-        field, strip = paper.divided(strip_height(paper))
         rooms, plain = _rooms(field, tuple(extents)), {p: replace(each, blocks=()) for p, each in extents.items()}
         most = _not_coarser(*_bare_values(field, tuple(plain.items())), bare)
         order = np.argsort(-most, kind="stable")

@@ -71,7 +71,6 @@ def calls(module: str, name: str) -> Iterator[str]:
 ONCE = (
     ("graphkin.sheet.page", "Sheet", "page", "a finished drawing is made"),
     ("graphkin.sheet.labels", "settle", "page", "labels find their places"),
-    ("graphkin.sheet.titleblock", "frame", "titleblock", "the drawing frame is drawn"),
 )
 
 
