@@ -29,7 +29,7 @@ from graphkin.sheet.construction_lines import PolygonConstruction, Rings, pencil
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.dimension_lines import angles
 from graphkin.sheet.layout import Height, Layout, division, lay_out
-from graphkin.sheet.lettering import LEAST, Label, plain
+from graphkin.sheet.lettering import LEAST, Label, Run, plain
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.mechanism_notes import MechanismNotes
@@ -45,6 +45,7 @@ from graphkin.sheet.window import PLANES, Extent, Figure, Window, enlarged
 Style = Literal["construction", "result", "given"]
 BlockName = Literal["paths", "equations", "detail", "tables"]
 _WIDTHS = (84.0, 68.0)  # half of a sheet and less: equations that are longer may be broken [mm]
+_FIXED, _COMMA = 3, Run(", ")  # with so many more names the pole's may stand alone in a crowd
 _BEYOND = 1.25  # so many times larger a figure may become to show what its dimensions are measured from
 
 
@@ -314,10 +315,10 @@ class SheetContents:
         place = (self.stages, plane, layout.rooms[plane], window, *corners, *self.blocks[plane], *layout.scales.items())
         if place not in panels:
             panel = self._plain_panel(layout, plane, window, corners)
-            figure, pole = panel.figure, panel.figure.pole
-            if pole & {*panel.near.unclear, *panel.near.clashing}:  # what is fixed, the text tells, too
-                wanted = [want.alone if k in pole else want for k, want in enumerate(figure.wanted)]
-                panel = replace(panel, figure=Figure(figure.marks, wanted))
+            figure, bad = panel.figure, {*panel.near.unclear, *panel.near.clashing}
+            if crowd := {k for k in figure.pole & bad if figure.wanted[k].label.count(_COMMA) >= _FIXED}:
+                wanted = [want.alone if k in crowd else want for k, want in enumerate(figure.wanted)]
+                panel = replace(panel, figure=Figure(figure.marks, wanted))  # what is fixed, the text tells, too
             if plane in self.detailed:
                 panel = detailed(panel, partial(self.drawing.figure, plane), plane, self.detailed[plane].parts)
             panels[place] = panel

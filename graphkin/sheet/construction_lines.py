@@ -144,13 +144,12 @@ class PolygonConstruction:
                     waiting[-1][0].append(act.number)
                 else:
                     lost.add(act.number)
-            named = True  # an arrow's number stands best beside its name
             while waiting:
                 halves = [complex(ring_width(numbers) / 2, RING) for numbers, _ in waiting]
                 middles = free.places([first for _, (first, *_) in waiting], halves)
                 tried, waiting = waiting, []
                 for (numbers, requests), half, middle in zip(tried, halves, middles, strict=True):
-                    beside = free.beside(requests[0].step, half) if requests[0].of and named else None
+                    beside = free.beside(requests[0].step, half) if requests[0].of else None  # an arrow's, at its name
                     if not (beside or middle) and requests[1:]:
                         waiting.append((numbers, requests[1:]))
                     elif middle := beside or middle or free.beside(requests[0].step, half):
@@ -160,7 +159,6 @@ class PolygonConstruction:
                         drawn |= dict.fromkeys(numbers, marks)
                     else:
                         lost.update(numbers)
-                named = False
         if self.rings is not None:
             yield from self.rings(sorted(lost))
             return

@@ -40,6 +40,7 @@ from graphkin.sheet.window import PLANES
 
 _MANY = 6.0  # at a higher price, that of a fifth leader on one figure, other papers are tried
 _CROWD = 32  # labels without a good place, of which details relieve no more
+_SMALLER = 1.26  # so much smaller no figure is drawn to have the scale of a handout, whose page has less room
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
 
 
@@ -184,11 +185,12 @@ def _arranged(
         if breaks and not any(drawing.left_out.values()):  # as it is without
             return arranged(lang, planes, style, False, tight, told, paper)
         best = cheapest(contents := _contents(drawing, tight), paper)
-        fits = all(best.layout.scales[plane] >= least for plane, least in drawing.least.items())
-        if fits or paper or planes != PLANES:
+        more = [least / best.layout.scales[plane] for plane, least in drawing.least.items()]
+        if paper or planes != PLANES or not 1 < max(more) < _SMALLER:
             return best
         paged = cheapest(replace(contents, paged=True), paper)  # a handout is to have its scales, if nothing suffers
-        return paged if max(paged.bounds()) <= max(best.bounds()) else best
+        small = any(paged.layout.scales[plane] > _SMALLER * scale for plane, scale in best.layout.scales.items())
+        return best if small or max(paged.bounds()) > max(best.bounds()) else paged
     best = arranged("en", planes, style, breaks, tight, told, paper)
     own = _contents(replace(best.contents.drawing, lang=lang), tight)
     english, layout = best.contents, best.layout
