@@ -25,7 +25,7 @@ from graphkin.sheet.lettering import LEAST, formula, plain
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, VectorMark
 from graphkin.sheet.polygons import PolygonFigure, arrows
 from graphkin.sheet.symbols import right_angle
-from graphkin.sheet.text_blocks import RING, ring_width, ringed
+from graphkin.sheet.text_blocks import RING, ringed
 from graphkin.sheet.window import Window
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
@@ -133,38 +133,27 @@ class PolygonConstruction:
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
         """A number in a circle beside each thing drawn, at the next or a name, or with the equations, else beside the
         number before it; images first."""
-        images, lost = [act for act in self.acts if isinstance(act.done, Image)], set[int]()
-        drawn = dict[int, Sequence[Mark]]()
+        drawn, circle = dict[int, Sequence[Mark]](), complex(RING, RING)
+        images = [act for act in self.acts if isinstance(act.done, Image)]
         for acts in (images, [act for act in self.acts if act not in images]):
-            waiting = list[tuple[list[int], list[LabelRequest]]]()
-            for act in acts:
-                if requests := [*self._beside(act)]:
-                    waiting.append(([act.number], requests))
-                elif self.rings is None and waiting:  # what has no length, with the point at which it stands
-                    waiting[-1][0].append(act.number)
-                else:
-                    lost.add(act.number)
+            waiting = [(act, requests) for act in acts if (requests := [*self._beside(act)])]
             while waiting:
-                halves = [complex(ring_width(numbers) / 2, RING) for numbers, _ in waiting]
-                middles = free.places([first for _, (first, *_) in waiting], halves)
+                middles = free.places([first for _, (first, *_) in waiting], [circle] * len(waiting))
                 tried, waiting = waiting, []
-                for (numbers, requests), half, middle in zip(tried, halves, middles, strict=True):
-                    beside = free.beside(requests[0].step, half) if requests[0].of else None  # an arrow's, at its name
-                    if not (beside or middle) and requests[1:]:
-                        waiting.append((numbers, requests[1:]))
-                    elif middle := beside or middle or free.beside(requests[0].step, half):
-                        marks = [*ringed(numbers, middle, requests[0].step)]
+                for (act, (first, *others)), middle in zip(tried, middles, strict=True):
+                    at = free.beside(act.page, circle, first.of) if first.of else None  # an arrow's is best at its name
+                    if not (at or middle) and others:
+                        waiting.append((act, others))
+                    elif at := at or middle or free.beside(act.page, circle):
+                        drawn[act.number] = marks = [*ringed([act.number], at, act.page)]
                         free.add(marks)
                         yield from marks
-                        drawn |= dict.fromkeys(numbers, marks)
-                    else:
-                        lost.update(numbers)
+        lost = [act for act in self.acts if act.number not in drawn]
         if self.rings is not None:
-            yield from self.rings(sorted(lost))
-            return
-        for act in (act for act in self.acts if act.number in lost):
+            yield from self.rings([act.number for act in lost])
+        for act in lost if self.rings is None else ():
             near = drawn.get(act.number - 1, drawn.get(act.number + 1))
-            if near and (middle := free.next_to(near, complex(RING, RING))) is not None:
+            if near and (middle := free.next_to(near, circle)) is not None:
                 drawn[act.number] = marks = [*ringed([act.number], middle, act.page)]
                 free.add(marks)
                 yield from marks

@@ -115,10 +115,12 @@ class FreeRoom:
             cost = np.where(left, every.cost[own], np.inf)
             yield complex(every.middle[own][cost.argmin()]) if left.any() else None
 
-    def beside(self, step: int | None, half: complex) -> Place | None:
-        """The first free middle of a box beside a name that comes with a step, near no other letters, if any is."""
+    def beside(self, step: int | None, half: complex, of: str = "") -> Place | None:
+        """The first free middle of a box beside a name that comes with a step, near no other letters, if any is; of: of
+        this arrow."""
         texts = {mark.label: mark for mark in self.marks[len(self._scene.drawn) :] if isinstance(mark, Text)}
-        wanted = (want for want in reversed(self._scene.wanted) if want.gap < SIGN)
+        wanted = sorted((want for want in self._scene.wanted if want.gap < SIGN), key=lambda want: not want.of)
+        wanted = [want for want in wanted if want.of == of] if of else wanted  # names of arrows first, circles last
         names = (label for want in wanted for label, born in want.parts or ((want.label, want.step),) if born == step)
         every = (self.next_to([texts[name]], half) for name in names if name in texts)
         return next((at for at in every if at is not None), None)

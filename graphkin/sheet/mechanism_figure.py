@@ -13,7 +13,6 @@ from graphkin.base.lines import crossing, hull, in_line, lines_through, off_stre
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, RollingContact, Slide
-from graphkin.model.wheels import wheels_of
 from graphkin.planning import Method
 from graphkin.planning.method import births
 from graphkin.sheet import symbols, wheels
@@ -227,8 +226,8 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
     """A link's number beside its longest bar, inside its outline, or beside its block."""
     label = link_label(skeleton.mechanism.called(link))
     slide, guide = skeleton.blocks.get(link), next(skeleton.guides(link), None)
-    if wheels.disc(skeleton, link):
-        return  # it stands within the rim
+    if link in wheels.numbered(skeleton):
+        return  # it stands at the wheel
     if slide is not None and len(places) < 2:
         at, rod = skeleton.at(slide.point), wheels.follower(skeleton, slide)
         if skeleton.is_cylinder(slide):
@@ -245,7 +244,7 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
         start, end = max(bars, key=lambda bar: abs(bar[1] - bar[0]))
         end, gap = (end, 1.2) if tube is None else (_tube_end(skeleton, tube), 3.4)
         yield LabelRequest(label, start, end, gap=gap, step=step)
-    elif places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
+    elif places:
         yield LabelRequest(label, places[0], gap=4.0, step=step)
 
 

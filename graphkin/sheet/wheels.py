@@ -18,7 +18,7 @@ from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Rod, RollingCont
 from graphkin.model.wheels import Wheel, wheels_of
 from graphkin.sheet import symbols
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import link_label
+from graphkin.sheet.lettering import LABEL, link_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import OVERRUN, Skeleton
 from graphkin.sheet.window import Figure
@@ -37,11 +37,10 @@ _MOST = 2.4  # half of the widest slot there is room for on a small circle [rad]
 
 def wheels(skeleton: Skeleton) -> Figure:
     """All wheels, and the straight tracks of those that roll on a line."""
-    figure, numbered = Figure(), set[str]()
+    figure, named = Figure(), numbered(skeleton)
     for wheel in wheels_of(skeleton.mechanism):
         figure.marks += _wheel(skeleton, wheel)
-        if wheel.link not in numbered and wheel.link != FRAME:
-            numbered.add(wheel.link)
+        if named.get(wheel.link) == wheel:
             figure.wanted.append(_number(skeleton, wheel))
     for roll in skeleton.mechanism.of(RollingContact):
         if roll.line is not None:
@@ -59,6 +58,14 @@ def wheels(skeleton: Skeleton) -> Figure:
     for gear in skeleton.mechanism.of(Gear):
         figure.marks += _mesh(skeleton, gear)
     return figure
+
+
+def numbered(skeleton: Skeleton) -> dict[str, Wheel]:
+    """The wheel that bears its link's number, by link: not the frame's, nor where a bar can bear what is too wide."""
+    first = {wheel.link: wheel for wheel in reversed([*wheels_of(skeleton.mechanism)]) if wheel.link != FRAME}
+    wide = {link: width(link_label(skeleton.mechanism.called(link)), LABEL) for link in first}
+    return {link: wheel for link, wheel in first.items() if disc(skeleton, link) or not any(skeleton.bars(link))
+            or wide[link] < 0.7 * wheel.radius / skeleton.window.scale}  # fmt: skip
 
 
 def toothed(skeleton: Skeleton, roll: RollingContact) -> tuple[Place, float] | None:

@@ -29,8 +29,10 @@ from graphkin.handouts.typst import page_count, pdf
 from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.photo.markers import MARKERS, MOST, digits
+from graphkin.sheet.composition import Planes
 from graphkin.sheet.lettering import LABEL, plain
 from graphkin.sheet.marks import PointMark, Text, VectorMark
+from graphkin.sheet.window import PLANES
 
 _CRUSHER = """
 ask = ["omega 5", "alpha 5", "v B", "a B"]
@@ -139,15 +141,16 @@ def test_a_worksheet_tells_nothing_by_its_rooms(name):
     assert len({room.pole for room in again}) > 2
 
 
-@pytest.mark.parametrize("name", ["p3-6c", "p3-18", "s2-1b"])
+@pytest.mark.parametrize("name", ["ex3-1", "p3-23b", "p3-6c", "p3-18", "s2-1b"])
 def test_sheet_and_handout_have_the_same_scales(name):
-    """Also where a sheet alone would have room for more: a page is the smaller one. A paper that is asked for is used."""
+    """But where a page has no room for a figure that is large on its sheet: that alone is smaller, and as large as a page
+    allows."""
     machine = loaded(name)
-    drawing = graphkin.Drawing.of(machine)
-    sheet = drawing.sheet()
-    assert drawn_problem(machine, "en").scales == pytest.approx(sheet.scales)
-    large = drawing.sheet(paper="A3").scales
-    assert any(large[plane] < 0.7 * scale for plane, scale in sheet.scales.items())
+    sheet, page = graphkin.Drawing.of(machine).sheet(), drawn_problem(machine, "en")
+    smaller = [plane for plane, scale in page.scales.items() if scale != pytest.approx(sheet.scales[plane])]
+    assert bool(smaller) == (name not in ("ex3-1", "p3-23b"))
+    planes = Planes(page.drawing.method, page.drawing.plot, PLANES, "construction", "en")
+    assert all(page.scales[plane] == planes.least[plane] > sheet.scales[plane] for plane in smaller)
 
 
 def test_a_worksheet_has_room_for_all_that_is_measured():
