@@ -29,7 +29,7 @@ _REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0
 """How far a fixed guide is drawn to each side of its block; away from a bar over it, and where it ends unseen under the
 block [mm]."""
 _OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its block under a smaller angle
-_CROSSING = (14, 22), (31, 40, 48)  # where a crank's arc, which crosses it, begins before it [deg]
+_CROSSING = (14, 22), (31, 40)  # where a crank's arc, which crosses it, begins before it [deg]
 _ASIDE = 1.5 * symbols.SWEEP  # from the middle of an arc to that of another behind it
 _APART, _OFF = 3.0, 2.0  # between two arcs about one point, or two arrows of one slide; of a head from lines [mm]
 Ends = tuple[Place, Place]

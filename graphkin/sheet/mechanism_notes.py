@@ -13,6 +13,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Rotation
+from graphkin.model.wheels import wheels_of
 from graphkin.planning.asked import plane_of
 from graphkin.planning.method import rate_found
 from graphkin.say.dimensions import length_size, measured_lengths
@@ -180,8 +181,9 @@ class MechanismNotes:
             about = (pair[way < 0],)
             if abs(arm) > 2 * radius and self._alone(about, radius, way * arm):
                 yield about, radius, way * arm / abs(arm), True, SWEEP
-        rims = [radius for at, radius in circles(skeleton) if centre and at == skeleton.at(centre)]
-        for point, radius, middle in product([centre] if centre else points if not bars else (), _RADII, _AROUND):
+        hub = centre or next((wheel.centre for wheel in wheels_of(self.reading.mechanism) if wheel.link == link), "")
+        rims = [radius for at, radius in circles(skeleton) if hub and at == skeleton.at(hub)]
+        for point, radius, middle in product([hub] if hub else points if not bars else (), _RADII, _AROUND):
             if radius < max(rims, default=math.inf) + _RIM:
                 yield (point,), radius, middle, False, SWEEP
 
