@@ -83,8 +83,9 @@ class Structure:
     @property
     def repeated(self) -> int:
         """Redundant constraints; a rack against its pinion is like two gears, whose distance is nobody's constraint."""
-        alone = sum(taken == 1 for _, taken in self.rolls) - self.uncounted
-        return self.mobility.repeated - alone
+        tracks = [pair.line for pair in self.method.mechanism.pairs if isinstance(pair, RollingContact)]
+        kept = sum(line is not None and taken == 1 for line, (_, taken) in zip(tracks, self.rolls, strict=True))
+        return self.mobility.repeated - kept + self.uncounted
 
     @property
     def formula(self) -> int:

@@ -116,6 +116,20 @@ def test_rolling_takes_one_freedom_where_other_pairs_keep_the_distance():
     assert (rolling.formula, rolling.repeated, [taken for _, taken in rolling.rolls]) == (1, 0, [2])
 
 
+PLANET = """
+frame = { O = [0, 0] }
+links = { 1.OA = 90, 2.AB = 25 }
+roll = [{ wheel = "2", centre = "A", radius = 30, on = "frame", on_centre = "O", on_radius = 60 }]
+driver = [{ vector = "OA", angle = 160, omega = -3 }]
+pose = [{ vector = "AB", angle = 100 }]
+"""
+
+
+def test_the_arm_of_a_wheel_that_rolls_on_a_circle_repeats_nothing():
+    planet = structure(plan(loads(PLANET)))
+    assert (planet.formula, planet.repeated, planet.rolls[0][1]) == (1, 0, 1)
+
+
 @pytest.mark.parametrize(("name", "said"), [
     ("p3-8", "RPR: links 2 and the block that replaces cam pair 1–2"),
     ("s3-cam", "PRR: links 2 and the link that replaces cam pair 1–2"),
