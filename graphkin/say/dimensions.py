@@ -268,7 +268,7 @@ def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
     place, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
     at = drawn_value(reading, driver, place, path)
     if driver.kind == "slide":
-        first, second = (reading.displacement(symbol, driver.link) for symbol in SIGNED)
+        first, second = (reading.slid(symbol, driver.link) for symbol in SIGNED)
         speed, change = (*path, "velocity"), (*path, "acceleration")
         return at, sized(reading, first, rate, "velocity", speed), sized(reading, second, more, "acceleration", change)
     return at, _rate(reading, driver, path, "ω", rate), _rate(reading, driver, path, "α", more)

@@ -239,7 +239,7 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
             if reading.method.structure.slides[slide].named:
                 words = {"direction": direction, "s": names.of_slide("s", slide)}
                 direction = reading.say("derivation.slide way", which=shrinks, **words)
-            rate = reading.displacement(names.SLIDING[polygon.plane], slide)
+            rate = reading.slid(names.SLIDING[polygon.plane], slide)
             own = rate == polygon.vector(term)  # given by this very name
             return KnownSize("" if own else f"|{rate}|", "", direction)
         case terms.Relative():

@@ -289,12 +289,14 @@ class Reading:
         return self.mechanism.slide_title(slide, self.lang)
 
     def displacement(self, symbol: str, slide: str) -> str:
-        """The displacement of a slide, or of a wheel's centre: `s_ram`, `ṡ_ram`, `Δs_C`; the rate of a driven one by
-        its arrow: `v_B3B4`."""
+        """The displacement of a slide, or of a wheel's centre, with its sign: `s_ram`, `ṡ_ram`, `Δs_C`."""
         pair = self.method.structure.slides[slide]
-        if (symbol, slide) in self._driven_slides:
-            return names.vector(self._driven_slides[symbol, slide])
         return names.of_slide(symbol, pair.name if pair.named else names.point(pair.point))
+
+    def slid(self, symbol: str, slide: str) -> str:
+        """The size of a driven rate by its arrow: `v_B3B4`; else the displacement."""
+        arrow = self._driven_slides.get((symbol, slide))
+        return names.vector(arrow) if arrow else self.displacement(symbol, slide)
 
     @cached_property
     def _driven_slides(self) -> dict[tuple[str, str], str]:

@@ -63,6 +63,15 @@ pose = [{ slide = "rack", at = 0 }]
 driver = [{ vector = "AB", angle = 110, omega = -8 }]
 sketch = { B = [-9, 26], C = [72, 25], R = [60, -45], S = [150, -45] }
 """
+PUSHED = """
+ask = ["omega 3", "alpha 3"]
+frame = { name = "5", D = [95, -20] }
+links = { 3 = { DC = 50 }, 4 = { RS = 90 } }
+slide = [{ name = "rack", block = "4", point = "R", guide = "frame", through = [60, -45], tilt = 0 }]
+roll = [{ wheel = "3", centre = "D", radius = 25, on = "4", through = "R", toward = "S", side = "left" }]
+pose = [{ vector = "DC", angle = 120 }]
+driver = [{ slide = "rack", at = 0, velocity = -0.1 }]
+"""
 WHEEL = """
 ask = ["omega 3"]
 frame = { name = "1", E = [0, 0] }
@@ -153,6 +162,12 @@ def test_a_rack_that_a_pinion_drives_is_as_fast_as_its_rim() -> None:
     text = told(RACK)
     assert "v_R = r3 ω3 = 0.025 × 4.576 = 0.1144 m/s (∥x, horizontally to the left)" in text
     assert "a_R = r3 α3 = 0.025 × 4.431 = 0.1108 m/s² (∥x, horizontally to the left)" in text
+
+
+def test_the_relation_of_a_driven_rack_has_its_rate_with_its_sign() -> None:
+    text = told(PUSHED)
+    assert "v_R = 0.1 m/s (s_rack decreasing)" in text
+    assert "Pure rolling: r3(ω3 − ω4) − ṡ_rack = 0 at all times, with ṡ_rack constant; so α3 = 0." in text
 
 
 def test_a_line_cuts_the_guide_that_stands_there() -> None:
