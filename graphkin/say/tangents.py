@@ -172,8 +172,10 @@ class Tangents:
             return reading.say("derivation.lay off parallel", heading=heading(degrees_of(arm), reading.lang), **words)
         ahead = along * copysign(1.0, float(dot(along, arm)) or 1.0)
         turned = degrees(phase(arm / ahead))
-        arms = ((p, reading.arm(step.start, p)) for p in reading.mechanism.named(part.link))
-        on_it = next((p for p, arm in arms if aside(ahead, arm) <= reading.noise < abs(float(dot(ahead, arm)))), "")
+        points = [swing.through, *reading.mechanism.named(part.link)]
+        arms = ((p, reading.arm(step.start, p)) for p in points)
+        on_line = {p: arm for p, arm in arms if aside(ahead, arm) <= reading.noise < abs(float(dot(ahead, arm)))}
+        on_it = next((p for p in points[1:] if p in on_line), "")
         if on_it and not self._angled(part.link, step.start):  # its triangle is given by its sides
             words |= {"first": self._circle(step.start, words["length"]), "along": self._arm(step.start, on_it)}
             words["heading"] = heading(degrees_of(reading.arm(step.start, on_it)), reading.lang)
@@ -182,9 +184,12 @@ class Tangents:
             ccw = float(cross(arm, reading.arm(step.start, on_it))) > 0
             order = reading.way_round((step.start, step.tip, on_it), ccw)
             return reading.say("derivation.on line, by sides", way=order, **words)
-        corner = f"∠{''.join(map(names.point, (step.tip, step.start, on_it)))} = " if on_it else ""
-        corner += f"{number(abs(turned))}°"
-        return reading.say("derivation.lay off turned", sense=reading.sense(turned), turned=corner, **words)
+        ray = corner = ""
+        if mark := next((p for p in (swing.through, on_it) if p and reading.named(p) and p in on_line), ""):
+            turned = degrees(phase(arm / on_line[mark]))
+            ray, corner = names.pair(step.start, mark), f"∠{''.join(map(names.point, (step.tip, step.start, mark)))} = "
+        words |= {"sense": reading.sense(turned), "line": ray, "turned": f"{corner}{number(abs(turned))}°"}
+        return reading.say("derivation.lay off turned", which=not ray, **words)
 
     def _angled(self, link: str, corner: str) -> bool:
         """True of a corner of a link whose angle the file gives."""

@@ -31,3 +31,22 @@ def test_the_sense_of_a_tangent(angle: int, side: int, crank: int):
     t = c + ((d - c) * along.conjugate()).real * along
     (sense,) = TANGENT.findall("\n".join(drawing.explain("en")))
     assert (((t - d).conjugate() * (b - t)).imag > 0) == (sense == "counter-clockwise")
+
+
+LEVER = """
+frame = {{ O2 = [0, 0], O4 = [0, 25] }}
+links = {{ 2.O2A = 60, 3 = {{ O4B = 55, O4F = 90, BO4F = {corner}, ccw = ["B", "O4", "F"] }} }}
+slide = [{{ pin = "A", guide = "3", through = "O4", toward = "F" }}]
+driver = [{{ vector = "O2A", angle = {crank}, omega = 9 }}]
+sketch = {{ A = [46, -38], B = [-20, 75] }}
+"""
+
+
+@pytest.mark.parametrize("corner", [30, 150])
+@pytest.mark.parametrize("crank", [-40, 100])
+def test_an_arm_is_turned_from_the_end_of_the_line_that_is_named(corner: int, crank: int):
+    drawing = Drawing.of(graphkin.loads(LEVER.format(corner=corner, crank=crank)))
+    o4, a, b = (complex(drawing.plot.position[point]) for point in ("O4", "A", "B"))
+    turned = math.degrees(cmath.phase((b - o4) / (a - o4)))
+    sense = "counter-clockwise" if turned > 0 else "clockwise"
+    assert f"turned by ∠BO4A = {abs(turned):.0f}° {sense} from O4A: B." in "\n".join(drawing.explain("en"))

@@ -83,8 +83,8 @@ PHRASES: Phrases = {
                                "{tip} 即由 {start} 所作垂线的垂足：{length}。"),
     "derivation.lay off parallel": ("From {start} lay off {length} parallel to this line ({heading}): {tip}.",
                                     "由 {start} 作该线的平行线（{heading}），取 {length}，得 {tip}。"),
-    "derivation.lay off turned": ("From {start} lay off {length} turned by {turned} {sense} from this line: {tip}.",
-                                  "由 {start} 作与该线成 {turned}（由该线{sense}转过）的直线，取 {length}，得 {tip}。"),
+    "derivation.lay off turned": ("From {start} lay off {length} turned by {turned} {sense} from [{line}|this line]: {tip}.",
+                                  "由 {start} 作与[ {line} |该线]成 {turned}（由[ {line} |该线]{sense}转过）的直线，取 {length}，得 {tip}。"),
     "derivation.on line, by sides": ("On this line lay off {along} from {start} {heading}: {mark}. Then {first}; {second}. "
                                      "They cross at {tip} ({way}).",
                                      "在该线上由 {start} 取 {along}（{heading}），得 {mark}；再{first}，{second}；两弧交于 "
