@@ -19,7 +19,8 @@ from graphkin.say.simultaneous import about_centre, instant_centre, special_intr
 def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """Everything about one vector equation, in the order of a textbook."""
     if sentence := _translation(polygon, part):
-        yield polygon.sentence(next(step for step in part.steps if isinstance(step, kinds.LayOff)), sentence)
+        row = f"{polygon.seen(part.of, '')} = {polygon.vector(part.right[0])}"
+        yield polygon.sentence(next(step for step in part.steps if isinstance(step, kinds.LayOff)), sentence, row)
         return
     if centre := instant_centre(polygon, part):
         yield polygon.sentence(next(step for step in part.steps if isinstance(step, kinds.Meet)), centre)
@@ -55,7 +56,7 @@ def known_arrow(polygon: PolygonReading, step: kinds.LayOff) -> Iterator[Entry]:
         yield Sentence(polygon.reading.say("derivation.only normal", alpha=alpha, **words))
     size_of = size_calculation(polygon, step.term, (step.term,))
     yield size_of
-    row = " = ".join([size_of.name, *size_of.formulas]) if size_of.formulas else ""  # what is given needs no equation
+    row = " = ".join([size_of.name, *(size_of.formulas or (() if size_of.value else ("0",)))])
     yield polygon.sentence(step, _lay_off(polygon, step), row)
 
 

@@ -237,7 +237,9 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
     one, other = (reading.arm(p, third) for p in (first, second))
     row = f"{names.triangle(*corners, step.point)} ∽ {names.triangle(*step.corners)}"
     if not polygon.arrow(*step.base):
-        sentence, row = reading.say("derivation.image point", **words), ""
+        known = polygon.seen(polygon.of(base), "") if (base := step.base[0]) != polygon.construction.pole else "0"
+        row = f"{polygon.seen(polygon.of(step.point), '')} = {known}"
+        sentence = reading.say("derivation.image point", **words)
     elif aside(one, other) <= reading.noise * max(abs(one), abs(other)):
         lengths = [reading.distance(first, p) for p in (third, second)]  # `dc = db3 · CD/BD = .. = 18.81 mm`
         small, figured = polygon.length_mm(*step.base), figures(*(each / reading.scales["length"] for each in lengths))

@@ -771,6 +771,24 @@ def test_a_further_point_of_a_crank_has_its_formula_and_what_is_laid_off_before_
     assert sorted(numbers) == numbers
 
 
+GATE = """
+frame = { O = [0, 0], D = [120, 40] }
+links = { 2.OA = 35, 3.AB = 110, 4.DB = 70, 5.RS = 100 }
+roll = [{ wheel = "2", centre = "O", radius = 25, on = "5", through = "R", toward = "S", side = "left" }]
+slide = [{ name = "rack", block = "5", point = "R", guide = "frame", through = [0, -25], tilt = 0 }]
+driver = [{ slide = "rack", at = -40, velocity = -0.09 }]
+pose = [{ vector = "OA", angle = 80 }]
+sketch = { B = [90, 100] }
+"""
+
+
+def test_every_step_that_no_equation_of_its_own_has_stands_in_a_row():
+    method, plot = drawn(GATE)
+    entries = [*derivation(method, plot, SCALES, "en", as_planned=True)]
+    rows = [(rung.numbers, rung.equation) for rung in rungs(entries, "velocity", method) if rung.numbers]
+    assert rows[:3] == [((1,), "v_R"), ((2,), "v_S = v_R"), ((3,), "v_K5 = v_R")]
+
+
 NEEDLE = """
 frame = { O = [0, 0] }
 [links]
