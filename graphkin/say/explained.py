@@ -295,7 +295,7 @@ def derivation(
     steps = {act.number for act in acts if act.numbered}
     yield from problem_data(reading)
     others = [] if as_planned else _other_positions(method, plot)
-    yield from map(Sentence, position_lines(reading.mechanism, lang) if others else ())
+    yield from map(Sentence, position_lines(reading) if others else ())
     yield from goal.question()
     yield from solution_head(reading, ("length", *goal.parts), leaves_out=len(steps) < max(steps, default=0))
     yield from [Sentence(reading.say("solution.first position"))] if others else []
@@ -325,7 +325,7 @@ def answers_elsewhere(
         return
     reading = goal.reading
     yield Sentence(reading.say("solution.elsewhere"))
-    heads = [*position_lines(reading.mechanism, reading.lang)][2:]
+    heads = [*position_lines(reading)][2:]
     for head, values in zip(heads, positions, strict=True):
         yield Sentence(head)
         try:

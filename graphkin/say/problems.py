@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from itertools import islice
 
@@ -12,9 +11,11 @@ from graphkin.model.quantities.kinds import Rotation
 from graphkin.running.drawn_sides import DrawnSides
 from graphkin.say import names
 from graphkin.say.catalogue import say
+from graphkin.say.dimensions import drawn_value
 from graphkin.say.entry import Entry, Sentence
 from graphkin.say.numbers import side
 from graphkin.say.problem_data import problem_data
+from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal
 
 MADE = "-- graphkin problems"  # the last line of a text that this program wrote
@@ -26,7 +27,7 @@ def posed_entries(goal: SolutionGoal, drawn: DrawnSides | None = None) -> Iterat
     reading = goal.reading
     yield from islice(problem_data(reading), 1, None)
     assembly = "" if drawn is None else assembly_sentence(drawn, reading.lang)
-    yield from map(Sentence, filter(None, [assembly, *position_lines(reading.mechanism, reading.lang)]))
+    yield from map(Sentence, filter(None, [assembly, *position_lines(reading)]))
     yield from goal.question()
     halves = (half for one in goal.wanted if one is not None for half in one.halves)
     thetas = {half.link: half for half in halves if isinstance(half, Rotation) and half.word == "theta"}
@@ -34,19 +35,18 @@ def posed_entries(goal: SolutionGoal, drawn: DrawnSides | None = None) -> Iterat
     yield from map(Sentence, filter(None, lines))
 
 
-def position_lines(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+def position_lines(reading: Reading) -> Iterator[str]:
     """All positions that are asked for, where there are further ones."""
-    further = positions(mechanism)
-    yield from (say("problems.positions", lang),) if further else ()
+    further, say = positions(reading.mechanism), reading.say
+    yield from (say("problems.positions"),) if further else ()
     for at in range(further + 1) if further else ():
-        shown = []  # `AB = 120°`, `ram = 25 mm`
-        for driver in mechanism.drivers:
-            value = driver.also[at - 1] if 0 < at <= len(driver.also) else driver.value
+        shown = []  # `φ1 = 120°`, `s_ram = 25 mm`
+        for k, driver in enumerate(reading.mechanism.drivers):
+            also = 0 < at <= len(driver.also)
+            value = driver.also[at - 1] if also else driver.value
             if value is not None:
-                size = f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
-                shown.append(f"{names.point(driver.name)} = {size}")
-        shown = shown or [say("problems.as given", lang)]
-        yield f"#{at + 1}{say('common.colon', lang)}{say('common.list', lang).join(shown)}"
+                shown.append(drawn_value(reading, driver, value, () if also else ("driver", k)).text)
+        yield f"#{at + 1}{say('common.colon')}{say('common.list').join(shown or [say('problems.as given')])}"
 
 
 def positions(mechanism: Mechanism) -> int:

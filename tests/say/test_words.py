@@ -576,7 +576,7 @@ def test_further_positions_have_their_answers_at_the_end(lang: Lang):
     method, plot = drawn(ALSO)
     lines = explain(method, plot, SCALES, lang)
     head = [line.strip() for line in lines if line.strip().startswith("#")]
-    assert head == [f"#{k}{':' if lang == 'en' else '：'}{' ' * (lang == 'en')}AB = {at}°" for k, at in ((1, 60), (2, 150), (3, 700), (2, 150), (3, 700))]
+    assert head == [f"#{k}{':' if lang == 'en' else '：'}{' ' * (lang == 'en')}φ1 = {at}°" for k, at in ((1, 60), (2, 150), (3, 700), (2, 150), (3, 700))]
     start = max(k for k, line in enumerate(lines) if line.strip().startswith("#2"))
     for k, at in enumerate((150, 700)):
         omega = float(motion(method.mechanism, [radians(at)]).omega["3"])
@@ -589,7 +589,7 @@ def test_further_positions_have_their_answers_at_the_end(lang: Lang):
 def test_a_further_position_that_is_not_reached_is_said():
     method, plot = drawn(ALSO.replace("AB = 30", "AB = 60").replace("[150, 700]", "[180]"))
     text = "\n".join(explain(method, plot, SCALES, "en"))
-    assert re.search(r"#2: AB = 180°\n.*dead point", text)
+    assert re.search(r"#2: φ1 = 180°\n.*dead point", text)
 
 
 YOKE = """
