@@ -86,6 +86,8 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         yield say("sweeps.dropped", lang, count=course.dropped.size)
     if sum(map(bool, course.path.pace)) > 1:
         yield say("sweeps.together", lang)
+    if any(driver.acceleration for driver in course.method.mechanism.drivers):
+        yield say("sweeps.as stated", lang)
 
 
 def _driven_through(course: Course) -> str:

@@ -290,6 +290,13 @@ def test_a_constant_has_no_greatest_value() -> None:
     assert "greatest" not in said
 
 
+def test_rows_of_an_accelerated_driver_are_said_to_be_no_moments_of_one_motion() -> None:
+    said = "not moments of one motion"
+    assert said not in run("sweep", "ex3-1", "--driver", "0:80:20").stdout
+    Path("fast.toml").write_text(library.text("ex3-1").replace("omega = 10", "omega = 10\nalpha = 5"), encoding="utf-8")
+    assert said in run("sweep", "fast.toml", "--driver", "0:80:20").stdout
+
+
 def test_a_mechanism_without_a_title_is_named_once() -> None:
     Path("e.toml").write_text(re.sub("(?m)^title.*\n", "", FILE), encoding="utf-8")
     assert run("solve", "e.toml").stdout.splitlines()[0] == "e"

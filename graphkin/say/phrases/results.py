@@ -137,6 +137,9 @@ PHRASES: Phrases = {
     "sweeps.one turn": ("One turn of {driver}; the mechanism [repeats after {count}|does not repeat within {count}].",
                         "{driver} 转一周的情形；机构[每 {count} 周重复一次|在 {count} 周内不重复]。"),
     "sweeps.together": ("The other drivers move with it, in proportion to their speeds.", "其余原动件按各自速度的比例同时运动。"),
+    "sweeps.as stated": ("Drivers have the velocity and the acceleration that the file states at every position: the rows "
+                         "are not moments of one motion.",
+                         "各位置上原动件的速度、加速度均取文件所给的值，故各行并非同一运动过程的各时刻。"),
     "sweeps.event in line": ("links {links} lie in line there", "构件 {links} 共线"),
     "sweeps.event right angle": ("links {links}: the link stands at right angles to the guide there",
                                  "构件 {links}：连杆垂直于导路"),
