@@ -55,6 +55,16 @@ class Carried:
             enters={j: np.where(where, other.enters.get(j, nowhere), into) for j, into in self.enters.items()},
         )  # fmt: skip
 
+    def pointing(self, follows: Mapping[tuple[int, int], tuple[str, ...]], right: np.ndarray) -> Carried:
+        """With vectors of students that point as own values have it: by student and quantity which these are."""
+        agrees, values, nowhere = self.agrees.copy(), self.values.copy(), np.zeros_like(self.agrees)
+        enters = {j: self.enters.get(j, nowhere).copy() for j in range(len(self.texts))}
+        for (k, n), texts in follows.items():
+            agrees[k, n], values[k, n] = True, np.nan_to_num(values[k, n], nan=right[n])
+            for text in texts:
+                enters[self.texts.index(text)][k, n] = True
+        return replace(self, agrees=agrees, values=values, enters=enters)
+
     def rooted(self, wrong: np.ndarray, costs: np.ndarray) -> Carried:
         """Without what follows from itself alone, by way of others: the first of these in costs (students, n)."""
         agrees, nowhere = self.agrees.copy(), np.zeros_like(wrong)

@@ -53,10 +53,11 @@ class WrittenDirections:
                         each[entry.text] = quantity, vector, allowed
         return each
 
-    def judged(self, work: StudentWork, given: np.ndarray, carried: np.ndarray) -> StudentWork:
+    def judged(self, work: StudentWork, given: np.ndarray, carried: np.ndarray, near: np.ndarray) -> StudentWork:
         """With what is told of each vector whose direction is written.
 
-        given    values by the key's columns; carried: the wrong ones that others follow from, as booleans
+        given    values by the key's columns; carried: the wrong ones that others follow from, near: those of a
+                 size that follows from own values, as booleans
         """
         problem = self.problem
         bounded = usable(problem.key, problem.table, given[None])[0]
@@ -70,23 +71,27 @@ class WrittenDirections:
             elif carried[n] and quantity.word != "theta":
                 own[quantity] = number.value
         numbers = {
-            text: self._pointing(number, text, own)
-            for text, number in work.numbers.items() if number.vector is not None and text in self.right
+            entry.text: self._pointing(number, entry.text, own, bool(near[n]))
+            for n, entry in enumerate(problem.key.entries) if entry.text in self.right
+            if (number := work.numbers.get(entry.text)) is not None and number.vector is not None
         }  # fmt: skip
         return replace(work, numbers={**work.numbers, **numbers})
 
-    def _pointing(self, number: HandedNumber, text: str, own: Mapping[Quantity, Value]) -> HandedNumber:
+    def _pointing(self, number: HandedNumber, text: str, own: Mapping[Quantity, Value], near: bool) -> HandedNumber:
         quantity, vector, allowed = self.right[text]
         others = {other: value for other, value in own.items() if other != quantity}
-        vectors = [vector]
-        if others:
-            problem = self.problem
-            followed = replay_with(problem.method, problem.plot, others, problem.arrows).value(quantity)
-            vectors.append(place(_vector(followed)))
-        off = [abs(cmath.phase((number.vector or 1.0) / one)) for one in vectors if one and cmath.isfinite(one)]
         within = max(allowed, number.within)
-        points = min(off) <= within
-        return replace(number, points=points, reversed=not points and math.pi - max(off) <= within)
+
+        def off(used: Mapping[Quantity, Value]) -> float:
+            problem = self.problem
+            followed = replay_with(problem.method, problem.plot, used, problem.arrows).value(quantity) if used else None
+            one = vector if followed is None else place(_vector(followed))
+            return abs(cmath.phase((number.vector or 1.0) / one)) if one and cmath.isfinite(one) else math.pi
+
+        if not (points := off({}) <= within) and near and others and off(others) <= within:
+            alone = [other for other, value in others.items() if off({other: value}) <= within]
+            return replace(number, points=True, follows=tuple(other.text for other in alone or others))
+        return replace(number, points=points, reversed=not points and math.pi - off({}) <= within)
 
 
 def _vector(answer: Answer) -> Value:

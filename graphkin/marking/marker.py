@@ -25,7 +25,7 @@ from graphkin.marking.directions import WrittenDirections
 from graphkin.marking.drawing_order import DrawnAt, drawing_order
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
 from graphkin.marking.key_making import by_other_methods, make_key, pairs_of, wider
-from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
+from graphkin.marking.read_off import OffDrawing, as_handed_in, pointing, read_off
 from graphkin.marking.records import Departure, Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import called_as_asked, other_ways, same_answers
@@ -204,10 +204,14 @@ class Marker:
             carried = carried.instead(of_asked, measured)
         if any(one is not None and one.vector is not None for one in numbers):
             used = own & ~carried.unused
-            works = [self.directions.judged(work, given[k], used[k]) for k, work in enumerate(works)]
+            near = self.problem.near(given, np.where(np.isnan(carried.values), self.table.right, carried.values))
+            works = [self.directions.judged(work, given[k], used[k], near[k]) for k, work in enumerate(works)]
             numbers = [work.numbers.get(entry.text) for work in works for entry in self.key.entries]
+            follows = {divmod(at, shape[1]): one.follows for at, one in enumerate(numbers) if one and one.follows}
+            carried = carried.pointing(follows, self.table.right)
+            wrong = wrong | carried.agrees
         diagnosed = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
-        diagnosed = [self._as_drawn(work, one) for work, one in zip(works, diagnosed, strict=True)]
+        diagnosed = [self._as_handed_in(work, one) for work, one in zip(works, diagnosed, strict=True)]
         astray = np.array([one is not None and one.points is False for one in numbers], dtype=bool).reshape(shape)
         costs = self._costs(diagnosed)
         carried = carried.rooted(wrong, costs)
@@ -304,13 +308,14 @@ class Marker:
     def _diagnostician(self) -> Diagnostician:
         return Diagnostician(self.key, self.table, self.pairs, lambda: self.other_methods, self.problem.slips)
 
-    def _as_drawn(self, work: StudentWork, diagnosis: Diagnosis) -> Diagnosis:
-        """By the arrows of a drawing that point another way."""
+    def _as_handed_in(self, work: StudentWork, diagnosis: Diagnosis) -> Diagnosis:
         each = zip(self.key.entries, self.quantities, strict=True)
-        astray = [q for entry, q in each if entry.text in work.numbers and work.numbers[entry.text].points is False]
-        if not astray or not diagnosis.explanations:
+        numbers = {q: work.numbers[entry.text] for entry, q in each if entry.text in work.numbers}
+        telling = {q: one for q, one in numbers.items()
+                   if one.worded or one.points is False or (one.points and one.vector is not None)}  # fmt: skip
+        if not telling or not diagnosis.explanations:
             return diagnosis
-        return as_drawn(diagnosis, lambda sets: turned_by(self.method, self.plot, astray, self.known, sets))
+        return as_handed_in(diagnosis, telling, self.method, self.plot, self.known)
 
     @cached_property
     def known(self) -> dict[Name, Rewrite]:
@@ -353,10 +358,10 @@ class Marker:
         unit_right, points = number.unit_right, number.points if entry.sort == "size" else None
         judged_by = after.values[k, n] if explained else carried.values[k, n]
         agrees = bool(carried.agrees[k, n]) or follows
+        half = _HALF if right or sense_only else 0.0
+        right = right and not number.follows and not (points is False and follows)  # a vector that points as they do
         verdict: Verdict = "right" if right else "carried" if agrees else "wrong"
-        credit = 1.0 if right else self.key.marking.follows if agrees else 0.0
-        if sense_only and not agrees:
-            credit = _HALF
+        credit = 1.0 if right else max(self.key.marking.follows if agrees else 0.0, half)
         if not unit_right or (points is False and not follows):
             verdict, credit = "wrong", min(credit, _HALF)
         by = judged_by if verdict == "carried" and np.isfinite(judged_by) else entry.right

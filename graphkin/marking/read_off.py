@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import assert_never
 
@@ -22,7 +22,7 @@ from graphkin.marking.consequences import combined
 from graphkin.marking.diagnosis import Diagnosis
 from graphkin.marking.follow_through import replay_with
 from graphkin.marking.key import Name
-from graphkin.marking.records import Drawn
+from graphkin.marking.records import Drawn, HandedNumber
 from graphkin.marking.rewrite import Rewrite
 from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import on_axis
@@ -165,32 +165,32 @@ class OwnPoints:
 # --- mistakes told apart by known arrows that point another way -------------------------------
 
 
-Names = tuple[Name, ...]
-Turned = Callable[[Sequence[Names]], np.ndarray]
-"""Gives the arrows astray that each of some explanations turns (explanations, arrows), as booleans."""
-
-
-def as_drawn(diagnosis: Diagnosis, turned: Turned) -> Diagnosis:
-    """Of each set of mistakes those that turn most of the arrows astray; all of them, where none turns any.
+def as_handed_in(
+    diagnosis: Diagnosis, numbers: Mapping[Quantity, HandedNumber], method: Method, plot: Plot,
+    known: Mapping[Name, Rewrite],
+) -> Diagnosis:  # fmt: skip
+    """Of each set of mistakes those that turn most of the arrows astray, and no arrow otherwise than it was handed in.
 
     Sizes and rotations alone may go with an omega misread and with a driver drawn the other way round; only the second
-    turns the driver's arrow. Arrows that point as they should say nothing: they may do so by own values before them.
+    turns the driver's arrow. Drawn arrows that point as they should say nothing: they may by own values before them.
+    No sense is missing that is said in words. `known`: rewrites by name.
     """
+    follows = np.array([bool(one.follows) for one in numbers.values()])
+    astray = np.array([one.points is False for one in numbers.values()]) | follows
+    given = np.array([np.nan if one.vector is None else one.vector for one in numbers.values()], dtype=complex)
+    within = np.array([max(ASTRAY, one.within) for one in numbers.values()])
+    worded = {quantity.text for quantity, one in numbers.items() if one.worded}
     explanations = []
     for one in diagnosis.explanations:
-        if len(one.names) > 1:
-            count = turned(one.names).sum(axis=1)
-            names = (names for names, n in zip(one.names, count, strict=True) if n == count.max())
-            one = replace(one, names=tuple(names))
-        explanations.append(one)
+        columns = [(), *(tuple(known[name] for name in names if name in known) for names in one.names)]
+        vectors = combined(method, plot, tuple(numbers), columns).vectors
+        with np.errstate(invalid="ignore", divide="ignore"):
+            turned = np.abs(np.angle(vectors[1:] / vectors[0])) > ASTRAY
+            other = np.abs(np.angle(given / vectors[1:])) > within
+        said = [any(id == "sense-not-given" and worded & {*of.split(", ")} for id, _, of, _ in names)
+                for names in one.names]  # fmt: skip
+        count = np.where((turned & other & ~follows).any(axis=1) | said, -1, (turned & astray & ~other).sum(axis=1))
+        if (most := count.max()) >= 0:
+            names = tuple(names for names, n in zip(one.names, count, strict=True) if n == most)
+            explanations.append(replace(one, names=names))
     return replace(diagnosis, explanations=tuple(explanations))
-
-
-def turned_by(
-    method: Method, plot: Plot, astray: Collection[Quantity], known: Mapping[Name, Rewrite], sets: Sequence[Names]
-) -> np.ndarray:
-    """The arrows that mistakes turn so far that they are astray, as booleans; `known`: rewrites by name."""
-    columns = [(), *(tuple(known[name] for name in names if name in known) for names in sets)]
-    vectors = combined(method, plot, tuple(astray), columns).vectors
-    with np.errstate(invalid="ignore", divide="ignore"):
-        return np.asarray(np.abs(np.angle(vectors[1:] / vectors[0])) > ASTRAY)

@@ -24,13 +24,14 @@ class HandedNumber:
     """A handed-in value, SI.
 
     unit_right   its unit is of the quantity's kind, or none stands there
-    points       of a vector that was drawn: whether it points as it should, where that is told by itself
+    points       of a vector that was drawn: whether it points as it should, where that is told by itself; follows: the
+                 own values before it by which it does, where it does not point as the right one
     measured     on a drawing, or read off it, by us
     vector       with the direction that was written beside its size, in the mechanism's axes
     within       the angle within which that holds where it is in words; 0 where it is in numbers [rad]
     off          its standard deviation, where what it was measured on is not sure: unless that is small it takes part
                  in what is found out of mistakes alone
-    reversed     whether `vector` points just the other way
+    reversed     whether `vector` points just the other way; worded: whether a sense is said in words
     """
 
     value: float
@@ -41,6 +42,8 @@ class HandedNumber:
     within: float = 0.0
     off: float = 0.0
     reversed: bool = False
+    follows: tuple[str, ...] = ()
+    worded: bool = False
 
 
 @frozen

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
 import json
+import math
 import re
 from dataclasses import replace
 from functools import cache
@@ -187,3 +189,125 @@ def test_a_value_that_a_pencil_hardly_tells_is_right_within_15_percent(off: floa
     found = marked(one, **{**right, "alpha 4": (1 - off) * right["alpha 4"]})
     assert verdicts(found) == {"alpha 4": verdict, "v E": "right"}
     assert found.score == score
+
+
+MOTOR = """
+ask = ["alpha crank", "a G"]
+[frame]
+O = [0, 0]
+[links.crank]
+OA = 50
+[links.rod]
+AP = 180
+AG = 60
+GP = 120
+[links.piston]
+points = ["P"]
+[[slide]]
+name = "piston"
+block = "piston"
+point = "P"
+guide = "frame"
+through = [15, 0]
+angle = 90
+[[driver]]
+slide = "piston"
+at = 205
+velocity = -1.2
+[sketch]
+A = [45, 25]
+"""
+DOOR = """
+ask = ["omega pinion", "omega door", "v B"]
+[frame]
+O = [0, 0]
+D = [120, 40]
+[links.pinion]
+OA = 35
+[links.rod]
+AB = 110
+[links.door]
+DB = 70
+[links.rack]
+RS = 100
+[[roll]]
+wheel = "pinion"
+centre = "O"
+radius = 25
+on = "rack"
+through = "R"
+toward = "S"
+side = "left"
+[[slide]]
+name = "rack"
+block = "rack"
+point = "R"
+guide = "frame"
+through = [0, -25]
+angle = 0
+tilt = 0
+[[driver]]
+slide = "rack"
+at = -40
+velocity = -0.09
+[[pose]]
+vector = "OA"
+angle = 80
+[sketch]
+B = [90, 100]
+"""
+
+
+def turned(size: float, degrees: float) -> HandedNumber:
+    return HandedNumber(size, vector=cmath.rect(size, math.radians(degrees)))
+
+
+def of_text(text: str, follows: float, numbers: dict[str, HandedNumber]) -> Marked:
+    return Marker(key_for(replace(loads(text), follows=follows))).mark([StudentWork("s", numbers)])[0]
+
+
+@pytest.mark.parametrize("follows", [1.0, 0.0])
+@pytest.mark.parametrize(
+    ("text", "before", "asked", "size", "right"),
+    [
+        (MOTOR, {"alpha crank": -240.7}, "a G", 23.9, 188.0),  # by the mistake: the normal acceleration outward
+        (DOOR, {"omega pinion": 3.6, "omega door": 1.22}, "v B", 0.0854, 24.1),  # by own values
+    ],
+)
+def test_a_reversed_vector_of_the_right_size_follows_and_is_not_right(
+    text: str, before: dict[str, float], asked: str, size: float, right: float, follows: float
+):
+    numbers = {name: HandedNumber(value) for name, value in before.items()}
+    reversed_ = of_text(text, follows, {**numbers, asked: turned(size, right + 180)}).judged
+    one = next(one for one in reversed_ if one.text == asked)
+    assert (one.verdict, one.credit) == ("carried", max(follows, 0.5))
+    assert one.of_mistake or one.own
+    one = next(one for one in of_text(text, follows, {**numbers, asked: turned(size, right)}).judged if one.text == asked)
+    assert (one.verdict, one.credit) == ("right", 1.0)
+
+
+def test_a_sense_in_words_is_given():
+    ways = [
+        ids(of_text(DOOR, 1.0, {text: HandedNumber(value, worded=worded) for text, value in (("omega pinion", 3.6), ("omega door", 1.22))}))
+        for worded in (False, True)
+    ]
+    assert ["sense-not-given" in each for each in ways] == [True, False]
+
+
+def test_a_mistake_that_turns_an_arrow_otherwise_than_it_was_handed_in_is_none():
+    """The Coriolis acceleration is drawn reversed (or right); drawn along the velocity of sliding it would be astray."""
+    one = marker("ex3-1", "omega 3", "a_k B3B2", "alpha 3")
+    along, right = next(
+        (dict(zip((e.text for e in one.key.entries), row, strict=True)), one.directions.right["a_k B3B2"][1])
+        for names, row in zip(one.key.singles.names, one.key.singles.values, strict=True)
+        if names[0][0] == "coriolis-not-turned"
+    )
+    numbers = {text: HandedNumber(along[text]) for text in ("omega 3", "alpha 3")}
+    found = {}
+    for turn in (0, 90, -90, 180):
+        vector = abs(right) * cmath.exp(1j * (cmath.phase(right) + math.radians(turn)))
+        work = StudentWork("s", {**numbers, "a_k B3B2": HandedNumber(abs(right), vector=vector)})
+        found[turn] = "coriolis-not-turned" in ids(one.mark([work])[0])
+    assert not found[0]
+    assert not found[180]
+    assert found[90] != found[-90]

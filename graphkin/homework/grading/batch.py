@@ -164,7 +164,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number
         text: HandedNumber(value.value, value.fault is None, None, not value.text,
-                           value.vector if value.text else None, value.within)
+                           value.vector if value.text else None, value.within, worded=value.sense is not None)
         for text, value in one.values.items() if value.value is not None and math.isfinite(value.value)
     }  # fmt: skip
     unread = {text: tidy_id(value.text)[:_SHOWN] or "?" for text, value in one.values.items()
