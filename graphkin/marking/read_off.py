@@ -178,7 +178,6 @@ def as_handed_in(
     follows = np.array([bool(one.follows) for one in numbers.values()])
     astray = np.array([one.points is False for one in numbers.values()]) | follows
     given = np.array([np.nan if one.vector is None else one.vector for one in numbers.values()], dtype=complex)
-    within = np.array([max(ASTRAY, one.within) for one in numbers.values()])
     worded = {quantity.text for quantity, one in numbers.items() if one.worded}
     explanations = []
     for one in diagnosis.explanations:
@@ -186,7 +185,7 @@ def as_handed_in(
         vectors = combined(method, plot, tuple(numbers), columns).vectors
         with np.errstate(invalid="ignore", divide="ignore"):
             turned = np.abs(np.angle(vectors[1:] / vectors[0])) > ASTRAY
-            other = np.abs(np.angle(given / vectors[1:])) > within
+            other = np.abs(np.angle(given / vectors[1:])) > [max(ASTRAY, one.within) for one in numbers.values()]
         said = [any(id == "sense-not-given" and worded & {*of.split(", ")} for id, _, of, _ in names)
                 for names in one.names]  # fmt: skip
         count = np.where((turned & other & ~follows).any(axis=1) | said, -1, (turned & astray & ~other).sum(axis=1))

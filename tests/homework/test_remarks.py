@@ -147,6 +147,23 @@ def test_how_sure_it_is_stands_in_words(probability, ids, sure, lang):
     assert [level for level in ("certainly", "probably", "possibly") if say(f"marks.sure {level}", lang) in text] == [sure]
 
 
+@pytest.mark.parametrize(
+    ("sets", "topics"),
+    [
+        ([["image-mirrored", "omega-sense"], ["image-mirrored", "centre-ratio sense"]], ["image", "rotation"]),
+        ([["image-mirrored", "omega-sense"], ["image-mirrored", "normal-size"]], ["image", "", "rotation", "normal"]),
+        ([["image-mirrored"], ["image-mirrored", "normal-size"]], ["image"]),
+        ([["omega-sense"], ["normal-size"]], ["", "rotation", "normal"]),
+    ],
+)
+def test_what_all_sets_of_mistakes_share_is_sure(sets: list[list[str]], topics: list[str]):
+    """Of the rest one is wrong: "" here."""
+    names = [[dict(zip(("id", "way"), f"{each} ".split(" ")[:2], strict=True), of="omega 3", form="") for each in some] for some in sets]
+    found = told(record(1, mistakes=[{**mistake(0.9), "ids": [], "names": names}]), "mistake")
+    looks = [say(f"mistakes.look {topic}", "en") if topic else say("feedback.next one of", "en", places="").strip() for topic in topics]
+    assert any(" ".join(looks) + " Then find" in line for line in found)
+
+
 def test_where_nothing_fits_the_first_value_astray_is_told():
     astray = {"quantity": "omega 3", "left": ["v_B3"], "right": ["v_B2", "v_B3B2"]}
     one = record(1, mistakes=[], departure=astray)

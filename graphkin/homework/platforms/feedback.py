@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from typing import Literal
 
 from graphkin.base.value import frozen
@@ -237,11 +237,6 @@ def shifted_point(line: Judged) -> str:
                  if value and abs(given / factor - value) <= line.tolerance), "")  # fmt: skip
 
 
-def _told_why(result: Result, text: str) -> bool:
-    """Whether the line of a quantity says by what it is off: its decimal point, or its arrow, which is reversed."""
-    return any(line.text == text and (line.reversed or shifted_point(line)) for line in result.lines)
-
-
 def shown(value: float, unit: str) -> str:
     """In four digits, as a drawing has hardly more."""
     if unit not in EDGE:
@@ -252,7 +247,8 @@ def shown(value: float, unit: str) -> str:
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """The mistakes of the numbers, or, as a hint, where to look again; of numbers that no mistake explains, where they
     leave the right way; then mistakes that show in several problems."""
-    if result.departure is not None and not result.suspicions and not _told_why(result, result.departure.text):
+    told = [line.text for line in result.lines if line.reversed or shifted_point(line)]  # by what it is off
+    if result.departure is not None and not result.suspicions and result.departure.text not in told:
         text = say("feedback.stop", lang, text=departs(result.departure, lang, in_full=reveal != "hint"))
         yield as_on_sheets(result, text)
     steps = [] if result.step is None else [step_line(result.step, lang, in_full=reveal != "hint")]
@@ -278,15 +274,21 @@ def habit(one: Habit, lang: Lang) -> str:
 
 
 def _hints(one: Explanation | Habit, lang: Lang) -> list[str]:
-    topics = dict.fromkeys(SLIP if id == SLIP else MISTAKES[id].topic for id in one.ids if id in (SLIP, *MISTAKES))
+    """A wrong sense by instant centres is looked for as one that was read off."""
+    ways = [(id, "") for id in one.ids] if isinstance(one, Habit) else [name[:2] for each in one.names for name in each]
+    ids = ["omega-sense" if name == ("centre-ratio", "sense") else name[0] for name in ways]
+    topics = dict.fromkeys(SLIP if id == SLIP else MISTAKES[id].topic for id in ids if id in (SLIP, *MISTAKES))
     return [mistake_hint(topic, lang) for topic in topics]
 
 
 def _look(one: Explanation, lang: Lang) -> str:
-    """Where to look again; of several places that the values do not tell apart none is picked."""
-    hints = _hints(one, lang)
-    places = say("feedback.between", lang).join(hints)
-    return say("feedback.next one of", lang, places=places) if len(hints) > 1 else places
+    """Where to look again: what all explanations share, then of places that the values do not tell apart none."""
+    every, between = _hints(one, lang), say("feedback.between", lang)
+    each = [_hints(replace(one, names=(names,)), lang) for names in one.names]
+    shared = [hint for hint in every if all(hint in hints for hints in each)]
+    places = between.join(hint for hint in every if hint not in shared)
+    one_of = [say("feedback.next one of", lang, places=places)] if len(every) > len(shared) + 1 else []
+    return between.join((*shared, *one_of))
 
 
 def suspected(one: Explanation, lang: Lang) -> str:

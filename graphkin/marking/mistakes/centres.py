@@ -190,8 +190,8 @@ def _turned(plane: Plane, node: str, arm: tuple[str, str], link: str, rate: Chan
 @mistake("arm-ignored", "wheels", "11-2")
 def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
     """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns. At one
-    contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are found
-    together, the law of the contact is put into the equations without the arm."""
+    contact, or at all; the wheels after it turn as their own contacts then have it. A wheel that rolls on what is fixed
+    turns as it does on the arm. Where wheels and arm are found together, this law is put into the equations."""
     alone = {}
     for contacts, bases in scene.rolling:
         # those with a driven wheel last, which alone give the other one
@@ -200,6 +200,7 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
             if not arm or not wheels or any(scene.turns_with(wheel, arm) for wheel in wheels):
                 continue
             law = {link: c for link, c in contact.angles if link != arm}
+            law |= {arm: -law.pop(FRAME)} if FRAME in law else {}
             own = [scene.plot.facts.turns[wheel].base for wheel in wheels]
             edits, name = _by_law(scene, (contact,), own, contact, law), ", ".join(wheels.values())
             if edits and (scene.plot.omega[arm] or scene.plot.alpha[arm]):
