@@ -145,8 +145,9 @@ def verdict(one: Judged, lang: Lang) -> str:
 
 def mistake(name: Name, lang: Lang) -> str:
     """A mistake as it was made, a noun phrase; one that is not known here by its id."""
-    id, way, listed, form = name
+    id, way, listed, other = name
     of = say("common.list", lang).join(listed.split(", "))
+    form = say(f"mistakes.image {other}", lang) if id.startswith("image-") else other
     if is_phrase(own := f"mistakes.made {id} {way}".rstrip()):
         return say(own, lang, of=of, form=form)
     made = f"mistakes.made {_LIKE.get(id, id)}"

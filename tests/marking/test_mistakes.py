@@ -367,11 +367,17 @@ def test_a_hand_that_errs():
 def test_every_way_has_its_words():
     found = {(rewrite.id, rewrite.way) for name in ASKED for (rewrite,) in led_to(name).columns}
     assert not [way for id, way in found if way and not {f"mistakes.made {id} {way}", f"mistakes.way {way}"} & {*PHRASES}]
-    assert not [id for id, way in found if not way and mistake((id, way, "A", "B"), "zh") == id]
+    assert not [id for id, way in found if not way and mistake((id, way, "A", "v"), "zh") == id]
     made = {key.split(" ")[1] for key in PHRASES if key.startswith("mistakes.made ")}
     assert made == {*MISTAKES, SLIP}
     topics = {key.removeprefix("mistakes.look ") for key in PHRASES if key.startswith("mistakes.look ")}
     assert {*(one.topic for one in MISTAKES.values()), SLIP} == topics
+
+
+def test_an_image_is_called_after_its_polygon():
+    name = ("image-mirrored", "", "△BCE", "v, a")
+    assert mistake(name, "en") == "the velocity and acceleration images of △BCE lettered in the opposite sense"
+    assert mistake((*name[:3], "a"), "zh") == "加速度影像 △BCE 的字母绕行方向与原图相反"
 
 
 def test_names_tell_rewrites_apart():
