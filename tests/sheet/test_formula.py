@@ -26,6 +26,8 @@ def _set(text: str) -> str:
         ("(A above O2B); clockwise: oa, carried to A", "(*A* above *O*[2]*B*); clockwise: *oa*, carried to *A*"),
         ("L 在 CK 线上，故 l2 在线段 cp 上", "*L* 在 *CK* 线上，故 *l*[2] 在线段 *cp* 上"),
         ("△ek1d is similar to △EKD, both", "∆*ek*[1]*d* is similar to ∆*EKD*, both"),
+        ("△o k_rack a ∽ △OKA", "∆*o* *k*[*rack*] *a* ∽ ∆*OKA*"),
+        ("△o k_rack a is similar, as a point is", "∆*o* *k*[*rack*] *a* is similar, as a point is"),
         ("∆sk11f ∽ ∆SKF", "∆*sk*[11]*f* ∽ ∆*SKF*"),
         ("∆z2′ a1′ u1_3′ ∽ ∆Z2A1U1", "∆*z*[2]′ *a*[1]′ *u*[1,3]′ ∽ ∆*Z*[2]*A*[1]*U*[1]"),
         ("25.4 mm = 1 in", "25.4 mm = 1 in"),
