@@ -27,7 +27,7 @@ PHRASES: Phrases = {
                                   "[构件 {link} 的 {line} |{line} ]沿 x 轴正向（{angle}）"),
     "derivation.driven joint": ("{line} of link {link} is turned by {angle} from {other} of link {seen_from}",
                                 "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}"),
-    "derivation.driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
+    "derivation.driven slide": ("slide {slide} is at {place}", "移动副“{slide}”的位移 {place}"),
     "derivation.axis": ("{axis}", "{axis} 轴"),
     "derivation.guide of": ("guide of {point}", "{point} 的导路"),
     "derivation.the guide of": ("the guide of {point}", "{point} 的导路"),
@@ -206,7 +206,7 @@ PHRASES: Phrases = {
                          "即 {stretch} 以 {size} m/s 的速率[增大|减小]。"),
     "derivation.driven wheel": ("wheel {link} turns", "轮 {link} 转动"),
     "derivation.driven roll": ("the rolling contact is at {place}", "滚动副的位移 {place}"),
-    "derivation.driven slide free": ("slide {slide} is driven", "移动副 {slide} 为主动"),
+    "derivation.driven slide free": ("slide {slide} is driven", "移动副“{slide}”为主动"),
     "derivation.driven roll free": ("the rolling contact is driven", "滚动副为主动"),
     "derivation.driven line free": ("link {link} ({line}) is driven", "构件 {link}（{line}）"),
     "derivation.posed": ("The drawn position: {poses}.", "给定位置：{poses}。"),
@@ -239,11 +239,11 @@ PHRASES: Phrases = {
     "solution.pin on frame": ("Pin {point}{guide} moves in a fixed slot {line}.", "销 {point}{guide} 在固定槽中移动，槽{line}。"),
     "solution.block on link": ("Links {block} and {link}{guide} form a sliding pair: point {point} of link {block} "
                                "stays on a line of link {link} {where}{tilt}.",
-                               "构件 {block} 与构件 {link}{guide} 组成移动副：构件 {block} 上的 {point} 点在构件 {link} "
+                               "构件 {block} 与构件 {link} 组成移动副{guide}：构件 {block} 上的 {point} 点在构件 {link} "
                                "的导路上，导路{where}{tilt}。"),
     "solution.pin on link": ("Pin {point}{guide} moves in a slot of link {link} {where}.",
                              "销 {point}{guide} 在构件 {link} 的槽中移动，槽{where}。"),
-    "solution.tilt": ("; the direction of {line} is the guide's turned by {angle} {sense}",
+    "solution.tilt": ("; {line} makes {angle} with the direction of the guide ({sense})",
                       "；将导路方向{sense}转过 {angle} 即为 {line} 的方向"),
     "solution.tilt half": ("; {line} points the other way along the guide", "；{line} 与导路方向相反"),
     "solution.tilt none": ("; {line} points along the guide", "；{line} 沿导路方向"),
@@ -267,7 +267,7 @@ PHRASES: Phrases = {
     "solution.rolls on line": ("Wheel {wheel} about {centre}, {radius}, rolls without slip on the line{line} of link "
                                "{track}{side}.",
                                "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 的直线{line} 上作纯滚动{side}。"),
-    "solution.wheel side": (" ({centre} on its [left|right])", "（沿此方向看 {centre} 在其[左|右]侧）"),
+    "solution.wheel side": (" ({centre} on the [left|right], seen along it)", "（沿此方向看 {centre} 在其[左|右]侧）"),
     "solution.displacement": ("displacement {s} from {start}", "自 {start} 起的位移 {s}"),
     "solution.displacement on line": ("; {s} is the displacement of {centre} along it from {start}",
                                       "；{centre} 沿此直线自 {start} 起的位移为 {s}"),
