@@ -22,8 +22,11 @@ from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
 from graphkin.homework.grading.keys import further_methods, key_drawn, paper_scales
 from graphkin.homework.problems.posed import shown_at
+from graphkin.marking.consequences import combined
 from graphkin.marking.key import Key, columns, upright
 from graphkin.marking.key_making import make_key
+from graphkin.marking.marker import Marker
+from graphkin.marking.read_off import ASTRAY
 from graphkin.marking.tolerances import untold
 from graphkin.marking.weights import shifts
 from graphkin.model.mechanism import Mechanism
@@ -39,7 +42,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
 from graphkin.say.marks import mistake_in_signs
 from graphkin.say.names import in_signs
-from graphkin.say.numbers import number
+from graphkin.say.numbers import degrees, heading, number
 from graphkin.say.problems import posed_entries
 from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
@@ -237,22 +240,26 @@ def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
 
 
 def common_mistakes(problem: HandoutProblem) -> Iterator[Block]:
-    """The mistakes that move most of what is asked, of different kinds, with the numbers they give: those that can be
-    made where one follows the solution, and of which nobody sees that they are wrong."""
+    """The mistakes that move most of what is asked, of different kinds, with the numbers they give, and the directions
+    that alone are wrong: those made where one follows the solution, of which nobody sees that they are wrong."""
     key = _key(problem)
     if key is None:
         return
-    moved, likely, text = _moved(key), _likely(key), _text(problem)
+    moved, likely, text = _moved(key), _likely(key), "\n".join(
+        entry.text_lines((each for section in problem.parts for each in section.entries), problem.lang))
     asked = [k for k, entry in enumerate(key.entries) if entry.points]
-    first: dict[str, int] = {}
-    for row, made in enumerate(key.singles.names):
-        if any(moved[row][asked]) and all(likely[row][asked]) and _occurs(made[0][2], text, problem):
-            first.setdefault(made[0][0], row)
+    first = {made[0][0]: row for row, made in reversed([*enumerate(key.singles.names)])
+             if any(moved[row][asked]) and all(likely[row][asked]) and _occurs(made[0][2], text, problem)}  # fmt: skip
     common = [first[id] for id in COMMON if id in first][:_SHOWN]
     if common:
         yield HandoutHeading(plain(say("handouts.common", problem.lang)))
+    marker = Marker(key, problem.drawing.method)
     for row in common:
-        yield Paragraph(_given_by(problem, key, row, [k for k in asked if moved[row][k]]))
+        made = [(), (marker.known[key.singles.names[row][0]],)]
+        right, vectors = combined(marker.method, marker.plot, marker.quantities, made).vectors
+        turned = (np.abs(np.angle(vectors * right.conj())) > ASTRAY) & ~moved[row]
+        some = {k: degrees(vectors[k]) if turned[k] else "" for k in asked if moved[row][k] or turned[k]}
+        yield Paragraph(_given_by(problem, key, row, some))
 
 
 def _moved(key: Key) -> np.ndarray:
@@ -268,28 +275,23 @@ def _likely(key: Key) -> np.ndarray:
     return np.asarray(~(size > _TIMES * (np.abs(upright(table, table.right)) + table.tolerance)) | table.angle)
 
 
-def _text(problem: HandoutProblem) -> str:
-    """The solution as it is printed."""
-    entries = (each for section in problem.parts for each in section.entries)
-    return "\n".join(entry.text_lines(entries, problem.lang))
-
-
 def _occurs(of: str, text: str, problem: HandoutProblem) -> bool:
     """Whether all that a mistake is made in stands in a text: arrows, rotations, triangles."""
     signs = (in_signs(each, problem.goal.texts) for each in of.split(", ") if each)
     return all(re.search(rf"(?<!\w){re.escape(sign)}(?![\w′])", text) for sign in signs)
 
 
-def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> Label:
-    """A mistake in words, and the values it gives of those quantities that it moves."""
+def _given_by(problem: HandoutProblem, key: Key, row: int, moved: Mapping[int, str]) -> Label:
+    """A mistake in words, and the values it gives of those quantities that it moves, with the direction of some."""
     symbols = {text: q for text, q in zip(problem.goal.texts, problem.goal.wanted, strict=False) if q is not None}
     values = upright(columns(key.entries), key.singles.values[row])
     shown = []
-    for k in moved:
+    for k, angle in moved.items():
         quantity, value = symbols.get(key.entries[k].text), values[k]
         if quantity is not None and np.isfinite(value):
             unit = EDGE[quantity.unit]
-            shown.append(f"{problem.goal.symbol(quantity)} = {number(value * unit.factor)} {unit.sign}".strip())
+            to_x = say("common.note", problem.lang, note=heading(angle, problem.lang)) if angle else ""
+            shown.append(f"{problem.goal.symbol(quantity)} = {number(value * unit.factor)} {unit.sign}".strip() + to_x)
     name = key.singles.names[row][0]
     text = mistake_in_signs(name, {entry.text for entry in key.entries}, problem.lang)
     if name[0].startswith("normal-"):  # a crank's whole acceleration, by what it is: `a_A = aⁿ_AO`

@@ -56,8 +56,7 @@ class WrittenDirections:
     def judged(self, work: StudentWork, given: np.ndarray, carried: np.ndarray, near: np.ndarray) -> StudentWork:
         """With what is told of each vector whose direction is written.
 
-        given    values by the key's columns; carried: the wrong ones that others follow from, near: those of a
-                 size that follows from own values, as booleans
+        given    values by the key's columns; carried: the wrong ones that others follow from, near: the sizes that do
         """
         problem = self.problem
         bounded = usable(problem.key, problem.table, given[None])[0]

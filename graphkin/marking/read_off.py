@@ -183,9 +183,8 @@ def as_handed_in(
     for one in diagnosis.explanations:
         columns = [(), *(tuple(known[name] for name in names if name in known) for names in one.names)]
         vectors = combined(method, plot, tuple(numbers), columns).vectors
-        with np.errstate(invalid="ignore", divide="ignore"):
-            turned = np.abs(np.angle(vectors[1:] / vectors[0])) > ASTRAY
-            other = np.abs(np.angle(given / vectors[1:])) > [max(ASTRAY, one.within) for one in numbers.values()]
+        turned = np.abs(np.angle(vectors[1:] * vectors[0].conj())) > ASTRAY
+        other = np.abs(np.angle(given * vectors[1:].conj())) > [max(ASTRAY, each.within) for each in numbers.values()]
         said = [any(id == "sense-not-given" and worded & {*of.split(", ")} for id, _, of, _ in names)
                 for names in one.names]  # fmt: skip
         count = np.where((turned & other & ~follows).any(axis=1) | said, -1, (turned & astray & ~other).sum(axis=1))

@@ -490,6 +490,15 @@ def test_common_mistakes_list_only_what_they_move():
     assert moved.tolist() == [[False, False], [True, True]]
 
 
+def test_a_mistake_that_turns_a_vector_alone_is_listed_with_its_direction():
+    """Reversed, the Coriolis acceleration has its size."""
+    posed = problem.drawn_problem(loaded("ex3-1"), "en")
+    told = ["".join(run.text for run in block.words) for block in problem.common_mistakes(posed) if isinstance(block, Paragraph)]
+    (reversed_,) = (each for each in told if "pointing the other way" in each)
+    assert "aB3B2k = 2.515 m/s² (at 115.6° to +x)" in reversed_
+    assert not any("to +x" in each for each in told if each != reversed_)
+
+
 def test_what_a_pencil_allows_is_in_plain_figures():
     fast = loaded("fig3-1").with_({"driver.0.omega": "2000 rpm"})
     text = html(handout([fast], "solution", "en"))
