@@ -104,6 +104,11 @@ def without_aids(method: Method) -> Method:
             gives = {*reader.gives(part)}
             left |= bool(gives & own)
             facts |= gives if isinstance(part, kinds.Given) else gives - own - corners
+    needed(method, facts)  # which adds what they need: sliding between points that are there all the same is told
+    for construction in (method.velocity, method.acceleration):
+        reader = PartsReader(method, construction)
+        facts.update(fact for part in construction.parts if facts.issuperset(reader.needs(part)) for fact in reader.gives(part)
+                     if isinstance(part, kinds.Measure))  # fmt: skip
     return cut_to(method, needed(method, facts)) if left else method
 
 
