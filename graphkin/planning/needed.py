@@ -107,8 +107,8 @@ def without_aids(method: Method) -> Method:
     needed(method, facts)  # which adds what they need: sliding between points that are there all the same is told
     for construction in (method.velocity, method.acceleration):
         reader = PartsReader(method, construction)
-        facts.update(fact for part in construction.parts if facts.issuperset(reader.needs(part)) for fact in reader.gives(part)
-                     if isinstance(part, kinds.Measure))  # fmt: skip
+        measures = (part for part in construction.parts if isinstance(part, kinds.Measure))
+        facts |= {fact for part in measures if facts >= {*reader.needs(part)} for fact in reader.gives(part)}
     return cut_to(method, needed(method, facts)) if left else method
 
 
