@@ -187,7 +187,7 @@ def test_platforms_and_the_text_have_every_position(key: Key):
         problem = drawn_problem(moved("ex3-1"), lang, "s1")
         text = "\n".join(text_lines(problem.posed, lang))
         assert "#2" in text
-        assert "AB = 67°" in text
+        assert "φ1 = 67°" in text
         assert [row.symbol for row in answer_rows(problem)] == [part.shown for part in parts]
 
 

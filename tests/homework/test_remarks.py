@@ -158,7 +158,7 @@ def test_how_sure_it_is_stands_in_words(probability, ids, sure, lang):
 )
 def test_what_all_sets_of_mistakes_share_is_sure(sets: list[list[str]], topics: list[str]):
     """Of the rest one is wrong: "" here."""
-    names = [[dict(zip(("id", "way"), f"{each} ".split(" ")[:2], strict=True), of="omega 3", form="") for each in some] for some in sets]
+    names = [[dict(zip(("id", "way"), f"{each} ".split(" ")[:2], strict=True), of="omega 3", form="v") for each in some] for some in sets]
     found = told(record(1, mistakes=[{**mistake(0.9), "ids": [], "names": names}]), "mistake")
     looks = [say(f"mistakes.look {topic}", "en") if topic else say("feedback.next one of", "en", places="").strip() for topic in topics]
     assert any(" ".join(looks) + " Then find" in line for line in found)
