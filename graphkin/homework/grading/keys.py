@@ -10,6 +10,7 @@ from pathlib import Path
 
 from graphkin import api
 from graphkin.base.geometry import number
+from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import SCALES, Plot
 from graphkin.errors import BadKey, BadPencil, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, OutOfRange, Where
@@ -179,9 +180,8 @@ def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
 
 
 def page_scales(method: Method, plot: Plot) -> dict[str, float]:
-    """The file's own scales; others are the finest at which the mechanism has room, lying or standing, and a polygon
-    lies: the paper that students draw on is as large for all."""
-    from graphkin.base.scales import finest
+    """The file's own scales; others are the finest at which a page has room for the mechanism, lying or standing, and
+    for each polygon, lying: the paper that students draw on is as large for all."""
     from graphkin.sheet.composition import Planes
     from graphkin.sheet.window import PLANES, corners
 
