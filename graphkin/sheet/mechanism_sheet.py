@@ -190,7 +190,8 @@ def _arranged(
             return best
         paged = cheapest(replace(contents, paged=True), paper)  # a handout is to have its scales, if nothing suffers
         small = any(paged.layout.scales[plane] > _SMALLER * scale for plane, scale in best.layout.scales.items())
-        return best if small or max(paged.bounds()) > max(best.bounds()) else paged
+        worse = paged.sold.area > best.sold.area or max(paged.bounds()) > max(best.bounds())
+        return best if small or worse else paged
     best = arranged("en", planes, style, breaks, tight, told, paper)
     own = _contents(replace(best.contents.drawing, lang=lang), tight)
     english, layout = best.contents, best.layout
