@@ -116,8 +116,7 @@ class FreeRoom:
             yield complex(every.middle[own][cost.argmin()]) if left.any() else None
 
     def beside(self, step: int | None, half: complex, of: str = "") -> Place | None:
-        """The first free middle of a box beside a name that comes with a step, near no other letters, if any is; of: of
-        this arrow."""
+        """The first free middle of a box beside a name of a step, or its arrow `of`, near no other letters, if any."""
         texts = {mark.label: mark for mark in self.marks[len(self._scene.drawn) :] if isinstance(mark, Text)}
         wanted = sorted((want for want in self._scene.wanted if want.gap < SIGN), key=lambda want: not want.of)
         wanted = [want for want in wanted if want.of == of] if of else wanted  # names of arrows first, circles last

@@ -184,14 +184,14 @@ def _arranged(
         drawing = Planes(*drawn, planes, style, lang, paths, breaks, told)
         if breaks and not any(drawing.left_out.values()):  # as it is without
             return arranged(lang, planes, style, False, tight, told, paper)
-        best = cheapest(contents := _contents(drawing, tight), paper)
+        best = cheapest(_contents(drawing, tight), paper)
         more = [least / best.layout.scales[plane] for plane, least in drawing.least.items()]
         if paper or planes != PLANES or not 1 < max(more) < _SMALLER:
             return best
-        paged = cheapest(replace(contents, paged=True), paper)  # a handout is to have its scales, if nothing suffers
+        same = [each for each in papers_for(None) if each.area == best.sold.area]
+        paged = Arrangement.on(replace(best.contents, paged=True), same)  # whose scales a handout has, if none suffers
         small = any(paged.layout.scales[plane] > _SMALLER * scale for plane, scale in best.layout.scales.items())
-        worse = paged.sold.area > best.sold.area or max(paged.bounds()) > max(best.bounds())
-        return best if small or worse else paged
+        return best if small or max(paged.bounds()) > max(best.bounds()) else paged
     best = arranged("en", planes, style, breaks, tight, told, paper)
     own = _contents(replace(best.contents.drawing, lang=lang), tight)
     english, layout = best.contents, best.layout
@@ -217,8 +217,9 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
             larger.sort(key=lambda other: other.lying == best.layout.paper.lying)
             if (other := larger.pop()) != best.sold:
                 with suppress(TooLargeForPaper):
-                    for rooms in (every[-1].contents.detailed, {})[: 1 + bool(every[-1].contents.detailed)]:
-                        each = Arrangement.on(replace(contents, detailed=rooms), [other])
+                    rooms = every[-1].contents.detailed
+                    more = [Arrangement.on(contents, [other])] if rooms else []  # they may need no details there
+                    for each in (*_arrangements(replace(contents, detailed=rooms), [other]), *more):
                         heappush(tried, (0.0, len(tried), each, each.bounds()))
         elif (price := next(bounds, -1.0)) >= 0:
             heapreplace(tried, (price, number, best, bounds))
