@@ -104,12 +104,14 @@ def without_aids(method: Method) -> Method:
             gives = {*reader.gives(part)}
             left |= bool(gives & own)
             facts |= gives if isinstance(part, kinds.Given) else gives - own - corners
+    if not left:
+        return method
     needed(method, facts)  # which adds what they need: sliding between points that are there all the same is told
     for construction in (method.velocity, method.acceleration):
         reader = PartsReader(method, construction)
         measures = (part for part in construction.parts if isinstance(part, kinds.Measure))
         facts |= {fact for part in measures if facts >= {*reader.needs(part)} for fact in reader.gives(part)}
-    return cut_to(method, needed(method, facts)) if left else method
+    return cut_to(method, needed(method, facts))
 
 
 def cut_to(method: Method, parts: Mapping[Plane, tuple[Part, ...]]) -> Method:
