@@ -6,6 +6,8 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
+from functools import cache
+from types import UnionType
 from typing import Any, Literal, TypeAlias, Union, get_args, get_origin, get_type_hints
 
 try:  # as `random` does: all of hashlib, with OpenSSL, takes longer to load than a sheet takes to write
@@ -16,6 +18,7 @@ except ImportError:
 Plain: TypeAlias = Union[bool, int, float, str, "Sequence[Plain]", "Mapping[str, Plain]", None]
 """Data that JSON can hold, to be written; what is read is `object` until it is looked at."""
 _DIGITS = 4  # of a place
+_hints = cache(get_type_hints)
 
 
 def plain(value: Any) -> Any:
@@ -39,17 +42,19 @@ def built(kind: Any, data: Any) -> Any:
         return complex(x, y)
     if origin is Literal:
         return inner[inner.index(data)]
+    if origin in (Union, UnionType):  # a value, or None
+        return None if data is None else built(inner[0], data)
     if origin is tuple:
         kinds = [inner[0]] * len(data) if ... in inner else inner
         return tuple(built(each, one) for each, one in zip(kinds, data, strict=True))
     if hasattr(origin, "keys"):
         return {built(inner[0], key): built(inner[1], each) for key, each in data.items()}
     if hasattr(kind, "__dataclass_fields__"):
-        hints = get_type_hints(kind)
-        return kind(**{each.name: built(hints[each.name], data[each.name]) for each in fields(kind)})
-    if not isinstance(data, (int, float) if kind is float else kind) or (kind is float and not math.isfinite(data)):
+        return kind(**{each.name: built(_hints(kind)[each.name], data[each.name]) for each in fields(kind)})
+    of_kind = isinstance(data, (int, float) if kind is float else kind) and (kind is bool or not isinstance(data, bool))
+    if not of_kind or (kind is float and not math.isfinite(data)):
         raise TypeError(f"{data!r} is no {kind.__name__}")
-    return data
+    return float(data) if kind is float else data
 
 
 def seal(claims: Mapping[str, object]) -> str:

@@ -5,16 +5,16 @@ from __future__ import annotations
 import base64
 import json
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import fields
-from typing import Any, cast, get_args
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from graphkin.base.geometry import Array
-from graphkin.base.plain import Plain
+from graphkin.base.plain import Plain, built, plain
+from graphkin.construction import SCALES
 from graphkin.errors import BadKey, Where
-from graphkin.marking.key import Doubt, Hypotheses, Key, KeyEntry, KeyStep, Marking, Name, Sort
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking, Name
 
 FORMAT, KIND = 1, "graphkin key"
 Json = dict[str, Plain]
@@ -32,7 +32,7 @@ def key_text(key: Key) -> str:
 
 def key_data(key: Key) -> Json:
     """As plain data."""
-    marking, singles = key.marking, key.singles
+    singles = key.singles
     tables: list[dict[str, str]] = [{} for _ in singles.names]  # a mistake without one scatters as right values do
     if singles.together is not None:  # the correlations above the diagonal, in hundredths, a byte each, as base64
         above = np.triu_indices(singles.values.shape[1], 1)
@@ -41,21 +41,12 @@ def key_data(key: Key) -> Json:
     mistakes = zip(singles.names, singles.values, singles.scatters, tables, strict=True)
     return {
         "kind": KIND, "format": FORMAT, "name": key.name, "title": dict(key.title), "coincident": key.coincident,
-        "mechanism": key.text,
-        "marking": {
-            "lengths": dict(marking.lengths), "angle": marking.angle, "scales": dict(marking.scales),
-            "sigmas": marking.sigmas, "relative": marking.relative, "follows": marking.follows,
-        },
-        "given": list(key.given),
+        "mechanism": key.text, "marking": plain(key.marking), "given": list(key.given),
         "quantities": [
-            {each.name: getattr(entry, each.name) for each in fields(KeyEntry) if each.name != "doubt" or entry.doubt}
-            for entry in key.entries
+            {name: value for name, value in plain(entry).items() if name != "doubt" or value} for entry in key.entries
         ],
         "together": [[round(float(x), 6) for x in row] for row in key.together],
-        "steps": [
-            {"plane": step.plane, "left": list(step.left), "right": list(step.right), "gives": list(step.gives)}
-            for step in key.steps
-        ],
+        "steps": plain(key.steps),
         "mistakes": [
             {"names": [list(name) for name in names], "values": _row(values), "scatters": _row(scatters), **own}
             for names, values, scatters, own in mistakes
@@ -79,91 +70,65 @@ def key_of(text: str, where: Where) -> Key:
         raise ValueError(f"{constant} is no number")
 
     try:
-        data = json.loads(text, parse_constant=refused)
+        return _key(json.loads(text, parse_constant=refused))
     except RecursionError:
         raise BadKey(where, "nested too deep") from None
-    except ValueError as problem:
-        raise BadKey(where, str(problem)) from None
-    try:
-        return _KeyReader(where).key(data)
     except (KeyError, TypeError, ValueError, OverflowError, AttributeError) as problem:
-        raise BadKey(where, f"{type(problem).__name__}: {problem}"[:200]) from None
+        kind = "" if isinstance(problem, ValueError) else f"{type(problem).__name__}: "
+        raise BadKey(where, f"{kind}{problem}"[:200]) from None
 
 
-class _KeyReader:
-    """Takes plain data apart; whatever is not as it should be raises."""
+def _require(good: bool, what: str) -> None:
+    if not good:
+        raise ValueError(what)
 
-    def __init__(self, where: Where) -> None:
-        self.where = where
 
-    def key(self, data: Read) -> Key:
-        self._require(isinstance(data, dict) and data.get("kind") == KIND, "kind")
-        self._require(data.get("format") == FORMAT, f"format {data.get('format')!r}, not {FORMAT}")
-        entries = tuple(self._entry(item) for item in data["quantities"])
-        self._require(bool(entries), "quantities")
-        count = len(entries)
-        together = self._table(data["together"], count)
-        self._require(together.shape == (count, count) and np.allclose(together, together.T), "together")
-        text = [data[name] for name in ("name", "mechanism", "coincident")]
-        self._require(all(isinstance(part, str) for part in text), "mechanism")
-        item, planes = data["marking"], ("position", "velocity", "acceleration")
-        lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
-        scales = {name: self._number(item["scales"][name], "scales") for name in ("length", "velocity", "acceleration")}
-        angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
-        follows = self._number(item.get("follows", 1.0), "follows")
-        self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0 and 0 <= follows <= 1, "marking")
-        return Key(
-            text[0], text[1], text[2], Marking(lengths, angle, scales, sigmas, relative, follows), entries,
-            tuple(self._number(x, "given") for x in data["given"]), together, self._mistakes(data["mistakes"], count),
-            {str(lang): str(title) for lang, title in data["title"].items()},
-            tuple(KeyStep(str(step["plane"]), *(tuple(map(str, step[name])) for name in ("left", "right", "gives")))
-                  for step in data["steps"]),
-            tuple(self.key(item) for item in data.get("positions", ())),
-        )  # fmt: skip
+def _key(data: Read) -> Key:
+    """A key from plain data; whatever is not as it should be raises."""
+    _require(isinstance(data, dict) and data.get("kind") == KIND, "kind")
+    _require(data.get("format") == FORMAT, f"format {data.get('format')!r}, not {FORMAT}")
+    entries = tuple(map(_entry, data["quantities"]))
+    _require(bool(entries), "quantities")
+    count = len(entries)
+    together = _table(data["together"], count)
+    _require(together.shape == (count, count) and np.allclose(together, together.T), "together")
+    marking: Marking = built(Marking, {"follows": 1.0, **data["marking"]})
+    known = SCALES.keys() <= marking.lengths.keys() and {*SCALES.values()} <= marking.scales.keys()
+    sizes = (*marking.lengths.values(), marking.angle, marking.relative)
+    _require(known and min(sizes) >= 0 and marking.sigmas > 0 and 0 <= marking.follows <= 1, "marking")
+    name, text, coincident = (built(str, data[part]) for part in ("name", "mechanism", "coincident"))
+    return Key(
+        name, text, coincident, marking, entries, built(tuple[float, ...], data["given"]), together,
+        _mistakes(data["mistakes"], count), built(Mapping[str, str], data["title"]),
+        built(tuple[KeyStep, ...], data["steps"]), tuple(map(_key, data.get("positions", ()))),
+    )  # fmt: skip
 
-    def _entry(self, item: Read) -> KeyEntry:
-        what = f"quantities: {item['text']}"
-        self._require(isinstance(item["text"], str) and item["sort"] in ("sense", "size", "angle"), what)
-        right, scatter, tolerance, points = (
-            self._number(item[name], what) for name in ("right", "scatter", "tolerance", "points")
-        )
-        self._require(scatter > 0 and tolerance >= 0 and points >= 0 and isinstance(item["unit"], str), what)
-        doubt = item.get("doubt", "")
-        self._require(doubt in get_args(Doubt), what)
-        return KeyEntry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points, doubt)
 
-    def _mistakes(self, items: Iterable[Read], count: int) -> Hypotheses:
-        names, values, scatters, together = [], [], [], []
-        rows, columns = np.triu_indices(count, 1)
-        for item in items:
-            name = tuple(cast(Name, tuple(str(part) for part in one)) for one in item["names"])
-            self._require(bool(name) and all(len(one) == 4 for one in name), "mistakes")
-            names.append(name)
-            values.append(item["values"])
-            scatters.append(item["scatters"])
-            table, text = np.full((count, count), np.nan), item.get("together")  # NaN where nothing is said
-            if text is not None:
-                parts = np.frombuffer(base64.b64decode(text, validate=True), dtype=np.int8) / 100
-                self._require(len(parts) == len(rows) and bool(np.all(np.abs(parts) <= 1)), "together")
-                np.fill_diagonal(table, 1.0)
-                table[rows, columns] = table[columns, rows] = parts
-            together.append(table)
-        tables = self._table(values, count), self._table(scatters, count)
-        self._require(not np.any(tables[1] <= 0), "mistakes")
-        return Hypotheses(tuple(names), *tables, np.array(together).reshape(-1, count, count))
+def _entry(item: Read) -> KeyEntry:
+    entry: KeyEntry = built(KeyEntry, {"doubt": "", **item})
+    _require(entry.scatter > 0 and entry.tolerance >= 0 and entry.points >= 0, f"quantities: {entry.text}")
+    return entry
 
-    def _table(self, rows: list[list[float | None]], count: int) -> Array:
-        """(rows, count); None is NaN."""
-        kinds = {type(x) for row in rows for x in row}
-        self._require(kinds <= {int, float, type(None)} and all(len(row) == count for row in rows), "table")
-        table = np.array(rows, dtype=float).reshape(len(rows), count)
-        self._require(not np.isinf(table).any(), "table")
-        return table
 
-    def _number(self, value: object, what: str) -> float:
-        self._require(isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value), what)
-        return float(cast(float, value))
+def _mistakes(items: Sequence[Read], count: int) -> Hypotheses:
+    names = tuple(built(tuple[Name, ...], item["names"]) for item in items)
+    values, scatters = (_table([item[key] for item in items], count) for key in ("values", "scatters"))
+    _require(all(names) and not np.any(scatters <= 0), "mistakes")
+    rows, columns = np.triu_indices(count, 1)
+    together = np.full((len(items), count, count), np.nan)  # NaN where nothing is said
+    for table, item in zip(together, items, strict=True):
+        if (text := item.get("together")) is not None:
+            parts = np.frombuffer(base64.b64decode(text, validate=True), dtype=np.int8) / 100
+            _require(len(parts) == len(rows) and bool(np.all(np.abs(parts) <= 1)), "together")
+            np.fill_diagonal(table, 1.0)
+            table[rows, columns] = table[columns, rows] = parts
+    return Hypotheses(names, values, scatters, together)
 
-    def _require(self, good: bool, what: str) -> None:
-        if not good:
-            raise BadKey(self.where, what)
+
+def _table(rows: list[list[float | None]], count: int) -> Array:
+    """(rows, count); None is NaN."""
+    kinds = {type(x) for row in rows for x in row}
+    _require(kinds <= {int, float, type(None)} and all(len(row) == count for row in rows), "table")
+    table = np.array(rows, dtype=float).reshape(len(rows), count)
+    _require(not np.isinf(table).any(), "table")
+    return table

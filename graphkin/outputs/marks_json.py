@@ -5,12 +5,10 @@ Version 1; SI units, radians.
 
 from __future__ import annotations
 
-import cmath
 import json
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import fields
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 from graphkin.base.plain import Plain, built, plain
 from graphkin.construction import Plane
@@ -31,7 +29,10 @@ Record = Mapping[str, Any]  # a record as it is read
 _LINE = ("format", "student", "file", "status", "reason", "score", "departure", "equations", "step", "remarks",
          "measured", "measured at", "error", "unsure")  # fmt: skip
 _QUANTITY = ("given", "right", "carried", "tolerance", "verdict", "sense")
+_RARE: Json = {"measured": False, "written": "", "of_mistake": False, "reversed": False, "other": ""}
+"""Of a quantity what few have, with what all others have."""
 _MISTAKE = ("ids", "probability", "margin", "explains")
+NAME = ("id", "way", "of", "form")  # the parts of a mistake's name
 
 
 def line(graded: Graded, lang: Lang = "en") -> Json:
@@ -51,7 +52,7 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
     quantities: Json = {one.text: _quantity(one) for one in (() if marked is None else marked.judged)}
     mistakes: list[Plain] = []
     for each in () if marked is None else marked.diagnosis.explanations:
-        sites = [[dict(zip(("id", "way", "of", "form"), name, strict=True)) for name in names] for names in each.names]
+        sites = [[dict(zip(NAME, name, strict=True)) for name in names] for names in each.names]
         mistakes.append({
             "ids": list(each.ids), "probability": _rounded(each.probability), "margin": _rounded(each.margin),
             "explains": list(each.explains), "names": sites,
@@ -79,13 +80,22 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
 
 def _quantity(one: Judged) -> Json:
     """All of one quantity; of what few have, only what is so."""
-    rare: Json = {"measured": one.measured, "written": one.written, "of_mistake": one.of_mistake,
-                  "reversed": one.reversed, "other": one.other}  # fmt: skip
     return {
         **{name: getattr(one, name) for name in _QUANTITY},
         "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
-        "points": one.points, "credit": one.credit, **{name: value for name, value in rare.items() if value},
+        "points": one.points, "credit": one.credit,
+        **{name: value for name in _RARE if (value := getattr(one, name))},
     }  # fmt: skip
+
+
+def judged_of(record: Record) -> list[Judged]:
+    """The quantities of a record. Raises KeyError, TypeError, ValueError where it does not hold any."""
+    every = record["quantities"].items()
+    lines: list[Judged] = [built(Judged, {**_RARE, **each, "text": text}) for text, each in every]
+    for one in lines:
+        if one.points < 0 or not 0 <= one.credit <= 1:
+            raise ValueError(f"{one.text}: points {one.points}, credit {one.credit}")
+    return lines
 
 
 def measured_data(measured: MeasuredDrawing) -> Json:
@@ -122,9 +132,9 @@ def _of_board(graded: Graded, marked: Marked) -> Json:
     """What there is of a drawing board: choices that are not right, the first wrong step, the board itself."""
     own: Json = {}
     if marked.faults:
-        own["equations"] = [{each.name: getattr(one, each.name) for each in fields(one)} for one in marked.faults]
+        own["equations"] = plain(marked.faults)
     if marked.step is not None:
-        own["step"] = {each.name: getattr(marked.step, each.name) for each in fields(marked.step)}
+        own["step"] = plain(marked.step)
     return own | ({} if graded.board is None else {"board": work_data(graded.board)})
 
 
@@ -145,13 +155,7 @@ def line_of(record: Record) -> Json:
 
 def drawn_of(record: Record) -> dict[Plane, dict[str, complex]]:
     """The points of a drawing in a record. Raises TypeError, ValueError, AttributeError where they are none."""
-    planes: dict[Plane, dict[str, complex]] = {}
-    for plane, points in record.get("drawn", {}).items():
-        if plane not in get_args(Plane):
-            raise ValueError(f"{plane!r} is no plane")
-        planes[plane] = {str(name): complex(float(x), float(y)) for name, (x, y) in points.items()}
-        if not all(map(cmath.isfinite, planes[plane].values())):
-            raise ValueError(f"drawn: {plane}")
+    planes: dict[Plane, dict[str, complex]] = built(Mapping[Plane, Mapping[str, complex]], record.get("drawn", {}))
     return planes
 
 

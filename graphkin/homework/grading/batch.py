@@ -20,9 +20,8 @@ from graphkin.homework import opening
 from graphkin.homework.grading.sets import SetMarker
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded, HandedNumber, Marked, StudentWork
-from graphkin.model.mechanism import EQUATIONS
 from graphkin.model.quantities import at_position, position_of
-from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, measured_of, records_in
+from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, judged_of, measured_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 from graphkin.submissions.board import work_of
 from graphkin.submissions.reading import paper_polygons
@@ -67,14 +66,11 @@ def earlier_reading(record: Record, where: Where) -> Read:
         student, file, place = (str(record[key]) for key in ("student", "file", "place"))
         reason = None if record["status"] == "marked" else SaidBefore(str(record["reason"]))
         notes = tuple(SaidBefore(str(note)) for note in record["notes"])
-        handed_in = {text: each for text, each in record["quantities"].items()
-                     if each["given"] is not None and text not in EQUATIONS.values()}  # fmt: skip
-        numbers = {}
-        for text, each in handed_in.items():
-            points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
-            numbers[text] = HandedNumber(float(each["given"]), bool(each["unit_right"]), points, measured)
+        lines = judged_of(record)
+        numbers = {one.text: HandedNumber(one.given, one.unit_right, _POINTS.get(one.sense or ""), one.measured)
+                   for one in lines if one.given is not None and not one.of_equations}  # fmt: skip
+        unread = {one.text: one.written for one in lines if one.written}
         prints = tuple(map(str, record.get("fingerprints", ())))
-        unread = {text: str(each["written"]) for text, each in record["quantities"].items() if each.get("written")}
         board = None if record.get("board") is None else work_of(record["board"])
         paper = measured_of(record)
         work = StudentWork(student, numbers, unread, board, 0.0 if paper is None else paper.error)

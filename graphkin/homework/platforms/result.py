@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from dataclasses import field, fields
+from dataclasses import field
 from decimal import Decimal
 from pathlib import Path
 from typing import Literal, get_args
 
+from graphkin.base.plain import built
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NotAResult, Where
 from graphkin.homework import opening
 from graphkin.homework.platforms.tables import points
 from graphkin.marking.diagnosis import Explanation, Habit, Trace
-from graphkin.marking.records import Departure, EquationFault, Judged, StepDeparture, Verdict
-from graphkin.model.mechanism import EQUATIONS
-from graphkin.outputs.marks_json import END, HEAD, Record, drawn_of, record_of
+from graphkin.marking.records import Departure, EquationFault, Judged, StepDeparture
+from graphkin.outputs.marks_json import END, HEAD, NAME, Record, drawn_of, judged_of, record_of
 
 FORMAT = 1
 Status = Literal["marked", "not marked"]
@@ -107,72 +106,26 @@ def from_record(record: Record, where: Where) -> Result:
     try:
         if record["format"] != FORMAT or record["status"] not in get_args(Status):
             raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
-        lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
-        left_at = record.get("departure")
-        sides = [] if left_at is None else [tuple(map(_string, left_at[side])) for side in ("left", "right")]
+        lines, left_at = tuple(judged_of(record)), record.get("departure")
         return Result(
-            _string(record["student"]), _string(record["file"]), record["status"], _string(record.get("reason") or ""),
-            lines, tuple(map(_suspicion, record["mistakes"])), sum((most_of(line) for line in lines), Decimal(0)),
-            tuple(map(_string, record.get("notes", ()))), drawn=drawn_of(record),
-            departure=None if left_at is None else Departure(_string(left_at["quantity"]), *sides),
-            remarks=tuple(_string(each["text"]) for each in record.get("remarks", ())),
-            evidence={str(id): _finite(weight) for id, weight in record.get("evidence", {}).items()},
-            faults=tuple(EquationFault(**_typed(EquationFault, each)) for each in record.get("equations", ())),
-            step=None if record.get("step") is None else StepDeparture(**_typed(StepDeparture, record["step"])),
+            built(str, record["student"]), built(str, record["file"]), record["status"],
+            built(str, record.get("reason") or ""), lines, tuple(map(_suspicion, record["mistakes"])),
+            sum((most_of(line) for line in lines), Decimal(0)), built(tuple[str, ...], record.get("notes", ())),
+            drawn=drawn_of(record),
+            departure=built(Departure | None, left_at and {**left_at, "text": left_at["quantity"]}),
+            remarks=tuple(built(str, each["text"]) for each in record.get("remarks", ())),
+            evidence=built(Mapping[str, float], record.get("evidence", {})),
+            faults=built(tuple[EquationFault, ...], record.get("equations", ())),
+            step=built(StepDeparture | None, record.get("step")),
         )  # fmt: skip
     except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
 
 
-def _line(name: str, each: Record) -> Judged:
-    if each["verdict"] not in get_args(Verdict) or each["sense"] not in (None, "right", "wrong"):
-        raise ValueError(f"{name}: verdict {each['verdict']!r}, sense {each['sense']!r}")
-    worth, credit = _finite(each["points"]), _finite(each["credit"])
-    if worth < 0 or not 0 <= credit <= 1:
-        raise ValueError(f"{name}: points {worth}, credit {credit}")
-    return Judged(
-        name, _string(each["unit"]), _number(each["given"]), _finite(each["right"]), _finite(each["tolerance"]),
-        each["verdict"], each["sense"], bool(each["unit_right"]), _number(each["carried"]),
-        {str(text): _finite(value) for text, value in each["own"].items()}, credit=credit, points=worth,
-        written=_string(each.get("written", "")), of_mistake=bool(each.get("of_mistake")),
-        reversed=bool(each.get("reversed")), other=_string(each.get("other", "")),
-    )  # fmt: skip
-
-
 def _suspicion(each: Record) -> Explanation:
-    names = tuple(
-        tuple((_string(name["id"]), _string(name["way"]), _string(name["of"]), _string(name["form"])) for name in some)
-        for some in each.get("names", ())
-    )
-    probability, margin = (_finite(each.get(key, 0.0)) for key in ("probability", "margin"))
-    return Explanation(names, probability, margin, tuple(map(_string, each["explains"])))
-
-
-_TYPES = {"int": int, "bool": bool}  # of fields that are no texts
-
-
-def _typed(kind: type[EquationFault | StepDeparture], data: Record) -> Record:
-    """The fields of a record; raises ValueError where one is of another type."""
-    wrong = [each.name for each in fields(kind) if type(data[each.name]) is not _TYPES.get(str(each.type), str)]
-    if wrong or data["plane"] not in EQUATIONS:
-        raise ValueError(f"{kind.__name__}: {wrong}")
-    return {each.name: data[each.name] for each in fields(kind)}
-
-
-def _number(value: object) -> float | None:
-    return None if value is None else _finite(value)
-
-
-def _finite(value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise ValueError(f"{value!r} is no number")
-    return float(value)
-
-
-def _string(value: object) -> str:
-    if not isinstance(value, str):
-        raise ValueError(f"{value!r} is no text")
-    return value
+    names = [[[name[key] for key in NAME] for name in some] for some in each.get("names", ())]
+    explanation: Explanation = built(Explanation, {"probability": 0.0, "margin": 0.0, **each, "names": names})
+    return explanation
 
 
 def read_results(path: Path) -> tuple[Result, ...]:
