@@ -1,4 +1,4 @@
-"""What a program or a notebook calls: from a file or a library name to a method, a plot, a sheet.
+"""The calls of programs and notebooks: from a file or a library name to a method, a plot, a sheet.
 
 >>> import graphkin
 >>> drawn, exact = graphkin.replay("ex3-1"), graphkin.motion("ex3-1")
@@ -139,7 +139,7 @@ def sweep(
     >>> found["v E"].signed.round(5), found["v E"].direction.round(3)
     (array([-0.10184, -0.12272, -0.13833]), array([180., 180., 180.]))
     """
-    from graphkin.outputs.tables import framed
+    from graphkin.outputs.tables import SweepFrames
     from graphkin.studies import sweeps
 
     among(sweeps.Road, by=by)
@@ -150,4 +150,5 @@ def sweep(
             return variants.swept(mechanism, ranges, sweeps.split(of) if isinstance(of, str) else of, by)
     method = method_of(mechanism)
     with in_python():
-        return framed(sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by, compiled))
+        made = sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by, compiled)
+        return SweepFrames(**vars(made))

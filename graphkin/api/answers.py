@@ -236,18 +236,23 @@ def designed(
     if kind == "angles":
         return designing.angle_pairs([_two_angles(text) for text in pair or ()], **sizes)
     make: Callable[..., Design] = getattr(designing, kind.replace("-", "_"))
-    takes, named = signature(make).parameters, {**dict.fromkeys(given), **dict.fromkeys(["K"] if ratio else [])}
+    _refuse_names(kind, make, [*given, *(["K"] if ratio else [])])
+    return make(**sizes, **ratio)
+
+
+design = in_python()(designed)  # its errors name arguments, those of the other one the options of the command
+
+
+def _refuse_names(kind: Kind, make: Callable[..., Design], named: Sequence[str]) -> None:
+    """Raises UnknownKey of a name that a design does not take, MissingKey of one that it needs."""
+    takes = signature(make).parameters
     names = {name.lower(): name for name in (*LENGTHS, "swing", "gamma_min", "K")}
     for name in named:
         if name.lower() not in takes:
             raise UnknownKey(Where(kind), name, tuple(names[key] for key in takes))
     for key, wanted in takes.items():
-        if wanted.default is wanted.empty and key not in sizes | ratio:
+        if wanted.default is wanted.empty and names[key] not in named:
             raise MissingKey(Where(kind), names[key])
-    return make(**sizes, **ratio)
-
-
-design = in_python()(designed)  # its errors name arguments, those of the other one the options of the command
 
 
 def _option(name: str) -> str:

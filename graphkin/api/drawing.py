@@ -296,7 +296,7 @@ class Drawing(Readable[Number, Vector]):
         return file
 
     def answers(self) -> dict[str, Answer | None]:
-        """What the file asks for, read off the drawing; None for a text that is only shown."""
+        """The answers to what the file asks, read off the drawing; None for a text that is only shown."""
         from graphkin.model.quantities import Centre, read
 
         questions = {text: read(self.mechanism, text) for text in self.mechanism.ask}
@@ -322,7 +322,7 @@ class Drawing(Readable[Number, Vector]):
 
 
 def solved(drawing: Drawing) -> Mapping[str, Plain]:
-    """What `graphkin solve --json` prints of one position."""
+    """One position as `graphkin solve --json` prints it."""
     from graphkin.results import results
 
     return results(drawing.mechanism, drawing.method, values=[*map(number, drawing.plot.facts.values)])

@@ -16,7 +16,7 @@ def off_stretch(at: complex, start: complex, end: complex) -> float:
 
 
 def crossing(start: complex, end: complex, one: complex, other: complex) -> complex | None:
-    """Where two stretches of lines cross inside; None where they do not."""
+    """The place where two stretches of lines cross inside; None where they do not."""
     along, off, way = end - start, one - start, other - one
     turn = (along.conjugate() * way).imag
     if abs(turn) < 1e-9:

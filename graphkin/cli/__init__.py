@@ -8,9 +8,7 @@ from __future__ import annotations
 
 import gc
 import os
-from collections.abc import Sequence
 from importlib import import_module
-from itertools import islice
 from typing import Any
 
 import click
@@ -80,7 +78,7 @@ class Program(click.Group):
         name, command, rest = super().resolve_command(ctx, args)
         if command is not None and not {"-h", "--help"}.isdisjoint(rest) and spoken.user_language() == "zh":
             command = import_module(f"graphkin.cli.{COMMANDS['help']}").in_chinese(command)
-        return name, command, rest if command is None else spelled_out(command, rest)
+        return name, command, rest
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(COMMANDS)
@@ -91,26 +89,6 @@ class Program(click.Group):
         module = import_module(f"graphkin.cli.{COMMANDS[name]}")
         commands = (entry for entry in vars(module).values() if isinstance(entry, click.Command))
         return next((command for command in commands if command.name == name), None)
-
-
-def spelled_out(command: click.Command, args: Sequence[str]) -> list[str]:
-    """The words of a command line, short options by their long names; an option's values stay as they are.
-
-    Before click takes `-o` for what it is, it looks for long options that are spelled nearly like it, which is slow.
-    """
-    options = {name: each for each in command.params if isinstance(each, click.Option) for name in each.opts}
-    spelled: list[str] = []
-    words = iter(args)
-    for word in words:
-        option = options.get(word)
-        if option is None:
-            spelled.append(word)
-            if word == "--":
-                break
-            continue
-        spelled.append(max(option.opts, key=len))
-        spelled.extend(islice(words, 0 if option.is_flag or option.count else option.nargs))
-    return [*spelled, *words]
 
 
 @click.group(cls=Program, context_settings=CONTEXT)

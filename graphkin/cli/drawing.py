@@ -61,13 +61,7 @@ def draw(
       graphkin draw p3-20 --path E --arrows
       graphkin draw mine.toml --watch
     """
-    planes = only not in (None, "position")
-    misused("usage.without", style == "given" and (steps or planes), option="--style given", others="--steps, --only")
-    misused("usage.needs", arrows and not paths, option="--arrows", other="--path E")
-    misused("usage.without", paths and (style == "given" or planes), option="--path", others="--style given, --only")
-    ggb = output is not None and output.suffix.lower() == ".ggb"
-    misused("usage.locus", ggb and paths)
-    misused("usage.without", ggb and only, option=output, others="--only")
+    _refuse_together(output, only, style, paths, arrows, steps)
     machine = shared.read(mechanism)
     alone = output is None and steps is not None
     output = _file(output, machine.name)
@@ -77,8 +71,8 @@ def draw(
         misused("usage.suffix", output.suffix.lower() not in (".svg", ".png"), output=output, kinds=".svg, .png")
     drawing = shared.drawing(machine, at, coincident, method)
     if animate:
-        moving = drawing.animate(output, paper=paper, lang=lang, only=only, dpi=dpi or 100.0, ink=ink, force=force)
-        click.echo(str(moving))
+        drawing.animate(output, paper=paper, lang=lang, only=only, dpi=dpi or 100.0, ink=ink, force=force)
+        click.echo(str(output))
         return
     with streams.waiting():
         sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
@@ -88,6 +82,19 @@ def draw(
         sheets = drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight)
         pages += [(steps / f"{machine.name}-{k:02d}.svg", page.svg(ink)) for k, page in enumerate(sheets, 1)]
     shared.write_drawings(pages[alone:], None if alone else output, steps, force)
+
+
+def _refuse_together(
+    output: Path | None, only: Plane | None, style: Style, paths: tuple[str, ...], arrows: bool, steps: Path | None
+) -> None:
+    """Refuses options that contradict each other."""
+    planes = only not in (None, "position")
+    misused("usage.without", style == "given" and (steps or planes), option="--style given", others="--steps, --only")
+    misused("usage.needs", arrows and not paths, option="--arrows", other="--path E")
+    misused("usage.without", paths and (style == "given" or planes), option="--path", others="--style given, --only")
+    ggb = output is not None and output.suffix.lower() == ".ggb"
+    misused("usage.locus", ggb and paths)
+    misused("usage.without", ggb and only, option=output, others="--only")
 
 
 def _file(output: Path | None, name: str) -> Path:

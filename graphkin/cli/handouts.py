@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from graphkin.model.mechanism import Mechanism
     from graphkin.submissions import Student
 
+    Problem = tuple[Mechanism, Student | None]  # and whom it is for
+
 
 @click.command()
 @click.argument("mechanisms", metavar="MECHANISM|DIR...", nargs=-1, required=True)
@@ -56,21 +58,11 @@ def handout(
     from graphkin.handouts import in_languages, saving
     from graphkin.handouts.problem import untold_answers
     from graphkin.outputs import files
-    from graphkin.outputs.sheets_json import NAME
 
     if scan is not None and stage == "solution":
         raise NothingToScan()
     problems, seed = _problems(mechanisms, seed, at)
-    output = output or Path(f"{problems[0][0].name}.pdf")
-    books, sheets = [(output, problems)], None
-    if output.is_dir() or not output.suffix:
-        shared.refuse_one_file((machine.name for machine, _ in problems), ".pdf")
-        output.mkdir(parents=True, exist_ok=True)
-        books, sheets = [(output / f"{one.name}.pdf", [(one, who)]) for one, who in problems], output / NAME
-    else:
-        kind = output.suffix.lower()
-        misused("usage.suffix", kind not in (".pdf", ".html"), output=output, kinds=".pdf, .html")
-        misused("usage.needs", scan is not None and kind == ".html", option="--scan", other="-o OUT.pdf")
+    books, sheets = _books(problems, output or Path(f"{problems[0][0].name}.pdf"), scan is not None)
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
     for path, several in streams.counted(books, True):
         files.refuse(path, force, saving.MARKS)
@@ -86,13 +78,25 @@ def handout(
         number = number if number is None or any(whose) else number + 1
 
 
-def _problems(
-    sources: tuple[str, ...], seed: str, at: DriverOptions
-) -> tuple[list[tuple[Mechanism, Student | None]], str]:
-    """Each mechanism with whom it is for, those of a problem set in its order; and the set's seed."""
+def _books(problems: list[Problem], output: Path, scan: bool) -> tuple[list[tuple[Path, list[Problem]]], Path | None]:
+    """Each file with its problems, and the list of sheets that all files of a folder have."""
+    from graphkin.outputs.sheets_json import NAME
+
+    if output.is_dir() or not output.suffix:
+        shared.refuse_one_file((machine.name for machine, _ in problems), ".pdf")
+        output.mkdir(parents=True, exist_ok=True)
+        return [(output / f"{machine.name}.pdf", [(machine, who)]) for machine, who in problems], output / NAME
+    kind = output.suffix.lower()
+    misused("usage.suffix", kind not in (".pdf", ".html"), output=output, kinds=".pdf, .html")
+    misused("usage.needs", scan and kind == ".html", option="--scan", other="-o OUT.pdf")
+    return [(output, problems)], None
+
+
+def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[list[Problem], str]:
+    """Those of a problem set in its order; and the set's seed."""
     from graphkin.handouts.problem_folder import is_set, students_of
 
-    problems: list[tuple[Mechanism, Student | None]] = []
+    problems: list[Problem] = []
     for source in sources:
         if source and is_set(Path(source)):
             misused("usage.without", at, option=source, others="--angle, --at")

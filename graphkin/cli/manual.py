@@ -71,7 +71,7 @@ class Manual:
         return text.replace("{contents}", "".join(links).strip())
 
     def _part(self, part: re.Match[str]) -> str:
-        """What stands where the skeleton says its name."""
+        """The text in place of its name in the skeleton."""
         kind, words, lines = part.groups()
         match kind:
             case "run":

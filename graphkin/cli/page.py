@@ -46,10 +46,14 @@ def page(
 
     def write(changed: list[str]) -> None:
         from graphkin.page import writer
+        from graphkin.page.board import board_page
 
         with streams.waiting():
-            named = _board(changed[0], lang) if board else _played(changed, sources, made, coincident, method, lang)
-            name, text = named
+            if board:
+                machine = shared.read(changed[0])
+                name, text = machine.name, board_page(machine, lang)
+            else:
+                name, text = _played(changed, sources, made, coincident, method, lang)
             target = output or Path(f"{name}.html")
             writer.write(target, writer.watched(text) if watched else text, force)
         click.echo(str(target))
@@ -63,14 +67,6 @@ def page(
         watch(sources, write_again)
     else:
         write(sources)
-
-
-def _board(source: str, lang: Lang) -> tuple[str, str]:
-    """The name of a problem, and its page."""
-    from graphkin.page.board import board_page
-
-    machine = shared.read(source)
-    return machine.name, board_page(machine, lang)
 
 
 def _played(

@@ -58,21 +58,19 @@ def problems(
     from graphkin.handouts import problem_folder as folder
     from graphkin.homework import grading
     from graphkin.homework import problems as sets
+    from graphkin.page.board_set import further_files
     from graphkin.say.problems import remarks
+    from graphkin.submissions import worker_pool
 
     order = folder.SetOrder(
         output, sets.read_template(template), sets.roster(students), seed, lang, grading.pencils_of(pencil), force
     )
-    variants = _write(order, jobs)
-    click.echo(folder.told_of(output))
-    if kinds:
-        from graphkin.page.board_set import further_files
-        from graphkin.submissions import worker_pool
-
-        workers: AbstractContextManager[Executor | None] = worker_pool(jobs) if jobs > 1 else nullcontext()
-        with workers as executor:
-            for path in further_files(order, variants, kinds, executor):
-                click.echo(str(path))
+    workers: AbstractContextManager[Executor | None] = worker_pool(jobs) if jobs > 1 else nullcontext()
+    with workers as executor:
+        variants = _write(order, executor)
+        click.echo(folder.told_of(output))
+        for path in further_files(order, variants, kinds, executor):
+            click.echo(str(path))
     alike = [variant.student.id for variant in variants if variant.shared]
     carried = [variant.student.id for variant in variants
                if sets.sketched_anew(order.template, variant.numbers, variant.mechanism)]  # fmt: skip
@@ -80,16 +78,14 @@ def problems(
         click.echo(note, err=True)
 
 
-def _write(order: SetOrder, jobs: int) -> list[Variant]:
+def _write(order: SetOrder, executor: Executor | None) -> list[Variant]:
     """The set's files; the variants in the order of the students."""
     from graphkin.handouts.problem_folder import write_problems
     from graphkin.say.problems import removed
-    from graphkin.submissions import worker_pool
 
     variants: dict[str, Variant] = {}
     gone: list[Path] = []
-    workers: AbstractContextManager[Executor | None] = worker_pool(jobs) if jobs > 1 else nullcontext()
-    with workers as executor, click.progressbar(
+    with click.progressbar(
         length=len(order.students), file=sys.stderr, show_pos=True, hidden=not sys.stderr.isatty()
     ) as bar:
         for one in write_problems(order, executor):

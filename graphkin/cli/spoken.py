@@ -29,7 +29,7 @@ def user_language() -> Lang:
 
 
 def misused(name: str, wrong: object, /, **words: object) -> None:
-    """Where something is wrong, wrong usage as the phrase of this name tells it."""
+    """Refuses wrong usage, where there is some, by the phrase of this name."""
     if wrong:
         raise click.UsageError(say(name, user_language(), **words))
 

@@ -146,7 +146,7 @@ class Builder(Generic[Made]):
 
 
 def _begun(tables: Mapping[str, object], name: str) -> Mapping[str, Any]:
-    """What a table holds so far."""
+    """The values that a table holds so far."""
     table = tables.get(name)
     return table if isinstance(table, Mapping) else {}
 

@@ -35,7 +35,7 @@ class Draft:
     starts        points that nobody named, where lines begin that are given by coordinates, and where those stand
     problems      all that is wrong; `stop_if_wrong` raises it
     given_names   the names that the file gives to pairs; `unnamed`: those of pairs with a displacement, given or not;
-                  `used_names`: those given so far
+                  `used_names`: those given so far; `slots`: how many pairs have a name by their number
     slides        the tables of slides, which say how a link of one point is turned; `tracing`: links now looked up
     """
 
@@ -51,10 +51,7 @@ class Draft:
     slides: Sequence[SlideTable] = ()
     tracing: list[str] = field(default_factory=list)
     used_names: set[str] = field(default_factory=set)
-    _numbers: dict[str, int] = field(default_factory=dict)
-    _moving: dict[str, list[str]] = field(default_factory=dict)
-    """The moving links of each point, listed when there were `_counted` links: points have names before places."""
-    _counted: int = 0
+    slots: int = 0
 
     def where(self, *path: str | int) -> Where:
         """The place of a key, or of the nearest key above it that the file has."""
@@ -112,15 +109,8 @@ class Draft:
 
     def owners(self, *points: str) -> Sequence[str]:
         """The links that have all these points, moving ones first."""
-        if self._counted != len(self.links):
-            self._counted, self._moving = len(self.links), {}
-            for name, link in self.links.items():
-                for point in link.points if name != FRAME else ():
-                    self._moving.setdefault(point, []).append(name)
-        of_first = self._moving.get(points[0], ())
-        owners = [name for name in of_first if all(point in self.links[name].points for point in points[1:])]
-        fixed = FRAME in self.links and all(point in self.links[FRAME].points for point in points)
-        return [*owners, FRAME] if fixed else owners
+        owners = [name for name, link in self.links.items() if all(point in link.points for point in points)]
+        return sorted(owners, key=lambda name: name == FRAME)
 
     def name(self, given: str | None, default: str, *path: str | int) -> str:
         """The name of a pair: as given and not used before, or the default."""
@@ -133,10 +123,10 @@ class Draft:
         self.used_names.add(given)
         return given
 
-    def numbered(self, letter: str) -> str:
-        """A name for a pair that has none, by the next number: c0, c1, .."""
-        self._numbers[letter] = self._numbers.get(letter, -1) + 1
-        return f"{letter}{self._numbers[letter]}"
+    def next_slot(self) -> str:
+        """A name for a slot or a cam, which have none: c0, c1, .."""
+        self.slots += 1
+        return f"c{self.slots - 1}"
 
 
 def check_joints(draft: Draft, pairs: Sequence[Pair], drivers: int) -> None:

@@ -76,7 +76,7 @@ def _of_type(kind: str, expected: type, inner: Schema) -> Schema:
 
 
 def quantity_rule(dimension: Dimension, least: str = "") -> Schema:
-    """Where the JSON Schema has its rule for a quantity, of any size, `above zero` or `from zero` on."""
+    """The place of the JSON Schema's rule for a quantity, of any size, `above zero` or `from zero` on."""
     return {"$ref": f"#/$defs/{' '.join([dimension, *least.split()]).replace(' ', '_')}"}
 
 

@@ -149,9 +149,8 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     from graphkin.files.pairs import read_drivers, read_pairs, read_poses
     from graphkin.files.schema import CREDIT, complaints, read_tables, stated_values
 
-    draft.problems.extend(frame_problems(document.get("frame"), draft.where))
     measures, problems = read_measures(document.get("links"), draft.where)
-    draft.problems.extend(problems)
+    draft.problems += [*frame_problems(document.get("frame"), draft.where), *problems]
     try:
         file = read_tables(document)
     except ValidationError as error:

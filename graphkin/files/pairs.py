@@ -53,7 +53,7 @@ def _circular(draft: Draft, table: SlideTable, path: KeyPath) -> CircularSlot:
         free = (name for primes in count() if not draft.owners(name := "O" + "'" * primes))
         centre = next(there, None) or next(free)
         draft.frame_points[centre] = place
-    return CircularSlot(draft.numbered("c"), guide, centre, table.radius, draft.owners(point)[0], point)
+    return CircularSlot(draft.next_slot(), guide, centre, table.radius, draft.owners(point)[0], point)
 
 
 def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair]) -> Slide | CircularSlot:
@@ -177,7 +177,7 @@ def _cam(draft: Draft, table: CamTable, path: KeyPath, before: Sequence[Pair]) -
         raise errors.PointOnPoint(draft.where(*path, "profiles"))
     if table.internal and first.radius == second.radius:
         raise errors.SameCircles(draft.where(*path, "profiles"))
-    return Cam(draft.numbered("c"), links, (first, second), table.internal)
+    return Cam(draft.next_slot(), links, (first, second), table.internal)
 
 
 def _profile(draft: Draft, table: ProfileTable, link: str, number: int, path: KeyPath) -> Profile:

@@ -132,7 +132,7 @@ def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
 
 
 def value_spans(text: str) -> dict[KeyPath, tuple[int, int]]:
-    """Where each value of a text begins and ends, in their order, by its keys as they are typed."""
+    """The beginning and the end of each value of a text, in their order, by its keys as they are typed."""
     return _TextWalk(text).values
 
 

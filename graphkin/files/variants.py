@@ -86,7 +86,7 @@ class Variants(Generic[Made]):
         return f"<Variants of {self.mechanism.name}: {self.count} mechanisms, other {names}>"
 
     def first(self, use: Callable[[Made], _Used]) -> _Used:
-        """What a use makes of the first that it does not refuse, of some. Raises what it says of the very first."""
+        """The outcome of a use for the first that it does not refuse. Raises its refusal of the very first."""
         problem: GraphkinError | None = None
         for row in range(min(self.count, TRIED)):
             try:

@@ -66,7 +66,7 @@ class TermRows:
 
 @frozen
 class NameLine:
-    """What a student fills in above a problem."""
+    """The line above a problem that a student fills in."""
 
     words: tuple[str, ...]
 
@@ -139,7 +139,7 @@ class Foot:
 
 @frozen
 class HandoutPart:
-    """What follows is in this language, on pages with this foot; `contents`: the head of the list of its problems."""
+    """The beginning of a part in this language, on pages with this foot; contents: the head of its list of problems."""
 
     lang: Lang
     foot: Foot

@@ -96,7 +96,7 @@ def pages(parts: Sequence[PagePart], heights: Sequence[float], room: float) -> l
 def _choices(
     texts: list[int], drawings: dict[int, int], first: int, placed: int | None, owed: int | None
 ) -> Iterator[tuple[list[int], tuple[int, int | None, int | None]]]:
-    """What a page may hold from a text on, behind a drawing that is owed; and the drawing that is owed then."""
+    """The texts that a page may hold from one on, behind a drawing that is owed; and the drawing that is owed then."""
     begun: list[tuple[list[int], int, int | None]] = [([] if owed is None else [owed], first, None)]
     while begun:
         page, number, late = begun.pop()

@@ -276,7 +276,7 @@ def _likely(key: Key) -> np.ndarray:
 
 
 def _occurs(of: str, text: str, problem: HandoutProblem) -> bool:
-    """Whether all that a mistake is made in stands in a text: arrows, rotations, triangles."""
+    """True where all that a mistake is made in stands in a text: arrows, rotations, triangles."""
     signs = (in_signs(each, problem.goal.texts) for each in of.split(", ") if each)
     return all(re.search(rf"(?<!\w){re.escape(sign)}(?![\w′])", text) for sign in signs)
 

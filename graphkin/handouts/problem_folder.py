@@ -19,10 +19,10 @@ import graphkin
 from graphkin.base.value import frozen
 from graphkin.base.worklist import ahead
 from graphkin.errors import CannotWrite, GraphkinError, Lang, NotASet
-from graphkin.handouts.hand_in import hand_in_page, workbook_rows
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.stages import figure_of, handout, scales_to_use
+from graphkin.handouts.worksheet import hand_in_page, workbook_rows
 from graphkin.homework.grading import SetMarker, key_for, set_text
 from graphkin.homework.grading.keys import USUAL, Pencils
 from graphkin.homework.grading.sets import TEACHER
@@ -214,7 +214,7 @@ def _files_of(order: SetOrder, whole: Mapping[str, _Whole], variants: Sequence[V
 
 
 def _write_common(order: SetOrder, variants: Sequence[Variant], whole: Mapping[str, _Whole]) -> None:
-    """What the students have in common."""
+    """Write what the students have in common."""
     teacher, students = order.folder / TEACHER, order.folder / STUDENTS
     langs = (order.lang, *(lang for lang in LANGUAGES if lang != order.lang))
     problems = [drawn_problem(variants[0].mechanism, lang) for lang in langs]

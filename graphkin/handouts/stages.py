@@ -65,23 +65,29 @@ def handout(
     if not any(called) and len(problems) > 1:
         numbers = range(number or 1, (number or 1) + len(problems))
     contents = say("handouts.contents", lang) if len(problems) > _NO_LIST else ""
-    blocks: list[Block] = []
-    before = 0  # so many figures: those of several problems are numbered through, but each student's own
-    for k, (problem, own_number) in enumerate(zip(problems, numbers, strict=True)):
-        blocks += [document.NewPage(duplex)] if k or contents else []
-        own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
-        said = " · ".join(filter(None, (problem.whose, own)))
-        staged = [*_numbered(replace(problem, before=before), stage, upto, own_number, said, k)]
-        before += 0 if problem.whose else sum(isinstance(block, document.HandoutPicture) for block in staged)
-        blocks += staged
-    blocks += [document.NewPage(duplex), *_answers(problems, numbers, lang)] if answers else []
+    front = document.NewPage(duplex)
+    blocks = [block for problem in _each_at(problems, stage, upto, numbers) for block in (front, *problem)]
+    blocks += [front, *_answers(problems, numbers, lang)] if answers else []
     title = " / ".join(problem.title for problem in problems)
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     words = say("handouts.seed", lang, seed=seed) if seed else ""
     foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, say("handouts.bar", lang))
     ids = ("" if who is None else who.id for who in owners)
-    whole = (document.HandoutPart(lang, foot, contents), *blocks)
+    whole = (document.HandoutPart(lang, foot, contents), *blocks[0 if contents else 1 :])
     return Handout(title, lang, whole, tuple(zip((machine.name for machine in mechanisms), ids, strict=True)))
+
+
+def _each_at(
+    problems: Sequence[HandoutProblem], stage: Stage, upto: int, numbers: Sequence[int]
+) -> Iterator[list[Block]]:
+    """Each problem at a stage; figures of several are numbered through, but each student's own."""
+    figures = 0
+    for place, (problem, number) in enumerate(zip(problems, numbers, strict=True)):
+        digest = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
+        said = " · ".join(filter(None, (problem.whose, digest)))
+        blocks = [*_numbered(replace(problem, before=figures), stage, upto, number, said, place)]
+        figures += 0 if problem.whose else sum(isinstance(block, document.HandoutPicture) for block in blocks)
+        yield blocks
 
 
 def _answers(problems: Sequence[HandoutProblem], numbers: Sequence[int], lang: Lang) -> Iterator[Block]:

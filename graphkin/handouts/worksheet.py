@@ -5,14 +5,26 @@ from __future__ import annotations
 import cmath
 import hashlib
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
+import graphkin
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
-from graphkin.construction import LayOff, Plane, Term
+from graphkin.construction import Construction, LayOff, Plane, Term
 from graphkin.errors import Lang
-from graphkin.handouts.document import GridRoom, HandoutTable, TermRows
+from graphkin.handouts.document import (
+    Block,
+    Foot,
+    GridRoom,
+    Handout,
+    HandoutHeading,
+    HandoutPart,
+    HandoutTable,
+    Paragraph,
+    TermRows,
+)
 from graphkin.handouts.problem import ROOM, HandoutProblem
+from graphkin.homework.platforms.tables import Cell
 from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import FRAME, Driver, Pose
 from graphkin.model.quantities import EDGE, Centre, Moving, Rotation, Track, at_position
@@ -20,9 +32,10 @@ from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Calculation, Entry, VectorEquation
 from graphkin.say.problems import positions
-from graphkin.sheet.lettering import Label, formula, plain, point_label
+from graphkin.sheet.lettering import Label, formula, joined, plain, point_label
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.window import corners
+from graphkin.submissions.submission import DRAWINGS
 
 _MORE = 1.2
 _EDGE, _GRID = 2.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
@@ -63,7 +76,7 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
 
 
 def _may_be_shown(problem: HandoutProblem, term: Term) -> bool:
-    """Whether the direction of an arrow gives nothing away: where a place, an angle or a centre is asked for, it must
+    """True if the direction of an arrow gives nothing away: where a place, an angle or a centre is asked for, it must
     follow from that of a link that is given, or from a guide of the frame."""
     if problem.posed_at is not None and problem.posed_at[1]:
         return True
@@ -179,3 +192,61 @@ def answer_boxes(problem: HandoutProblem) -> HandoutTable:
                plain(row.points)) for row in rows]  # fmt: skip
     heads = tuple(map(plain, (*answer_heads(rows, problem.lang), say("handouts.points", problem.lang))))
     return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
+
+
+# --- how it is handed in ----------------------------------------------------------------------------------------------
+
+_EXAMPLE = "20270001"
+
+
+def hand_in_page(problems: Sequence[HandoutProblem], workbook: str) -> Handout:
+    """The page, once for each language in which the problem is there; workbook: the name of the file to fill in."""
+    blocks: list[Block] = []
+    for problem in problems:
+        foot = Foot("", graphkin.__version__, "", "", say("handouts.bar", problem.lang))
+        blocks += [HandoutPart(problem.lang, foot), *_page(problem, workbook)]
+    first = problems[0]
+    return Handout(say("handouts.what to hand in", first.lang, title=first.title), first.lang, tuple(blocks))
+
+
+def _page(problem: HandoutProblem, workbook: str) -> Iterator[Block]:
+    lang = problem.lang
+    yield HandoutHeading(plain(say("handouts.what to hand in", lang, title=problem.title)), 1)
+    yield HandoutHeading(plain(say("handouts.numbers", lang)))
+    answers = answer_boxes(problem)
+    before, between, after = say("handouts.fill in", lang, file="\0", line="\0").split("\0")
+    line = (*answers.rows[0][0], *plain(" = 1.23 "), *answers.rows[0][2]) if answers.rows else ()
+    yield Paragraph((*plain(before + workbook + between), *line, *plain(after)))
+    yield answers
+    yield HandoutHeading(plain(say("handouts.files", lang)))
+    yield Paragraph(plain(say("handouts.called", lang)))
+    kinds = {"number": (".xlsx", ".csv", ".txt"), "drawing": DRAWINGS}
+    between = say("common.list", lang)
+    rows = [(plain(say(f"handouts.{what} file", lang)), plain(between.join(_EXAMPLE + end for end in ends)))
+            for what, ends in kinds.items()]  # fmt: skip
+    if positions(problem.drawing.mechanism):
+        rows.append((plain(say("handouts.further file", lang)), plain(f"{_EXAMPLE} #2{DRAWINGS[0]}")))
+    yield HandoutTable(tuple(plain(say(f"handouts.{head}", lang)) for head in ("content", "file")), tuple(rows))
+    yield HandoutHeading(plain(say("handouts.drawing", lang)))
+    yield Paragraph(plain(say("handouts.to scale", lang)))
+    polygons = tuple(
+        (plain(say(f"sheet.plane {plane}", lang)), joined([*map(point_label, _letters(problem.construction(plane)))]))
+        for plane in problem.polygons
+    )
+    yield HandoutTable(tuple(plain(say(f"handouts.{head}", lang)) for head in ("plane", "letters")), polygons)
+
+
+def _letters(polygon: Construction) -> list[str]:
+    """The pole and the points that lie elsewhere: fixed ones stand on it."""
+    fixed = {name for name, node in polygon.nodes.items() if node.site is not None and node.site.link == FRAME}
+    return [name for name in dict.fromkeys((polygon.pole, *polygon.nodes)) if name not in fixed - {polygon.pole}]
+
+
+def workbook_rows(problem: HandoutProblem) -> Iterator[Sequence[Cell]]:
+    """The rows of the workbook: under the heads of the answers whose they are, then each with nothing in it."""
+    lang = problem.lang
+    rows = answer_rows(problem)
+    yield answer_heads(rows, lang)
+    yield from ([say(f"handouts.{head}", lang), ""] for head in ("name", "student number"))
+    for row in rows:
+        yield [row.symbol, "", row.unit, "" if row.turns or row.directed else "—"]

@@ -1,4 +1,4 @@
-"""What a marking leaves: records in a file, and folders of results made of them, for teachers, students, platforms."""
+"""The files of a marking: records, and folders of results made of them, for teachers, students, platforms."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ class OwnMistaken(Mistaken):
 
 @frozen
 class Aftermath:
-    """What mistakes give, each student's own (students, quantities).
+    """The outcomes of mistakes, each student's own (students, quantities).
 
     values   NaN where they say nothing
     turned   whether they turn a vector so far that it is astray

@@ -13,7 +13,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
-from graphkin.base.geometry import cross, place
+from graphkin.base.geometry import cross, meet_lines, place
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Drawn, Equation, Given, Image, LayOff, Meet, Plot, Ray, Term
 from graphkin.marking.answers import ArrowPlaces, on_the_way
@@ -170,10 +170,9 @@ class _Paper:
                 return (at - arrow if backwards else at + arrow), _NEAR + _PART * abs(arrow)
             case Meet(Ray() as first, Ray() as second, point):
                 (p, u), (q, w) = (self.ray(ray, plot, corners) for ray in (first, second))
-                sine = float(cross(u, w))
+                at, sine = map(complex, meet_lines(p, u, q, w))
                 if abs(sine) < _STEEP:
                     return complex("nan"), 0.0
-                at = p + u * float(cross(q - p, w)) / sine
                 return at, (_NEAR + _PART * max(abs(at - p), abs(at - q))) / abs(sine)
             case Image(base=(tail, head), point=point):
                 points = plot.points(self.construction.plane)
@@ -214,7 +213,8 @@ class _Paper:
 
     def _behind(self, name: str, number: int) -> Iterator[StepDeparture]:
         """The wrong steps that led to a point: known arrows, then lines."""
-        made, part = self.made[name], self._equation(name)
+        made = self.made[name]
+        part = next((part for part in self.construction.equations if made in part.steps), None)
         if part is not None and part is self.loose:  # its lines cross at the pole, drawn after its points
             name, number = self.construction.pole, self.board.steps[-1].number
             made = self.made[name]
@@ -225,11 +225,8 @@ class _Paper:
         if isinstance(made, Meet) and part is not None:
             yield from self._lines(name, made, part, number)
 
-    def _equation(self, name: str) -> Equation | None:
-        return next((part for part in self.construction.equations if self.made[name] in part.steps), None)
-
     def _laid(self, step: LayOff, number: int) -> Iterator[StepDeparture]:
-        """What is wrong with a known arrow, by its name or by the point at its tip."""
+        """The fault of a known arrow, by its name or by the point at its tip."""
         term, plane = step.term, self.construction.plane
         name = term.name(plane)
         start = [self.there(step.start, plot, True) for plot in self.plots]
@@ -244,7 +241,8 @@ class _Paper:
             yield self._arrow_fault(own, drawn, min(expected, key=lambda each: abs(each - drawn)), term)
         if off > _NEAR and not (self.loose is not None and step in self.loose.steps):
             end = own.at[1 if step.backwards else 0]
-            yield StepDeparture(own.number, plane, "tail", name, self._letter(end), step.start)
+            letter = next((name for name, there in self.points.items() if abs(there - end) < _ON_LINE), "")
+            yield StepDeparture(own.number, plane, "tail", name, letter, step.start)
 
     @staticmethod
     def _alike(drawn: complex, right: complex) -> bool:
@@ -267,7 +265,8 @@ class _Paper:
         at, rays = self.points[name], [ray for ray in (made.first, made.second) if isinstance(ray, Ray)]
         lines = [line for line in self.steps if line.tool in _LINES and len(line.at) > 1
                  and line.number <= number and _off(line, at) < _ON_LINE]  # fmt: skip
-        fits = {line.number: [ray for ray in rays if self._is_ray(line, ray)] for line in lines}
+        fits = {line.number: [ray for ray in rays if self._is_parallel(line, ray) and self._passes(line, ray)]
+                for line in lines}  # fmt: skip
         left = [ray for ray in rays if not any(ray in some for some in fits.values())] or rays
         for line in (line for line in lines if not fits[line.number]):
             parallel = [ray for ray in left if self._is_parallel(line, ray)]
@@ -282,29 +281,21 @@ class _Paper:
             else:
                 yield StepDeparture(line.number, line.plane, "line", own, through, meant.through, right)
 
-    def _is_ray(self, line: BoardStep, ray: Ray) -> bool:
-        return self._is_parallel(line, ray) and self._passes(line, ray)
-
     def _is_parallel(self, line: BoardStep, ray: Ray) -> bool:
         along = line.at[1] - line.at[0]
         ways = (place(plot.direction(ray.direction)) for plot in self.plots)
         return any(abs(float(cross(along, way))) < math.sin(_ALIKE) * abs(along) for way in ways)
 
     def _passes(self, line: BoardStep, ray: Ray) -> bool:
-        if self.loose is not None and any(step in self.loose.steps for step in self._crossing_with(ray)):
+        ends = (step for step in self.made.values() if isinstance(step, Meet) and ray in (step.first, step.second))
+        if self.loose is not None and any(step in self.loose.steps for step in ends):
             return True  # through which point depends on where one begins
         return any(_off(line, self.there(ray.through, plot, True)) < _NEAR for plot in self.plots)
-
-    def _crossing_with(self, ray: Ray) -> list[Meet]:
-        return [step for step in self.made.values() if isinstance(step, Meet) and ray in (step.first, step.second)]
 
     def _through(self, line: BoardStep, but: str) -> str:
         """The letter of another point that a line passes through, the latest first; "" of none."""
         near = [name for name, at in self.points.items() if name != but and _off(line, at) < _ON_LINE]
         return near[-1] if near else ""
-
-    def _letter(self, at: complex) -> str:
-        return next((name for name, there in self.points.items() if abs(there - at) < _ON_LINE), "")
 
     def _line_token(self, part: Equation, ray: Ray) -> str:
         terms = (term for term in part.left + part.right if term.direction == ray.direction and term.size is None)

@@ -124,7 +124,7 @@ class CarriedProblem:
 
     @cached_property
     def _alike(self) -> np.ndarray:
-        """Which quantities are one: rotations of links that turn together (quantities, quantities)."""
+        """Flags of quantities that are one: rotations of links that turn together (quantities, quantities)."""
         rates = dict(rotations_of(self.plot, self.quantities))
         whose = [rates.get(n, (quantity.text,)) for n, quantity in enumerate(self.quantities)]
         return np.array([[one == other for other in whose] for one in whose], dtype=bool)
@@ -244,7 +244,7 @@ class CarriedProblem:
     def _otherwise(
         self, given: np.ndarray, used: np.ndarray
     ) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
-        """What own rotations give otherwise than the polygon: quantity, values (students,), which rotations."""
+        """All that own rotations give otherwise than the polygon: quantity, values (students,), which rotations."""
         several = len(self.method.structure.tying) > 1  # contacts, each of which gives a rotation by another
         for backwards in (False, True)[: 1 + several]:
             own = self._rotations(given, used, backwards)

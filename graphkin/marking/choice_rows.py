@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from graphkin.base.geometry import cross, place, unit
+from graphkin.base.geometry import Value, cross, unit
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot, terms
 from graphkin.model.mechanism import FRAME
@@ -37,13 +37,9 @@ class Choice:
     factors: tuple[str, ...] = ()
 
 
-Vectors = Callable[[Plot], complex]
-Sizes = Callable[[Plot], float]
-
-
 @frozen
 class ChoiceRows:
-    """The choices of one plane, each with its value at a position."""
+    """The choices of one plane, each with its values at all positions: unit vectors or sizes (positions,)."""
 
     method: Method
     plots: list[Plot]
@@ -76,49 +72,50 @@ class ChoiceRows:
         pairs: set[tuple[str, str]] = {in_order(*pair) for there in links for pair in combinations(there, 2)}
         for slide in self.method.structure.slides.values():
             fixed = mechanism.named(FRAME) if slide.guide == FRAME else ()
-            guide = _guide(slide.name)
-            pairs |= {in_order(one, slide.point) for one in fixed if self.same_line(guide, _line(one, slide.point))}
+            guide, at = self._guide(slide.name), slide.point
+            pairs |= {in_order(one, at) for one in fixed if self.same_line(guide, self._line(one, at))}
         for polygon in (self.method.velocity, self.method.acceleration):
             for term in (term for equation in polygon.equations for term in equation.left + equation.right):
                 if isinstance(term.direction, terms.Along | terms.Across):
                     pairs.add(in_order(term.direction.tail, term.direction.head))
-        apart = (pair for pair in pairs if abs(place(self.plots[0].arm(*pair))) > mechanism.usual.least("m"))
+        apart = (pair for pair in pairs if self._length(*pair)[0] > mechanism.usual.least("m"))
         return sorted(pair for pair in apart if mechanism.unnamed.isdisjoint(pair))
 
     @cached_property
-    def directions(self) -> Mapping[Choice, Vectors | None]:
+    def directions(self) -> Mapping[Choice, np.ndarray | None]:
         """Choices of direction; those without a value are the words."""
-        choices: dict[Choice, Vectors | None] = {Choice(UNKNOWN, "?"): None, Choice(KNOWN, "given"): None}
+        choices: dict[Choice, np.ndarray | None] = {Choice(UNKNOWN, "?"): None, Choice(KNOWN, "given"): None}
         for pair in self.pairs:
-            line = "".join(pair)
-            choices[Choice(f"parallel {line}", "parallel", pair)] = _line(*pair)
-            choices[Choice(f"perpendicular {line}", "perpendicular", pair)] = _line(*pair, 1j)
+            letters, line = "".join(pair), self._line(*pair)
+            choices[Choice(f"parallel {letters}", "parallel", pair)] = line
+            choices[Choice(f"perpendicular {letters}", "perpendicular", pair)] = 1j * line
             for tail, head in permutations(pair):
-                choices[Choice(f"{tail} to {head}", "towards", (tail, head))] = _line(tail, head)
-        axes = {Choice(f"parallel {axis}", "guide", (axis,)): _axis(way) for axis, way in zip(AXES, (1 + 0j, 1j))}
+                choices[Choice(f"{tail} to {head}", "towards", (tail, head))] = self._line(tail, head)
+        axes = {Choice(f"parallel {axis}", "guide", (axis,)): np.full(len(self.plots), along)
+                for axis, along in zip(AXES, (1 + 0j, 1j))}  # fmt: skip
         choices |= axes
-        lines = [*(_line(*pair) for pair in self.pairs), *axes.values()]
+        lines = [*(self._line(*pair) for pair in self.pairs), *axes.values()]
         for slide in self.method.structure.slides.values():
-            guide = _guide(slide.name)
+            guide = self._guide(slide.name)
             if not any(self.same_line(guide, line) for line in lines):
                 named = [choice for choice in choices if choice.kind == "guide" and choice.points == (slide.point,)]
                 guided = f"guide {slide.name if named else slide.point}"
                 choices[Choice(f"parallel {guided}", "guide", (slide.point,))] = guide
-                choices[Choice(f"perpendicular {guided}", "across guide", (slide.point,))] = _guide(slide.name, 1j)
+                choices[Choice(f"perpendicular {guided}", "across guide", (slide.point,))] = 1j * guide
                 lines.append(guide)
         return choices
 
     @cached_property
-    def magnitudes(self) -> Mapping[Choice, Sizes | None]:
+    def magnitudes(self) -> Mapping[Choice, np.ndarray | None]:
         """Choices of magnitude; those without a value are the words."""
-        choices: dict[Choice, Sizes | None] = {
+        choices: dict[Choice, np.ndarray | None] = {
             Choice(UNKNOWN, "?"): None, Choice(KNOWN, "given"): None, Choice(NOTHING, "0"): None
         }  # fmt: skip
         for factors, value in self._products():
             choices.setdefault(Choice("*".join(factors), "product", factors=factors), value)
         return choices
 
-    def _products(self) -> Iterator[tuple[tuple[str, ...], Sizes]]:
+    def _products(self) -> Iterator[tuple[tuple[str, ...], np.ndarray]]:
         in_velocity, contacts = self.plane == "velocity", self.method.structure.contacts
         wheels = [pair for one in contacts for pair in zip(one.wheels, one.radii, strict=True) if pair[0] != FRAME]
         powers = ((1, "omega"),) if in_velocity else ((2, "omega"), (1, "omega"), (1, "alpha"))
@@ -127,23 +124,27 @@ class ChoiceRows:
                 factor = f"{word}_{low}" + ("^2" if power == 2 else "")
                 for pair in self.pairs:
                     if not {*self.of_links[link]}.isdisjoint(pair):
-                        yield (factor, f"l_{''.join(pair)}"), _times(rate, _length(*pair), power)
+                        yield (factor, f"l_{''.join(pair)}"), rate**power * self._length(*pair)
                 for radius in sorted({abs(radius) for wheel, radius in wheels if wheel == link and radius}):
-                    yield (factor, f"r_{low}"), _times(rate, _constant(radius), power)
+                    yield (factor, f"r_{low}"), rate**power * radius
         for low, _, rate in () if in_velocity else self._rates("omega"):
-            for name, ends in self.velocities.items():
-                yield ("2", f"omega_{low}", name), _times(rate, _speed(*ends, 2.0))
-                yield (f"omega_{low}", name), _times(rate, _speed(*ends))
+            for name, (tail, head) in self.velocities.items():
+                speed = np.abs([plot.velocity[head] - plot.velocity[tail] for plot in self.plots])
+                yield ("2", f"omega_{low}", name), rate * 2.0 * speed
+                yield (f"omega_{low}", name), rate * speed
 
-    def _rates(self, word: str) -> Iterator[tuple[str, str, Sizes]]:
-        """Each link's rotation, by how it is written; then those that drivers give against another link."""
+    def _rates(self, word: str) -> Iterator[tuple[str, str, np.ndarray]]:
+        """The size of each link's rotation, by how it is written; then those that drivers give against another link."""
         mechanism, order = self.method.mechanism, 1 if word == "omega" else 2
         for link in self.of_links:
-            yield self.called(link), link, _rate(word, link)
+            rates = [(plot.omega if order == 1 else plot.alpha)[link] for plot in self.plots]
+            yield self.called(link), link, np.abs(rates)
         for driver in mechanism.drivers:
             if driver.kind != "slide" and driver.from_link != FRAME:
-                pair = driver.link, driver.from_link
-                yield self.against(*pair), driver.link, _relative_rate(*pair, order)
+                link, other = driver.link, driver.from_link
+                rates = [plot.facts.relative_rate(link, order) - plot.facts.relative_rate(other, order)
+                         for plot in self.plots]  # fmt: skip
+                yield self.against(link, other), link, np.abs(rates)
 
     @cached_property
     def velocities(self) -> Mapping[str, tuple[str, str]]:
@@ -169,44 +170,20 @@ class ChoiceRows:
         structure = self.method.structure
         return spelled(self.method.mechanism.called(structure.pins[link].guide if structure.is_pin(link) else link))
 
-    def same_line(self, one: Vectors, other: Vectors, here: bool = False) -> bool:
+    def at_each(self, value: Callable[[Plot], Value]) -> np.ndarray:
+        return np.array([value(plot) for plot in self.plots])
+
+    def same_line(self, one: np.ndarray, other: np.ndarray, here: bool = False) -> bool:
         """Parallel at all positions where both are any direction; or only `here`, at the drawn one."""
-        across = [abs(float(cross(one(plot), other(plot)))) for plot in self.plots[: 1 if here else None]]
-        there = [value for value in across if np.isfinite(value)]
-        return bool(there) and max(there) < SAME
+        across = np.abs(cross(one, other))[: 1 if here else None]
+        there = across[np.isfinite(across)]
+        return bool(there.size and there.max() < SAME)
 
+    def _line(self, tail: str, head: str) -> np.ndarray:
+        return self.at_each(lambda plot: unit(plot.arm(tail, head)))
 
-def _line(tail: str, head: str, turned: complex = 1.0 + 0j) -> Vectors:
-    return lambda plot: place(turned * unit(plot.arm(tail, head)))
+    def _guide(self, slide: str) -> np.ndarray:
+        return self.at_each(lambda plot: plot.guide_direction(slide))
 
-
-def _guide(slide: str, turned: complex = 1.0 + 0j) -> Vectors:
-    return lambda plot: place(turned * plot.guide_direction(slide))
-
-
-def _axis(along: complex) -> Vectors:
-    return lambda plot: along
-
-
-def _length(first: str, second: str) -> Sizes:
-    return lambda plot: abs(place(plot.arm(first, second)))
-
-
-def _constant(value: float) -> Sizes:
-    return lambda plot: value
-
-
-def _speed(tail: str, head: str, times: float = 1.0) -> Sizes:
-    return lambda plot: times * abs(place(plot.velocity[head] - plot.velocity[tail]))
-
-
-def _rate(word: str, link: str) -> Sizes:
-    return lambda plot: float((plot.omega if word == "omega" else plot.alpha)[link])
-
-
-def _relative_rate(link: str, seen_from: str, order: int) -> Sizes:
-    return lambda plot: float(plot.facts.relative_rate(link, order) - plot.facts.relative_rate(seen_from, order))
-
-
-def _times(rate: Sizes, other: Sizes, power: int = 1) -> Sizes:
-    return lambda plot: abs(rate(plot)) ** power * other(plot)
+    def _length(self, first: str, second: str) -> np.ndarray:
+        return np.abs(self.at_each(lambda plot: plot.arm(first, second)))

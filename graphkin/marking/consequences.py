@@ -52,24 +52,11 @@ class Consequences:
 
     @cached_property
     def moves(self) -> np.ndarray:
-        vectors = [np.nan if answer.vector is None else answer.vector for answer in self.right]
-        right = np.array([answer.value for answer in self.right], dtype=float), np.array(vectors, dtype=complex)
-        return np.asarray(~self._like(*right))
-
-    def alike(self) -> list[list[int]]:
-        """Groups of columns that cannot be told apart by what is asked; those that change nothing left out."""
-        groups: list[list[int]] = []
-        left = np.flatnonzero(self.moves)
-        while left.size:
-            same = self._like(self.values[left[0]], self.vectors[left[0]])[left]
-            groups.append(left[same].tolist())
-            left = left[~same]
-        return groups
-
-    def _like(self, values: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-        """The columns that give these values and vectors (quantities,), as booleans."""
+        values = np.array([answer.value for answer in self.right], dtype=float)
+        vectors = np.array([np.nan if one.vector is None else one.vector for one in self.right], dtype=complex)
         same = _equal(self.values, values, self.sizes) & _equal(self.vectors, vectors, self.sizes)
-        return np.asarray(same.all(axis=1))
+        return np.asarray(~same.all(axis=1))
+
 
 
 def _equal(one: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> np.ndarray:
@@ -86,7 +73,7 @@ def rewrites(
     scene = Scene(method, plot, tuple(quantities), scales or {})
     count: Counter[tuple[str, ...]] = Counter()
     numbered = []
-    for rewrite in (one for mistake in MISTAKES.values() for one in mistake.find(scene)):
+    for rewrite in (replace(one, id=id) for id, mistake in MISTAKES.items() for one in mistake.find(scene)):
         count[rewrite.name] += 1  # two slides may be looked at in one coincident point
         nth = count[rewrite.name]
         numbered.append(rewrite if nth == 1 else replace(rewrite, of=f"{rewrite.of} ({nth})"))
@@ -176,7 +163,6 @@ class DrawingComparison:
     Where the mechanism itself is drawn otherwise, all of its polygons only follows.
     """
 
-    right: Plot
     other: Plot
     planes: tuple[Plane, ...]
     arrows: Mapping[Plane, frozenset[frozenset[str]]]
@@ -195,7 +181,7 @@ def compare_drawings(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) ->
     polygons = [] if "position" in planes else [method.velocity, method.acceleration]
     arrows = {one.plane: frozenset(_arrows(one, right, other)) for one in polygons}
     images = {one.plane: frozenset(_images(one, right, other)) for one in polygons}
-    return DrawingComparison(right, other, tuple(planes), arrows, images)
+    return DrawingComparison(other, tuple(planes), arrows, images)
 
 
 def _least(right: Plot, other: Plot, plane: Plane) -> float:

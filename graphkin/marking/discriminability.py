@@ -27,7 +27,6 @@ from graphkin.planning import Method
 class MistakeVisibility:
     """The visibility of mistakes in the answers to one problem.
 
-    right, tolerance  of the answers (n,)
     names   of the mistakes that say anything of an answer (m,)
     seen    whether one puts an answer beyond its tolerance (m,)
     still   whether one leaves all answers as they are (m,)
@@ -36,8 +35,6 @@ class MistakeVisibility:
     failed  part of the drawings with a pencil whose links do not meet
     """
 
-    right: np.ndarray
-    tolerance: np.ndarray
     names: tuple[Name, ...]
     seen: np.ndarray
     still: np.ndarray
@@ -79,7 +76,7 @@ def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndar
     ids = np.array([names[row][0] for row in rows])
     others, kept = ids[:, None] != ids, tuple(names[row] for row in rows)
     near = near & others & seen[:, None] & seen
-    return MistakeVisibility(table.right, table.tolerance, kept, seen, still, near, same & others)
+    return MistakeVisibility(kept, seen, still, near, same & others)
 
 
 # --- problems of one template -----------------------------------------------------------------

@@ -10,8 +10,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from graphkin.base.cache import kept
-from graphkin.base.geometry import dot, place, unit
+from graphkin.base.geometry import dot, unit
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Equation, LayOff, Plane, Plot, Term, replay, slide_key, terms
 from graphkin.errors import GraphkinError
@@ -124,10 +126,6 @@ class _TermReader:
         return self.rows.plane
 
     @property
-    def plots(self) -> list[Plot]:
-        return self.rows.plots
-
-    @property
     def least(self) -> float:
         """Arrows up to this are none."""
         return self.rows.method.mechanism.usual.least("m/s" if self.plane == "velocity" else "m/s^2")
@@ -139,15 +137,14 @@ class _TermReader:
         return EquationChoices(self.plane, number, front, sides, (*self.rows.directions,), (*self.rows.magnitudes,))
 
     def _term(self, term: Term) -> TermChoices:
-        known = isinstance(term.size, terms.Drawn | terms.Driven)
-        nothing = abs(self._arrow(term, self.plots[0])) <= self.least
+        known, size = isinstance(term.size, terms.Drawn | terms.Driven), np.abs(self._arrow(term))
+        nothing = bool(size[0] <= self.least)
         directions, senseless = self._right_directions(term)
         if known or not directions:  # of one that never moves there is none
             directions.add(KNOWN)
         magnitudes = {UNKNOWN} if term.size is None else {KNOWN} | {
-            choice.token for choice, size in self.rows.magnitudes.items()
-            if size is not None and all(abs(size(plot) - abs(self._arrow(term, plot))) <= SAME * size(plot) + self.least
-                                        for plot in self.plots)
+            choice.token for choice, value in self.rows.magnitudes.items()
+            if value is not None and np.all(np.abs(value - size) <= SAME * value + self.least)
         }  # fmt: skip
         magnitudes |= {NOTHING} if nothing else set()
         sizes = sorted(magnitudes, key=lambda token: (token != self._own_size(term), token == KNOWN, token))
@@ -190,29 +187,27 @@ class _TermReader:
             case _:
                 return KNOWN if isinstance(term.size, terms.Drawn) else ""
 
-    def _arrow(self, term: Term, plot: Plot) -> complex:
-        points = plot.points(self.plane)
-        return place(points[term.head] - points[term.tail])
-
     def _right_directions(self, term: Term) -> tuple[set[str], set[str]]:
         """The tokens that say where a term points; and those on its line that do not say which way."""
         if term.direction is None and not isinstance(term.size, terms.Drawn):
             return {UNKNOWN}, set()
-        right, senseless = set[str](), set[str]()
+        right, senseless, line = set[str](), set[str](), self._line_of(term)
         pointed = isinstance(term.direction, terms.Along) and term.size is not None
         for choice, value in self.rows.directions.items():
             axis = choice.kind == "guide" and choice.points[0] in AXES  # along which a line lies now, whatever it does
-            if value is None or not self.rows.same_line(value, lambda plot: self._line_of(term, plot), axis):
+            if value is None or not self.rows.same_line(value, line, axis):
                 continue
-            same_way = all(float(dot(value(plot), self._line_of(term, plot))) > 0 for plot in self.plots)
             free = term.size is None or not (pointed or choice.kind == "towards")
-            ok = free or (choice.kind == "towards" and same_way)
+            ok = free or (choice.kind == "towards" and np.all(dot(value, line) > 0))
             (right if ok else senseless).add(choice.token)
         return right, senseless
 
-    def _line_of(self, term: Term, plot: Plot) -> complex:
-        """Where a term points, of one that is known with its sense; NaN of an arrow that is none."""
-        if term.size is None and term.direction is not None:
-            return place(plot.direction(term.direction))
-        arrow = self._arrow(term, plot)
-        return complex(unit(arrow)) if abs(arrow) > self.least else complex("nan")
+    def _line_of(self, term: Term) -> np.ndarray:
+        """The direction of a term, of one that is known with its sense; NaN of an arrow that is none."""
+        if term.size is None and (direction := term.direction) is not None:
+            return self.rows.at_each(lambda plot: plot.direction(direction))
+        arrow = self._arrow(term)
+        return np.where(np.abs(arrow) > self.least, unit(arrow), np.nan)
+
+    def _arrow(self, term: Term) -> np.ndarray:
+        return self.rows.at_each(lambda plot: plot.points(self.plane)[term.head] - plot.points(self.plane)[term.tail])

@@ -223,7 +223,7 @@ class Marker:
         ]
 
     def _costs(self, diagnosed: Sequence[Diagnosis]) -> np.ndarray:
-        """Where each student's values (students, n) cost something: a slip that was named, then what is asked."""
+        """Flags (students, n) of the values that cost something: of a slip that was named, then of what is asked."""
         costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
         costs = np.repeat(costs[None], len(diagnosed), axis=0)
         for k, one in enumerate(diagnosed):

@@ -49,20 +49,20 @@ class RewrittenValue:
 class Rewrite:
     """A mistake made at one place.
 
-    id     of the mistake, as in every output: `coriolis-omitted`
     of     what it was made with, as written: `a^k_B3B2`, `omega 3`
     form   with what, where there is a choice: the quantity taken instead, the factor, as written
     way    which way of making it, where a mistake has several that take other words
     edits  the places done otherwise
     asked  handed-in values that were written otherwise though all was drawn right
+    id     of the mistake, as in every output: `coriolis-omitted`; the register has it
     """
 
-    id: str
     of: str
     form: str = ""
     edits: tuple[Edit, ...] = ()
     asked: tuple[RewrittenValue, ...] = ()
     way: str = ""
+    id: str = ""
 
     @property
     def name(self) -> tuple[str, str, str, str]:
@@ -81,7 +81,7 @@ class Times:
 
 
 def turned_back(link: str) -> Change:
-    """What is right, turned by 90 degrees against the sense of a link's rotation."""
+    """The right value, turned by 90 degrees against the sense of a link's rotation."""
     return lambda plot, right: -1j * np.sign(plot.omega[link]) * right
 
 

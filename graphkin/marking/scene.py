@@ -94,7 +94,7 @@ class Scene:
         return {rim: node for rim, node in rims
                 if rim not in known and rim.tail != rim.head and rim.head in self.points(rim.link)}  # fmt: skip
 
-    def term(self, id: str, size: Size, name: str, change: Change | None, form: str = "", way: str = "") -> Rewrite:
+    def term(self, size: Size, name: str, change: Change | None, form: str = "", way: str = "") -> Rewrite:
         """A known term of the accelerations that is otherwise, and what is handed in of it, where no arrow shows that;
         or one that is right but not laid off."""
         laid = (step for step in self.steps("acceleration") if isinstance(step, kinds.LayOff))
@@ -105,7 +105,7 @@ class Scene:
             edits = [Edit(("image", "acceleration", self.rims[size]), _moved(size, change or Times(0.0)))]
         else:
             edits = [Edit(("arrow", "acceleration", size), change or Times(0.0))]
-        return Rewrite(id, name, form, tuple(edits), tuple(self._handed_in(size, change)) if change else (), way)
+        return Rewrite(name, form, tuple(edits), tuple(self._handed_in(size, change)) if change else (), way)
 
     def _handed_in(self, size: Size, change: Change) -> Iterator[RewrittenValue]:
         """The terms of a size that are handed in and that no arrow shows, as a change makes them."""
@@ -263,11 +263,10 @@ Finder = Callable[[Scene], Iterable[Rewrite]]
 class Mistake:
     """A mistake there is: where it can be made in a scene.
 
-    topic its subject, as hints have it
-    rule  the source's rule that it breaks, by section and equation of Sun Huan, 机械原理
+    topic  its subject, as hints have it
+    rule   the source's rule that it breaks, by section and equation of Sun Huan, 机械原理
     """
 
-    id: str
     topic: str
     rule: str
     find: Finder
@@ -280,7 +279,7 @@ def mistake(id: str, topic: str, rule: str) -> Callable[[Finder], Finder]:
     """Enters a mistake's function under its id."""
 
     def enter(find: Finder) -> Finder:
-        MISTAKES[id] = Mistake(id, topic, rule, find)
+        MISTAKES[id] = Mistake(topic, rule, find)
         return find
 
     return enter

@@ -176,7 +176,7 @@ class ScaledExplanations:
 
 
 def once_known(together: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """What is left of scatters that go together (n, n) once one of them is known, a row for each: the part of each
+    """The rest of scatters that go together (n, n) once one of them is known, a row for each: the part of each
     standard deviation (n, n), and the correlations (n, n, n)."""
     left = together - together[:, :, None] * together[:, None, :]
     parts = np.sqrt(np.maximum(np.diagonal(left, axis1=1, axis2=2), LEFT**2))

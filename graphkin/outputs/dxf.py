@@ -116,7 +116,7 @@ class _DxfPage:
 
 
 def _pieces(places: Sequence[Place], dashes: Sequence[float]) -> Iterator[list[Place]]:
-    """What is drawn of a broken line."""
+    """The pieces of a broken line that are drawn."""
     from shapely import LineString
     from shapely.ops import substring
 

@@ -57,7 +57,7 @@ def json_schema_text(lang: Lang = "en") -> str:
 
 
 def _written(node: Plain, indent: str) -> str:
-    """What fits a line stands on one."""
+    """A node as JSON: one that fits a line stands on one."""
     line = json.dumps(node, ensure_ascii=False, sort_keys=True)
     if not isinstance(node, dict) or len(line) <= 360:
         return line

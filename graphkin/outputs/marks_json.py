@@ -99,8 +99,8 @@ def judged_of(record: Record) -> list[Judged]:
 
 
 def measured_data(measured: MeasuredDrawing) -> Json:
-    """What was measured on photographs [mm from the pole, y up], at which scales, by how much it is off, and what of it
-    is unsure."""
+    """All that was measured on photographs [mm from the pole, y up], at which scales, by how much it is off, what is
+    unsure."""
     planes: dict[str, dict[str, Plain]] = {}
     for (plane, letter), place in measured.points.items():
         planes.setdefault(plane, {})[letter] = plain(place)
@@ -129,7 +129,7 @@ def measured_of(record: Record) -> MeasuredDrawing | None:
 
 
 def _of_board(graded: Graded, marked: Marked) -> Json:
-    """What there is of a drawing board: choices that are not right, the first wrong step, the board itself."""
+    """All that there is of a drawing board: choices that are not right, the first wrong step, the board itself."""
     own: Json = {}
     if marked.faults:
         own["equations"] = plain(marked.faults)

@@ -58,7 +58,7 @@ class NotebookSheet(Sheet):
         return file
 
     def content(self, file: Path, dpi: float = 200.0, ink: Ink = "accent") -> bytes:
-        """What `save` writes. Raises UnknownEnding, NeedsExtra."""
+        """The content that `save` writes. Raises UnknownEnding, NeedsExtra."""
         return drawings.content(file, self, self.drawing, dpi, ink)
 
     @checked

@@ -36,10 +36,6 @@ Inside = str | Sequence[ET.Element]
 Form = tuple[str, dict[str, str], Inside]  # an element's name, attributes, and what is in it: letters or other elements
 
 _NONE: Attributes = {}
-_SPECIAL = re.compile('[&<>"\r\n\t]')
-_LETTERED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})
-_QUOTED = _LETTERED | str.maketrans({'"': "&quot;", "\r": "&#13;", "\n": "&#10;", "\t": "&#09;"})
-"""What letters between elements, and in attributes, are written as."""
 
 
 class Unwritable(GraphkinError):
@@ -65,17 +61,7 @@ def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
     pen = SvgPen(sheet, ink, metadata)
     for layer in sheet.layers:
         pen.layer(layer)
-    return _written(pen.drawing.get_xml())
-
-
-def _written(element: ET.Element) -> str:
-    """The element as text. Names with their prefix are written as they are, so nothing has to be looked up."""
-    items = element.attrib.items()
-    if _SPECIAL.search("".join(element.attrib.values())) is not None:
-        items = {name: value.translate(_QUOTED) for name, value in items}.items()
-    attributes = "".join([f' {name}="{value}"' for name, value in items])
-    inside = (element.text or "").translate(_LETTERED) + "".join([_written(part) for part in element])
-    return f"<{element.tag}{attributes}" + (f">{inside}</{element.tag}>" if inside else " />")
+    return ET.tostring(pen.drawing.get_xml(), encoding="unicode")
 
 
 def _refuse_control(text: str, where: str) -> None:

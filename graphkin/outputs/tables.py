@@ -249,8 +249,3 @@ class SweepFrames(Sweep):
 
 def _html_row(kind: str, cells: Iterable[str]) -> str:
     return f"<tr>{''.join(f'<{kind}>{escape(cell)}</{kind}>' for cell in cells)}</tr>"
-
-
-def framed(sweep: Sweep) -> SweepFrames:
-    """The same sweep, as programs and notebooks take it."""
-    return SweepFrames(**vars(sweep))

@@ -1,4 +1,4 @@
-"""What a student fills in on a drawing board, as HTML: the rows of the vector equations, scales, boxes for answers."""
+"""The forms of a drawing board, as HTML: the rows of the vector equations, scales, boxes for answers."""
 
 from __future__ import annotations
 

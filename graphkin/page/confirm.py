@@ -37,7 +37,7 @@ def write_page(
 
 
 def _view(reading: SheetReading, name: str) -> dict[str, Plain]:
-    """What is seen beside the reading itself."""
+    """The words beside the reading itself."""
     reasons = [_both(room.drawing(Where(reading.picture)).unsure) for room in reading.rooms]
     return {"called": " ".join(filter(None, (reading.student, name))), "reasons": reasons}
 

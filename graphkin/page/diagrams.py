@@ -17,7 +17,7 @@ _USUAL = 2.0  # of a grid's values so many percent are left out on either side: 
 
 
 class Frame(TypedDict):
-    """Where the drawing of a diagram has 0, and how long a unit is, across and up [mm of its own]."""
+    """The place of 0 in the drawing of a diagram, and the length of a unit, across and up [mm of its own]."""
 
     x: tuple[float, float]
     y: tuple[float, float]

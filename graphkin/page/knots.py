@@ -1,23 +1,23 @@
 """The knots of a page: so many along each driver that what is drawn between them is near enough.
 
 Of one driver more knots are taken where a position halfway is not drawn as it should be; of several, along all of one.
+Between knots there are Lagrange's polynomials through eight of them, or as many as are in a row, as in `tracks.js`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from itertools import product
 
 import numpy as np
 
-from graphkin.base.value import bulky
+from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plane, Plot
 from graphkin.page.figures import PageFigures
 from graphkin.page.reach import Reach
 from graphkin.page.rows import Row, rows
-from graphkin.page.stencils import Knots, stencil
 from graphkin.page.tracks import OF_GRID
 from graphkin.sheet.window import PLANES, Figure
 
@@ -203,7 +203,7 @@ def _of_several(reach: Reach) -> PageKnots:
 
 
 def _off_along(knots: PageKnots, driver: int) -> float:
-    """How far most of what is drawn halfway between knots of one driver is off [mm]."""
+    """The distance by which most of what is drawn halfway between knots of one driver is off [mm]."""
     axis, off = knots.axes[driver], list[float]()
     numbers = np.linspace(0, len(knots.plots) - 1, _TRIED).astype(int)
     for number in (int(k) for k in numbers if knots.plots[k] is not None):
@@ -220,7 +220,7 @@ def _off_along(knots: PageKnots, driver: int) -> float:
 
 
 def _off(knots: PageKnots, us: Sequence[float], plane: Plane, plot: Plot) -> float:
-    """How far what is drawn is off [mm], rounding at the knots included."""
+    """The distance by which what is drawn is off [mm], rounding at the knots included."""
     shown = knots.shown[plane]
     how = stencil(knots.axes, us, shown.reshape(knots.shape)) if knots.figures.motion[plane].fits(plot) else None
     if how is None:
@@ -266,3 +266,64 @@ def _is_sure(knots: PageKnots, plane: Plane, shown: np.ndarray, us: Sequence[flo
     one, *others = (weights @ knots.points[plane][numbers] for numbers, weights in every)
     off = max(np.abs(one - other).max() for other in others) / knots.figures.window(plane).scale
     return bool(off + np.abs(every[0][1]).sum() * OF_GRID <= _DOUBT)
+
+
+# --- values between knots ---------------------------------------------------------------------------------------------
+
+MOST = 8
+Mask = np.ndarray  # True at the knots that count, in the shape of the grid
+
+
+@frozen
+class Knots:
+    """Places along one driver, u (n,) growing; period: after which the first comes again, 0 if never."""
+
+    u: np.ndarray
+    period: float = 0.0
+
+    def within(self, number: int, part: float) -> float:
+        """The place so far on the way from a knot to the next."""
+        size = len(self.u)
+        following = self.u[(number + 1) % size] + self.period * ((number + 1) // size)
+        return float(self.u[number] + part * (following - self.u[number]))
+
+    def cell(self, u: float) -> int:
+        """The last knot that is not beyond u."""
+        k = int(np.searchsorted(self.u, u, "right")) - 1
+        return k if self.period else min(max(k, 0), len(self.u) - 2)
+
+    def windows(self, u: float, count: int) -> Iterator[tuple[int, ...]]:
+        """Runs of so many knots with one that is beside a place, the best centred first; counted on beyond the last,
+        round and round."""
+        middle, size = self.cell(u) - count // 2 + 1, len(self.u)
+        for shift in sorted(range(-(count // 2), count // 2 + 1), key=lambda shift: (abs(shift), shift)):
+            first = middle + shift
+            if self.period or 0 <= first <= size - count:
+                yield tuple(range(first, first + count))
+
+    def weights(self, u: float, window: Sequence[int]) -> np.ndarray:
+        size = len(self.u)
+        at = np.array([self.u[k % size] + self.period * (k // size) for k in window])
+        gaps = at[:, None] - at[None, :]
+        np.fill_diagonal(gaps, 1.0)
+        ahead = np.broadcast_to(u - at, gaps.shape).copy()
+        np.fill_diagonal(ahead, 1.0)
+        return np.asarray((ahead / gaps).prod(axis=1))
+
+
+def stencil(
+    knots: Sequence[Knots], us: Sequence[float], mask: Mask, fewer: int = 0
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """The numbers (m,) of the knots that give the value at a place of a grid, and their weights; None: none give it;
+    fewer: than usual along each driver."""
+    for count in range(MOST - fewer, 0, -2):
+        counts = [min(count, len(axis.u)) for axis in knots]
+        for windows in product(*(axis.windows(u, few) for axis, u, few in zip(knots, us, counts, strict=True))):
+            places = np.ix_(*(np.array(window) % len(axis.u) for axis, window in zip(knots, windows, strict=True)))
+            if mask[places].all():
+                weights = np.ones(())
+                for axis, u, window in zip(knots, us, windows, strict=True):
+                    weights = np.multiply.outer(weights, axis.weights(u, window))
+                numbers = np.arange(mask.size).reshape(mask.shape)[places]
+                return numbers.ravel(), weights.ravel()
+    return None

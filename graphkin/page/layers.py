@@ -77,7 +77,7 @@ class Layers(TypedDict):
 
 
 def moving(track: CentreTrack | CentrodeTrack) -> dict[str, object]:
-    """What of a layer moves: the rest stands in the drawing."""
+    """The data of a layer that move: the rest stands in the drawing."""
     return {key: value for key, value in track.items() if key in ("x", "y", "w", "cos", "sin", "mask")}
 
 
@@ -104,9 +104,6 @@ class _Layers:
     def _on_paper(self, places: Value) -> Array:
         """Places (n,) [m] on paper [mm, y down]."""
         return np.asarray(self.window.origin + np.conj(np.asarray(places)) / self.window.scale)
-
-    def _each(self, values: Value) -> Array:
-        return np.asarray(np.broadcast_to(values, self.t.shape))
 
     # --- instant centres ----------------------------------------------------------------------
 
@@ -174,7 +171,7 @@ class _Layers:
             for some in _runs(near):
                 fixed.append(_path(paper[some]))
                 moving.append(_path(np.conj(piece.places[-1][some]) / self.window.scale))
-        origin, turn = (self._each(value) for value in curves.standing(link, self.t))
+        origin, turn = (np.asarray(np.broadcast_to(value, self.t.shape)) for value in curves.standing(link, self.t))
         corner, turn = self._on_paper(origin), np.conj(turn)
         tracks, called = self.tracks, self.course.method.mechanism.called(link)
         return {

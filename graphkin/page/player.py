@@ -105,7 +105,7 @@ class _Played:
         }  # fmt: skip
 
     def _overlays(self) -> Layers | None:
-        """What lies over the motion of one driver."""
+        """The layers over the motion of one driver."""
         reach, figures = self.knots.reach, self.knots.figures
         if len(reach.axes) > 1:
             return None
@@ -197,7 +197,7 @@ class _Played:
         return steps, [[round(u, 9) for u in each] for each in us]
 
     def _values(self) -> Iterator[Data]:
-        """What is asked for, or what a sweep shows."""
+        """The quantities that are asked for, or that a sweep shows."""
         machine = self.method.mechanism
         for name in drawable(machine, asked(machine)):
             if centre_of(machine, name) is not None:

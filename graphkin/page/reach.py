@@ -1,4 +1,4 @@
-"""How far each driver gets, and the position at any of its values.
+"""The stretch that each driver gets along, and the position at any of its values.
 
 Along each driver runs a parameter u in which the motion is smooth up to a dead point: there links move as the root of
 the way that is left, so the driver's value goes like a cosine of u.

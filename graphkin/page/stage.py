@@ -61,7 +61,8 @@ class Stage:
         yield _steps()
         yield element("p", {"class": "told", "role": "status"})
         yield _panel("results", "page.values", element("table", {}, element("tbody", {}, *self.results)))
-        own = (_layer_switch(layer) for layer in OWN if layer in self.switched)
+        own = (tick_box({"data-toggle": layer, "checked": True}, worded("span", f"page.layer {layer}"))
+               for layer in OWN if layer in self.switched)  # fmt: skip
         over = element("div", {"class": "overlays"}, *_overlay_switches(layers, bool(self.diagrams)))
         yield _panel("layers", "page.layers", *own, over)
         if quiz["questions"]:
@@ -135,7 +136,8 @@ def mark_element(row: Row, paint: Mapping[str, str]) -> str:
     match mark:
         case VectorMark():
             head = element("path", {"class": "head", "fill": paint["stroke"], "stroke": "none"})
-            aloud = {"role": "img", "aria-label": _read_aloud(vector_label(mark.name))}
+            spoken = "".join(sign.plain for sign in signs(vector_label(mark.name)))
+            aloud = {"role": "img", "aria-label": spoken}
             line = {**paint, **_statement(mark), "data-also": " ".join(mark.also) or None, **aloud}
             parts = element("line", {"class": "grasp"}), head, element("line", line)
             return element("g", {"class": "arrow", "data-vector": mark.name, **own}, *parts)
@@ -162,12 +164,6 @@ def _spans(mark: Text) -> Iterator[str]:
 def _statement(mark: PointMark | VectorMark) -> dict[str, str]:
     kind = "vector" if isinstance(mark, VectorMark) else "point"
     return {"class": kind, **{f"data-{key}": value for key, value in stated(mark).items()}}
-
-
-def _read_aloud(label: Label) -> str:
-    """v_B3B2, a^k_B3B2."""
-    every = (["".join(run.text for run in part) for part in sign.runs] for sign in signs(label))
-    return "".join(base + (f"^{high}" if high else "") + (f"_{low}" if low else "") for base, low, high in every)
 
 
 # --- drivers, results
@@ -198,11 +194,6 @@ def result(name: str, label: Label) -> str:
 # --- what is switched on and off
 
 
-def _layer_switch(layer: str) -> str:
-    """The switch of a layer of the figures themselves."""
-    return tick_box({"data-toggle": layer, "checked": True}, worded("span", f"page.layer {layer}"))
-
-
 def _overlay_switches(layers: Layers | None, diagrams: bool) -> Iterator[str]:
     """The switches of what lies over the mechanism, and of the diagrams beside it."""
     every = [("centres", "", "")] if layers and layers["centres"] else []
@@ -216,7 +207,7 @@ def _overlay_switches(layers: Layers | None, diagrams: bool) -> Iterator[str]:
 
 
 def overlay_drawing(layers: Layers) -> str:
-    """What lies over the mechanism, hidden at first."""
+    """The drawing over the mechanism, hidden at first."""
     centres = _shown("centres", "", *(_centre(one) for one in layers["centres"]))
     curves = (_shown("curve", one["name"], *_paths(one["pieces"])) for one in layers["curves"])
     rolling = (_shown("centrode", one["link"], element("g", {"class": "centrode-fixed"}, *_paths(one["fixed"])),

@@ -54,7 +54,7 @@ def _disc(x: Array, y: Array) -> Array:
 
 
 def _looked_for(grey: Pixels, map: PageMap, places: Array, reach: float) -> Array:
-    """Where around its place each is most like a dot."""
+    """The place near its own where each is most like a dot."""
     import cv2
 
     side, far = round(_ROUND * _FINE), round(reach * _FINE)

@@ -166,7 +166,7 @@ class Fit:
             yield _Row({k: across * w for k, w in zip(numbers, whiten, strict=True)}, float(whiten.sum() * value), 1.0)
 
     def _ending(self) -> Iterator[_Row]:
-        """Where arrows end beyond which no other stroke goes on, one that lies on another neither."""
+        """The places where arrows end beyond which no other stroke goes on, one that lies on another neither."""
         self.ends = set()
         away: dict[int, list[complex]] = {}  # by corner, the directions of strokes that leave its place
         for stroke in (s for s in drawn_strokes(self.way, self.at) if s.needed or s in self.lines):
@@ -191,8 +191,8 @@ class Fit:
 def _weighed(
     told: np.ndarray, values: np.ndarray, prior: np.ndarray, expected: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """What fits observations `told @ found = values` and what is expected best; by how many standard deviations each
-    observation is off, and what it counts for: less where it is far off."""
+    """The unknowns that fit observations `told @ found = values` and what is expected best; by how many standard
+    deviations each observation is off, and what it counts for: less where it is far off."""
     weight = np.ones(len(values))
     for _ in range(4):
         pull = told.T * weight

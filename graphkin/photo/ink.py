@@ -39,7 +39,7 @@ class Page(Protocol):
 
 
 class Ink:
-    """What was drawn in a room. Places are in mm from the pole, y up.
+    """The drawing in a room. Places are in mm from the pole, y up.
 
     dark   (rows, columns) of squares of the side STEP; usual: darkness in the middle of a stroke
     pencil  width of a stroke [mm]
@@ -211,5 +211,5 @@ class Ink:
 
 
 def _take_off(dark: np.ndarray, printed: np.ndarray) -> None:
-    """What is left of darkness without what lies below it: each lets through a part of the light."""
+    """The rest of darkness without what lies below it: each lets through a part of the light."""
     dark[...] = 1 - (1 - dark) / (1 - np.clip(printed, 0.0, 0.9))

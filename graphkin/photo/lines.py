@@ -65,11 +65,11 @@ class Line:
         return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
 
     def beyond(self, place: complex) -> float:
-        """How far a place lies along it from its middle [mm]."""
+        """The distance of a place along it from its middle [mm]."""
         return ((place - self.middle) * self.along.conjugate()).real
 
     def beside(self, place: complex) -> float:
-        """How far a place lies to its left [mm]."""
+        """The distance of a place to its left [mm]."""
         return ((place - self.middle) * self.along.conjugate()).imag
 
 
@@ -153,7 +153,7 @@ def _goes_on(ink: Ink, end: complex, start: complex) -> complex:
 
 
 def _last_ink(ink: Ink, place: complex, along: complex, first: float, most: float) -> float | None:
-    """How far along from a place ink ends that begins at `first` [mm], before a gap; None: not before `most`."""
+    """The distance from a place to where ink ends that begins at `first` [mm], at a gap; None: not before `most`."""
     t = np.arange(first, max(most, first + 0.1), 0.1)
     bare = ink.at(place + along * (t[:, None] + 1j * np.arange(-2, 3) * 0.1)).max(axis=1) <= 0.75 * ink.least
     gaps = np.flatnonzero(np.convolve(bare, np.ones(_GAP))[: len(t)] == _GAP)

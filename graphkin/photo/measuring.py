@@ -114,7 +114,7 @@ class _Fit(Fit):
                 yield Unsure("alike", (name,), _known(math.hypot(self.off[k], apart)))
 
     def shifts(self, rivals: Sequence[Mapping[str, complex]], names: Sequence[str]) -> Iterator[dict[str, complex]]:
-        """How some corners may be off: as lines leave them, and as rivals have them, all of which are one deviation."""
+        """Shifts by which some corners may be off, each one deviation: as lines leave them, and as rivals have them."""
         numbers = np.array([self.numbers[name] for name in names], dtype=int)
         both = np.r_[numbers, numbers + len(self.at)]
         sizes, ways = np.linalg.eigh(self.spread[np.ix_(both, both)])

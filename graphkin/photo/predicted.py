@@ -91,7 +91,7 @@ class Way:
 
     @property
     def places(self) -> frozenset[complex]:
-        """Where the right drawing has corners [mm], to a tenth."""
+        """The corners of the right drawing [mm], to a tenth."""
         return frozenset(complex(round(at.real, 1) + 0.0, round(at.imag, 1) + 0.0) for at in self.corners[0])
 
     @cached_property
@@ -130,8 +130,8 @@ class Way:
         return np.asarray(drawn[np.isfinite(drawn).all(axis=1)])
 
     def spread(self, column: int, factors: Mapping[Spot, complex]) -> np.ndarray:
-        """How corners of a column vary with the hand that draws it: the covariance (2 letters, 2 letters) [mm^2] of
-        all x, then all y."""
+        """The covariance of a column's corners by the hands that draw it (2 letters, 2 letters) [mm^2]: of all x, then
+        all y."""
         drawn, every = self.hands(column, factors), np.eye(2 * len(self.letters))
         if len(drawn) < _HANDS / 2:
             return every * _ASTRAY**2

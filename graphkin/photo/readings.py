@@ -1,4 +1,4 @@
-"""What was measured on sheets, apart from any picture; and the sheets of a student as one drawing.
+"""The measurements of sheets, apart from any picture; and the sheets of a student as one drawing.
 
 Of a room that is there twice the better reading counts: one that a teacher has confirmed, then one with less that is
 unsure, then the more exact one.
@@ -57,7 +57,7 @@ class RoomReading:
     def drawing(
         self, where: Where, remarks: Iterable[GraphkinError] = (), more: Iterable[Reason] = ()
     ) -> MeasuredDrawing:
-        """What was drawn; more: reasons why all of it is unsure."""
+        """The drawing; more: reasons why all of it is unsure."""
         plane, unsure = self.room.plane, (*self.unsure, *map(Unsure, more))
         points = {(plane, letter): place for letter, place in self.points.items()}
         doubts = tuple(UnsureDrawing(where, plane, one.reason, one.letters, one.off) for one in unsure)

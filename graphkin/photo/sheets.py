@@ -1,4 +1,4 @@
-"""What was printed on each sheet that is to be photographed: whose it is, and where its rooms to draw in lie."""
+"""The print on each sheet that is to be photographed: whose it is, and where its rooms to draw in lie."""
 
 from __future__ import annotations
 

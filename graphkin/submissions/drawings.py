@@ -103,7 +103,7 @@ def _written_on(
 
 
 def drawn_values(vectors: Mapping[str, complex]) -> dict[str, HandedValue]:
-    """What is measured, by question, as it is handed in."""
+    """The measured values, by question, as they are handed in."""
     return {name: HandedValue("", abs(vector), vector=vector) for name, vector in vectors.items()}
 
 

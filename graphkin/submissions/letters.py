@@ -21,12 +21,14 @@ import numpy as np
 from graphkin import construction as kinds
 from graphkin import planning, running
 from graphkin.base import geometry
+from graphkin.base.boxes import off_lines
+from graphkin.base.lines import off_stretch
 from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Plane
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities.reading import quietly
 from graphkin.submissions.numbers import plain
-from graphkin.submissions.picture import Dot, PagePicture, PictureText, distances, lines_about
+from graphkin.submissions.picture import Dot, PagePicture, PictureText, lines_about
 from graphkin.submissions.questions import Questions
 
 _REACH = 6.0  # a letter belongs to no dot farther from it [mm]
@@ -83,7 +85,7 @@ def _own_figure(
     ends = np.array(lines)
 
     def here(some: Sequence[Place]) -> list[Place]:
-        return [one for one in some if np.min(distances(np.array([one[1]]), ends[:, 0], ends[:, 1])) < _SAME]
+        return [one for one in some if np.min(abs(off_lines(one[1], ends[:, 0], ends[:, 1]))) < _SAME]
 
     own = {letter: here(some) or some for letter, some in choices.items()}
     alike = Counter(map(loosely, polygon.letters))
@@ -126,7 +128,7 @@ def _crossings(picture: PagePicture, text: PictureText) -> Iterator[complex]:
     """The crossings of lines near a text: direction lines are drawn beyond their points."""
     middle = text.corner + text.right * text.width / 2
     reach = _REACH + text.width / 2 + text.above
-    near = [line for line in picture.lines if _off(middle, *line) < reach][:_LINES_NEAR]
+    near = [line for line in picture.lines if off_stretch(middle, *line) < reach][:_LINES_NEAR]
     for one, other in combinations(near, 2):
         a, b = one[1] - one[0], other[1] - other[0]
         turn = (a.conjugate() * b).imag
@@ -134,15 +136,8 @@ def _crossings(picture: PagePicture, text: PictureText) -> Iterator[complex]:
             continue
         along = ((other[0] - one[0]).conjugate() * b).imag / turn
         place, slack = one[0] + along * a, _SAME / abs(a)
-        if -slack <= along <= 1 + slack and _off(place, *other) <= _SAME and text.distance(place) <= _REACH:
+        if -slack <= along <= 1 + slack and off_stretch(place, *other) <= _SAME and text.distance(place) <= _REACH:
             yield place
-
-
-def _off(place: complex, start: complex, end: complex) -> float:
-    """The distance of a place from a piece of a line [mm]."""
-    along = end - start
-    share = ((place - start) * along.conjugate()).real / abs(along) ** 2 if along else 0.0
-    return abs(place - start - min(1.0, max(0.0, share)) * along)
 
 
 class _Arranged:
@@ -177,7 +172,7 @@ class _Arranged:
     def _lines(self, place: complex) -> frozenset[int]:
         """Numbers of the lines that run through a place."""
         if place not in self._through:
-            passing = (k for k, line in enumerate(self.picture.lines) if _off(place, *line) < _SAME)
+            passing = (k for k, line in enumerate(self.picture.lines) if off_stretch(place, *line) < _SAME)
             self._through[place] = frozenset(passing)
         return self._through[place]
 

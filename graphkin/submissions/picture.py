@@ -10,6 +10,7 @@ from dataclasses import field
 
 import numpy as np
 
+from graphkin.base.boxes import off_lines
 from graphkin.base.geometry import Array, Value, cross
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -80,7 +81,7 @@ def lines_about(place: complex, lines: Sequence[Line]) -> Sequence[Line]:
     """The lines that hang together with a place, one through another; none where no line is there."""
     both = np.array(lines, dtype=complex).reshape(-1, 2)
     tails, heads = both[:, 0], both[:, 1]
-    figure = distances(np.array([place]), tails, heads) <= _TOUCH
+    figure = abs(off_lines(place, tails, heads)) <= _TOUCH
     new = np.flatnonzero(figure)
     while new.size:
         if figure.sum() > _LARGEST:
@@ -88,21 +89,13 @@ def lines_about(place: complex, lines: Sequence[Line]) -> Sequence[Line]:
         touched = np.zeros(len(figure), dtype=bool)
         for tail, head in both[new]:  # the lines that end on this one or cross it, or on which it ends
             for end in (tail, head):
-                touched |= distances(np.array([end]), tails, heads) <= _TOUCH
+                touched |= abs(off_lines(end, tails, heads)) <= _TOUCH
             for ends in (tails, heads):
-                touched |= distances(ends, np.array([tail]), np.array([head])) <= _TOUCH
+                touched |= abs(off_lines(ends, tail, head)) <= _TOUCH
             touched |= _parted(tails, heads, tail, head) & _parted(tail, head, tails, heads)
         new = np.flatnonzero(touched & ~figure)
         figure |= touched
     return [line for line, belongs in zip(lines, figure, strict=True) if belongs]
-
-
-def distances(places: Array, tails: Array, heads: Array) -> Array:
-    """Of places from pieces of lines, broadcast [mm]."""
-    along = heads - tails
-    size = np.abs(along) ** 2
-    share = ((places - tails) * along.conj()).real / np.where(size > 0, size, 1.0)
-    return np.asarray(np.abs(places - tails - np.clip(share, 0.0, 1.0) * along))
 
 
 def _parted(tail: Value, head: Value, start: Value, end: Value) -> Array:

@@ -164,7 +164,7 @@ def _deaf() -> Iterator[None]:
 
 
 def _worked(some: list[Any]) -> list[Any]:
-    """What this process has to do with a batch."""
+    """The work of this process on a batch."""
     return _WORK[0](some)
 
 

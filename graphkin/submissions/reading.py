@@ -92,7 +92,7 @@ def called(student: str, reason: GraphkinError) -> str:
 
 
 def _lines(contents: _Contents) -> list[str]:
-    """What lines inside say of whose it is."""
+    """The lines inside that say whose it is."""
     return [line for document in contents.documents for line in document.called]
 
 
@@ -133,7 +133,7 @@ class FirstOnes:
         return named
 
     def reason(self, student: str, file: str, place: str) -> errors.HandedTwice | errors.TwoNames | None:
-        """Why this submission is not marked, being another's or a further one; None where it is the student's first."""
+        """The reason not to mark a submission, another's or a further one; None where it is the student's first."""
         if not place.isdecimal():
             name = place or Path(file).name
             own = owner(name, roster=self._roster), owner(name, alone=True)

@@ -121,7 +121,7 @@ def id_column(head: Sequence[str]) -> int | None:
 
 
 def stated_in(cells: Iterable[tuple[str, str]]) -> dict[str, Field]:
-    """What stands under heads, or after words and a colon, that say who a student is, by its kind: the id first, and a
+    """The words under heads, or after words and a colon, that say who a student is, by its kind: the id first, and a
     name in two parts as one."""
     known = [(text.strip()[:200], field) for head, text in cells if text.strip() and (field := field_of(head))]
     parts = " ".join(text for text, field in known if field in _PARTS)
@@ -177,7 +177,7 @@ class Roster:
         return frozenset(self._numbers.get(_number(text), own))
 
     def _named(self, text: str) -> tuple[frozenset[str], ...]:
-        """What a text says of whose it is: of each id and each name in it the students who have it. A name is all
+        """The students that a text names: of each id and each name in it the students who have it. A name is all
         that stands there between ids, numbers and words that are in many files' names: 李明华 is not 李明."""
         whole = folded(text[:_MOST])
         if text in self.students or whole in self._ids:
@@ -317,7 +317,7 @@ def owner(path: str, root: str = "", alone: bool = False, roster: Roster | None 
 
 
 def file_text(path: str, by: Owner) -> str:
-    """What a file is called, without what a platform puts before it."""
+    """The name of a file, without what a platform puts before it."""
     name = path.rpartition("/")[2]
     for pattern in (MOODLE, CANVAS) if by.number else ():
         if (match := pattern.search(name)) is not None:

@@ -14,8 +14,7 @@ from click.testing import CliRunner, Result
 from si_values import si
 
 from graphkin import api
-from graphkin.cli import main, spelled_out, watching
-from graphkin.cli.drawing import draw
+from graphkin.cli import main, watching
 from graphkin.files import library
 from graphkin.proof.readings import mechanism_at
 
@@ -356,22 +355,3 @@ def test_a_measure_far_from_the_sketch_is_asked_for() -> None:
 def test_a_trains_ratios_are_no_trial() -> None:
     assert "fitted by trial" not in run("draw", "ex3-3", "--only", "position", "-o", "-").stdout
     assert "fitted by trial" in run("draw", "ex3-2", "--only", "position", "-o", "-").stdout
-
-
-# --- short options ------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("words", "long"),
-    [
-        (["ex3-1", "-o", "a.svg"], ["ex3-1", "--output", "a.svg"]),
-        (["--paper", "-o", "ex3-1"], ["--paper", "-o", "ex3-1"]),
-        (["--tight", "-o", "-o"], ["--tight", "--output", "-o"]),
-        (["-oa.svg", "-o=b"], ["-oa.svg", "-o=b"]),
-        (["-o", "-", "--", "-o"], ["--output", "-", "--", "-o"]),
-        (["-x", "-h"], ["-x", "-h"]),
-    ],
-)
-def test_short_options_are_the_long_ones(words: list[str], long: list[str]) -> None:
-    """Nothing but options changes its spelling."""
-    assert spelled_out(draw, words) == long

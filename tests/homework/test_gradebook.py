@@ -14,7 +14,7 @@ from test_platform_results import quantity, record, results, rows, table, unmark
 from graphkin.homework.grading import judge_from
 from graphkin.homework.grading.sets import set_text
 from graphkin.homework.platforms import write_gradebook, write_results
-from graphkin.homework.platforms.copies import with_copies
+from graphkin.homework.platforms.class_table import with_copies
 from graphkin.homework.platforms.feedback import Feedback, next_step, praise, without_place
 from graphkin.homework.platforms.pages import html
 from graphkin.homework.platforms.result import ResultPicture

@@ -28,7 +28,8 @@ from graphkin.marking.discriminability import (
     mistake_visibility,
     set_discriminability,
 )
-from graphkin.marking.key import TELLS, KeyEntry, part_off
+from graphkin.marking.key import TELLS, KeyEntry, columns, part_off
+from graphkin.marking.key_making import asked_alone
 from graphkin.model.quantities import at_position
 from graphkin.running import replay_all
 from graphkin.say.tolerances import discriminability_lines
@@ -90,9 +91,10 @@ def test_what_is_always_the_same_counts_for_nothing():
 def test_answers_alone_are_those_of_the_key(name: str):
     method = api.plan(api.load(name))
     key, found = key_for(method.mechanism), mistake_visibility(method, replay_all(method), marking_of(method))
+    alone = asked_alone(method, replay_all(method), marking_of(method))[1]
     asked = [entry for entry in key.entries if entry.points]
-    assert found.right.tolist() == pytest.approx([entry.right for entry in asked])
-    assert found.tolerance.tolist() == pytest.approx([entry.tolerance for entry in asked], rel=0.15)
+    assert [entry.right for entry in alone] == pytest.approx([entry.right for entry in asked])
+    assert [entry.tolerance for entry in alone] == pytest.approx([entry.tolerance for entry in asked], rel=0.15)
     whole = {row[0][0] for row, values in zip(key.singles.names, key.singles.values, strict=True) if np.isfinite(values).any()}
     assert {name[0] for name in found.names} <= whole
 
@@ -138,7 +140,7 @@ def test_the_problems_taken_are_the_better_ones(template: Path):
 def test_no_answer_of_a_neighbour_is_right(template: Path):
     read_one = read_template(template)
     problems = [draws._drawn(read_one, v.numbers, USUAL) for v in variants(read_one, roster("12"), "1")]
-    for one, other in combinations([drawn.tells for drawn in problems if not isinstance(drawn, str)], 2):
+    for one, other in combinations([columns(drawn.asked[1]) for drawn in problems if not isinstance(drawn, str)], 2):
         assert np.any(np.abs(one.right - other.right) > np.minimum(one.tolerance, other.tolerance))
 
 

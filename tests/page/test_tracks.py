@@ -12,10 +12,9 @@ import pytest
 from graphkin import api
 from graphkin.construction import Plane
 from graphkin.page import knots as page_grids
-from graphkin.page.knots import PageKnots, cells_shown, page_knots
+from graphkin.page.knots import Knots, PageKnots, cells_shown, page_knots, stencil
 from graphkin.page.reach import Axis, Reach
 from graphkin.page.rows import rows
-from graphkin.page.stencils import Knots, stencil
 from graphkin.page.tracks import OF_GRID, Tracks, packed
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.window import PLANES

@@ -77,7 +77,7 @@ def tolerance(
     mechanism: api.drawing.Source | Method, pencil: str | Sequence[float] | None = None, sigmas: float | None = None,
     relative: float | None = None, marks: bool = False, *, values: api.drawing.Values = None,
 ) -> Tolerances:  # fmt: skip
-    """What accuracy paper allows: the construction, drawn many times with a pencil that errs by (mm, deg).
+    """The accuracy that paper allows: the construction, drawn many times with a pencil that errs by (mm, deg).
 
     pencil   0.25 mm and 0.25 deg; sigmas: 3 standard deviations are right; relative: this part of the value instead
     marks    with a key that can mark by it, too; values: of the drivers there [deg, mm]

@@ -67,7 +67,7 @@ class _HeldPage:
 
 
 class Photographs:
-    """What was read on all pictures, and why others cannot be read."""
+    """The readings of all pictures, and why others cannot be read."""
 
     def __init__(self, job: PhotoJob) -> None:
         self.job = job
@@ -75,7 +75,7 @@ class Photographs:
         self.had_pictures = set[str]()
 
     def take(self, results: Iterable[_Done]) -> list[_HeldPage]:
-        """What is done; the rest is given back."""
+        """Keeps what is done; the rest is given back."""
         held = list[_HeldPage]()
         for one in results:
             match one:
@@ -88,7 +88,7 @@ class Photographs:
         return held
 
     def joined(self, some: Iterable[Handed]) -> Iterator[Handed]:
-        """What is handed in, without its pictures and with what was measured on them."""
+        """A submission without its pictures and with what was measured on them."""
         from graphkin.photo.pictures import is_picture
 
         for handed in some:
@@ -102,7 +102,7 @@ class Photographs:
             yield handed if own is None else replace(handed, drawing=own.drawing)
 
     def left(self) -> Iterator[Handed]:
-        """What is on pictures alone, and each that cannot be read."""
+        """The submissions that are on pictures alone, and each that cannot be read."""
         yield from (*self._left.values(), *self.failed)
 
     @cached_property
@@ -260,7 +260,7 @@ def _finished(job: PhotoJob, held: _HeldPage) -> list[_Done]:
 
 
 def _room(job: PhotoJob, page: RegisteredPage, room: SheetRoom, student: str, velocities: Velocities) -> RoomReading:
-    """What was drawn in a room."""
+    """The drawing in a room."""
     from graphkin.photo.measuring import measured
     from graphkin.photo.predicted import predicted
 
@@ -288,7 +288,7 @@ def _crop(page: RegisteredPage, room: SheetRoom) -> str:
 
 
 def printed_sheets(key: str, paths: Iterable[str | Path], named: Path | None = None) -> tuple[PrintedSheet, ...]:
-    """What was printed, by the list that is named; else by those in KEY's folder or beside KEY, else by those beside
+    """The printed sheets, by the list that is named; else by those in KEY's folder or beside KEY, else by those beside
     what is handed in. Raises NoSheetList, NoFile, Unreadable."""
     own, pictures = Path(key), [path if os.path.isdir(path) else path.parent for path in map(Path, paths)]
     near = [*([own] if os.path.isdir(own) else []), *own.parents[:2]] if key and os.path.exists(own) else []

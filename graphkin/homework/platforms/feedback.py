@@ -130,7 +130,7 @@ def next_step(page: Feedback) -> str:
 
 
 def _to_do(result: Result) -> Iterator[tuple[str, list[str]]]:
-    """What there may be to do, the most useful first, with the quantities."""
+    """All that there may be to do, the most useful first, with the quantities."""
     wrong = [line for line in result.lines if line.verdict == "wrong" and not line.of_equations]
     turned = [line.text for line in wrong if line.reversed]
     sense = [line.text for line in wrong if line.credit and line.sense == "wrong" and not line.reversed]
@@ -184,7 +184,7 @@ def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
 
 
 def reason(result: Result, lang: Lang) -> str:
-    """Why it was not marked."""
+    """The reason why it was not marked."""
     unread = [one_line(line.written) for line in result.lines if line.written]
     without = "feedback.waits" if unread else "feedback.no reason"
     why = result.reason or say(without, lang, written=say("common.list", lang).join(unread))
@@ -228,7 +228,7 @@ def arithmetic(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> Iter
 
 
 def shifted_point(line: Judged) -> str:
-    """How a wrong value is off by its decimal point alone, `10` or `1/10` times what it should be; "" where not so."""
+    """The factor of a value that is wrong by its decimal point alone, `10` or `1/10`; "" of another."""
     if line.verdict != "wrong" or line.given is None or not line.unit_right or line.of_equations:
         return ""
     meant = [line.right, *([] if line.carried is None else [line.carried])]
@@ -282,7 +282,7 @@ def _hints(one: Explanation | Habit, lang: Lang) -> list[str]:
 
 
 def _look(one: Explanation, lang: Lang) -> str:
-    """Where to look again: what all explanations share, then of places that the values do not tell apart none."""
+    """The places to look at again: those all explanations share; of some that the values do not tell apart none."""
     every, between = _hints(one, lang), say("feedback.between", lang)
     each = [_hints(replace(one, names=(names,)), lang) for names in one.names]
     shared = [hint for hint in every if all(hint in hints for hints in each)]

@@ -16,8 +16,7 @@ from graphkin.errors import CannotWrite, Lang
 from graphkin.homework.platforms import class_report as reports
 from graphkin.homework.platforms import class_table
 from graphkin.homework.platforms import learning_platforms as platform_files
-from graphkin.homework.platforms.class_table import Overrides, read_overrides
-from graphkin.homework.platforms.copies import with_copies
+from graphkin.homework.platforms.class_table import Overrides, read_overrides, with_copies
 from graphkin.homework.platforms.feedback import Feedback, Reveal
 from graphkin.homework.platforms.learning_platforms import canvas, moodle
 from graphkin.homework.platforms.markup import ZIP_MARKS, clean, write_file

@@ -33,7 +33,6 @@ from graphkin.marking.tolerances import parts_off
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import at_position
 from graphkin.running import replay_all
-from graphkin.running.drawn_sides import DrawnSides, drawn_sides
 from graphkin.submissions import Student
 
 _TRIES = 200
@@ -59,7 +58,6 @@ class Variant:
     """One student's problem.
 
     numbers  of the value of each range
-    drawn    in which assembly
     told     what its answers tell of mistakes
     shared   whether another student has the same, or nearly
     """
@@ -67,7 +65,6 @@ class Variant:
     student: Student
     numbers: tuple[int, ...]
     mechanism: Mechanism
-    drawn: DrawnSides
     told: Discriminability
     shared: bool = False
 
@@ -172,8 +169,7 @@ def _posed(
     if shared and apart:
         others.numbers.add(numbers)
         return "taken"
-    sides = drawn_sides(posed.method, posed.drawn)
-    return Variant(student, numbers, posed.method.mechanism, sides, goal.always.told(drawn.tells), shared), own
+    return Variant(student, numbers, posed.method.mechanism, goal.always.told(drawn.tells), shared), own
 
 
 @frozen
@@ -257,7 +253,7 @@ class _Goal:
         return [tries[k] for k in np.argsort(np.maximum(off, _LIKE), kind="stable")]
 
     def against(self, one: _DrawnProblem) -> Refused | None:
-        """What is against a problem by what a pencil can do."""
+        """The objection to a problem by what a pencil can do."""
         if one.asked[2] > _FAILS:
             return "dead point"
         if any(part > TELLS for part in one.parts.values()):

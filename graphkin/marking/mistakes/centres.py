@@ -7,7 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
-from graphkin.base.geometry import Value, cross, number, place
+from graphkin.base.geometry import Value, meet_lines, place, unit
 from graphkin.construction import Meet, Plane, Simultaneous
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.link_motion import PLANES
@@ -49,7 +49,7 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
 
 
 def _ratio(of: str, form: str, written: RewrittenValue, way: str = "") -> Rewrite:
-    return Rewrite("centre-ratio", of, form, asked=(written,), way=way)
+    return Rewrite(of, form, asked=(written,), way=way)
 
 
 def _wrong_pairs(scene: Scene, quantity: Centre) -> Iterator[Rewrite]:
@@ -71,13 +71,8 @@ def _place(scene: Scene, links: tuple[str, str]) -> complex:
 
 def _crossing(a: complex, b: complex, c: complex, d: complex) -> complex:
     """The crossing of the lines ab and cd; infinite where that says nothing."""
-    if not all(np.isfinite(corner) for corner in (a, b, c, d)):
-        return complex(np.inf)
-    u, w = b - a, d - c
-    sine = number(cross(u, w))
-    if abs(sine) < REST * abs(u) * abs(w) or not sine:
-        return complex(np.inf)
-    return a + u * number(cross(c - a, w)) / sine
+    at, sine = meet_lines(a, unit(b - a), c, unit(d - c))
+    return place(at) if sine >= REST else complex(np.inf)
 
 
 @mistake("centre-acceleration-zero", "centre", "3-2.2")
@@ -94,7 +89,7 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
                 if np.isfinite(vector):
                     form = f"P{scene.method.mechanism.frame}{scene.method.mechanism.called(link)}"
                     instead = (RewrittenValue(quantity.text, instead=vector),)
-                    yield Rewrite("centre-acceleration-zero", quantity.text, form, asked=instead)
+                    yield Rewrite(quantity.text, form, asked=instead)
     for step in scene.steps("acceleration"):
         if not isinstance(step, Meet):
             continue
@@ -104,7 +99,7 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
             continue
         if abs(place(scene.motions.velocity_at(site.point, site.link))) < REST * fastest:
             edits = (Edit(("met", "acceleration", step.point), Times(0.0)),)
-            yield Rewrite("centre-acceleration-zero", f"a_{node.of}", "", edits, way="point")
+            yield Rewrite(f"a_{node.of}", "", edits, way="point")
 
 
 # --- wheels ------------------------------------------------------------------------------------
@@ -123,7 +118,7 @@ def _ratios_of_radii(scene: Scene) -> Iterator[Rewrite]:
                 law = dict(zip((*contact.wheels, contact.arm), (a, b, -(a + b)), strict=True))
                 edits = _by_law(scene, contacts, bases, contact, law)
                 if edits and abs(a - one) + abs(b - other) > REST * abs(one):
-                    yield Rewrite("centre-ratio", ", ".join(of.values()), form, tuple(edits), way=way)
+                    yield Rewrite(", ".join(of.values()), form, tuple(edits), way=way)
 
 
 def _moving(scene: Scene, contact: Contact, bases: Sequence[str]) -> dict[str, str]:
@@ -204,7 +199,7 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
             own = [scene.plot.facts.turns[wheel].base for wheel in wheels]
             edits, name = _by_law(scene, (contact,), own, contact, law), ", ".join(wheels.values())
             if edits and (scene.plot.omega[arm] or scene.plot.alpha[arm]):
-                alone[name] = Rewrite("arm-ignored", name, edits=tuple(edits))
+                alone[name] = Rewrite(name, edits=tuple(edits))
     yield from each_and_all([*alone.values()])
 
 
@@ -215,4 +210,4 @@ def moves_as_centre(scene: Scene) -> Iterator[Rewrite]:
         law, wheels = in_step(contact), tuple(map(scene.method.mechanism.called, contact.wheels))
         if len(law.way) > 1 and FRAME not in contact.wheels:
             edits = (Edit(("rolling", plane, law, link), Times(0.0)) for plane in PLANES for link, _ in law.angles)
-            yield Rewrite("moves-as-centre", wheels[0], wheels[1], tuple(edits))
+            yield Rewrite(wheels[0], wheels[1], tuple(edits))

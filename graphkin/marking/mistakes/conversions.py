@@ -47,12 +47,12 @@ def conversion(scene: Scene) -> Iterator[Rewrite]:
     asked = [q for q in scene.quantities if isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")]
     yield from _written(scene, asked)
     yield from _throughout(scene)
-    yield from _carried(scene, "conversion", factors("rad/s", scene.scales))
+    yield from _carried(scene, factors("rad/s", scene.scales))
     # the speed that drives: revolutions per minute taken for rad/s, and the like
     for k, driver in enumerate(scene.method.drivers):
         for form, factor in (THOUSANDS if driver.kind == "slide" else GIVEN).items():
             if driver.rate:
-                yield Rewrite("conversion", driver.name, form, (Edit(("rate", k), Times(factor)),), way="given")
+                yield Rewrite(driver.name, form, (Edit(("rate", k), Times(factor)),), way="given")
 
 
 def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
@@ -61,10 +61,10 @@ def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
         kind = [quantity.text for quantity in asked if quantity.unit == unit]
         times = factors(unit, scene.scales) | ({} if unit.startswith("rad") else _lengths(scene))
         if len(kind) > 1:
-            yield from _times("conversion", {tuple(kind): unit}, times, "kind")
-        yield from _times("conversion", {(text,): text for text in kind}, times)
+            yield from _times({tuple(kind): unit}, times, "kind")
+        yield from _times({(text,): text for text in kind}, times)
     alphas = [quantity.text for quantity in asked if isinstance(quantity, Rotation) and quantity.word == "alpha"]
-    yield from _times("conversion", {(text,): text for text in alphas}, {"": -1.0}, "sense")
+    yield from _times({(text,): text for text in alphas}, {"": -1.0}, "sense")
 
 
 def _lengths(scene: Scene) -> dict[str, float]:
@@ -75,18 +75,18 @@ def _lengths(scene: Scene) -> dict[str, float]:
     return THOUSANDS | {f"{factor:.4g}": factor for factor in own}
 
 
-def _times(id: str, of: Mapping[tuple[str, ...], str], times: Mapping[str, float], way: str = "") -> Iterator[Rewrite]:
+def _times(of: Mapping[tuple[str, ...], str], times: Mapping[str, float], way: str = "") -> Iterator[Rewrite]:
     """Handed-in values, some together under a name, each of the factors times what they are."""
     for form, factor in times.items():
         for texts, name in of.items():
-            yield Rewrite(id, name, form, asked=tuple(RewrittenValue(text, factor) for text in texts), way=way)
+            yield Rewrite(name, form, asked=tuple(RewrittenValue(text, factor) for text in texts), way=way)
 
 
-def _carried(scene: Scene, id: str, factors: Mapping[str, float], plane: Plane = "velocity") -> Iterator[Rewrite]:
+def _carried(scene: Scene, factors: Mapping[str, float], plane: Plane = "velocity") -> Iterator[Rewrite]:
     """A rotation read so, and all that follows from it."""
     for step, name in measured(scene, plane):
         for form, factor in factors.items():
-            yield Rewrite(id, name, form, reading(plane, step, Times(factor)), way="carried")
+            yield Rewrite(name, form, reading(plane, step, Times(factor)), way="carried")
 
 
 def _throughout(scene: Scene) -> Iterator[Rewrite]:
@@ -102,7 +102,7 @@ def _throughout(scene: Scene) -> Iterator[Rewrite]:
         values = (
             RewrittenValue(text, factor) for texts, factor in zip(kinds.values(), each, strict=True) for text in texts
         )
-        yield Rewrite("conversion", ", ".join(kinds), form, asked=tuple(values), way=way)
+        yield Rewrite(", ".join(kinds), form, asked=tuple(values), way=way)
 
 
 # --- answers as they are written down ---------------------------------------------------------
@@ -116,12 +116,12 @@ def degrees(scene: Scene) -> Iterator[Rewrite]:
     every = omegas + alphas
     groups = {"ω, α": every, "ω": omegas, "α": alphas, **{text: [text] for text in every}}
     # of several that are the same rotations, the last one's name says most
-    yield from _times("degrees-for-radians", {tuple(texts): name for name, texts in groups.items() if texts}, DEGREES)
-    yield from _carried(scene, "degrees-for-radians", DEGREES)
+    yield from _times({tuple(texts): name for name, texts in groups.items() if texts}, DEGREES)
+    yield from _carried(scene, DEGREES)
 
 
 def _asked(scene: Scene) -> list[Quantity]:
-    """What the problem asks for, of what is handed in."""
+    """The quantities that the problem asks for, of those that are handed in."""
     texts = {quantity.text for quantity in asked_of(scene.method.mechanism).values()}
     return [quantity for quantity in scene.quantities if quantity.text in texts]
 
@@ -129,9 +129,9 @@ def _asked(scene: Scene) -> list[Quantity]:
 @mistake("decimal-slip", "unit", "3-2.1")
 def decimal_slip(scene: Scene) -> Iterator[Rewrite]:
     """One answer ten times too large or too small; or a rotation, and all that follows from it."""
-    yield from _times("decimal-slip", {(q.text,): q.text for q in _asked(scene) if sort_of(q) != "angle"}, PLACES)
-    yield from _carried(scene, "decimal-slip", PLACES)
-    yield from _carried(scene, "decimal-slip", PLACES, "acceleration")
+    yield from _times({(q.text,): q.text for q in _asked(scene) if sort_of(q) != "angle"}, PLACES)
+    yield from _carried(scene, PLACES)
+    yield from _carried(scene, PLACES, "acceleration")
 
 
 @mistake("answers-swapped", "answers", "3-2.1")
@@ -140,7 +140,7 @@ def answers_swapped(scene: Scene) -> Iterator[Rewrite]:
     for one, other in combinations(_asked(scene), 2):
         if one.unit == other.unit:
             asked = RewrittenValue(one.text, other=other.text), RewrittenValue(other.text, other=one.text)
-            yield Rewrite("answers-swapped", one.text, other.text, asked=asked)
+            yield Rewrite(one.text, other.text, asked=asked)
 
 
 @mistake("sense-not-given", "unit", "3-2.1 (3-1)")
@@ -148,4 +148,4 @@ def sense_not_given(scene: Scene) -> Iterator[Rewrite]:
     """All rotations and their ratios as magnitudes."""
     signed = [q for q in scene.quantities if isinstance(q, Rotation | Quotient) and sort_of(q) == "sense"]
     negative = [q.text for q in signed if number(q.answer(scene.motions).value) < 0]
-    yield from _times("sense-not-given", {tuple(negative): ", ".join(negative)} if negative else {}, {"": -1.0})
+    yield from _times({tuple(negative): ", ".join(negative)} if negative else {}, {"": -1.0})

@@ -23,21 +23,21 @@ def terms(scene: Scene) -> Iterator[tuple[Coriolis, str]]:
         yield size, name or f"a^k_{nodes[size.head].of}{nodes[size.tail].of}"
 
 
-def _each(scene: Scene, id: str, change: Change | None) -> Iterator[Rewrite]:
+def _each(scene: Scene, change: Change | None) -> Iterator[Rewrite]:
     """Every term alone; and all, as by one who does not know better."""
-    return each_and_all([scene.term(id, size, name, change) for size, name in terms(scene)])
+    return each_and_all([scene.term(size, name, change) for size, name in terms(scene)])
 
 
 _CHANGES = {"omitted": Times(0.0), "reversed": Times(-1.0), "half": Times(0.5), "not-laid-off": None}
 for _id, _change in _CHANGES.items():
-    mistake(f"coriolis-{_id}", "coriolis", RULE)(partial(_each, id=f"coriolis-{_id}", change=_change))
+    mistake(f"coriolis-{_id}", "coriolis", RULE)(partial(_each, change=_change))
 
 
 @mistake("coriolis-not-turned", "coriolis", RULE)
 def not_turned(scene: Scene) -> Iterator[Rewrite]:
     """In the direction of v_r."""
     change = [(size, name, turned_back(size.link)) for size, name in terms(scene)]
-    return each_and_all([scene.term("coriolis-not-turned", *each) for each in change])
+    return each_and_all([scene.term(*each) for each in change])
 
 
 @mistake("coriolis-crank-omega", "coriolis", RULE)
@@ -53,7 +53,7 @@ def crank_omega(scene: Scene) -> Iterator[Rewrite]:
                     return 2j * (in_sense_of(plot, own, plot.omega[size.link], "rad/s") if way else own) * slip
 
                 form = scene.omega_sign(link)
-                yield scene.term("coriolis-crank-omega", size, name, change, form, way)
+                yield scene.term(size, name, change, form, way)
 
 
 @mistake("coriolis-absolute-velocity", "coriolis", RULE)
@@ -65,7 +65,7 @@ def absolute_velocity(scene: Scene) -> Iterator[Rewrite]:
             def change(plot: Redrawing, right: Value, size: Coriolis = size, end: str = end) -> Value:
                 return in_sense_of(plot, 2 * plot.omega[size.link] * plot.velocity[end], right, "m/s^2")
 
-            yield scene.term("coriolis-absolute-velocity", size, name, change, scene.velocity_name(end))
+            yield scene.term(size, name, change, scene.velocity_name(end))
 
 
 @mistake("block-omega", "coriolis", RULE)
@@ -84,7 +84,7 @@ def block_omega(scene: Scene) -> Iterator[Rewrite]:
                     text = f"{scene.velocity_name(size.tail)}/{scene.length_name(*step.lever)}"
                     rates[text] = _about(size.tail, scene.length(*step.lever))
             for form, change in rates.items():
-                yield Rewrite("block-omega", name, form, (Edit(("settled", "omega", size.link), change),))
+                yield Rewrite(name, form, (Edit(("settled", "omega", size.link), change),))
 
 
 def _crank(link: str, in_right_sense: bool) -> Change:

@@ -16,21 +16,21 @@ from graphkin.model.mechanism import FRAME
 @mistake("driver-reversed", "driver", "3-2.1 (3-1)")
 def reversed_(scene: Scene) -> Iterable[Rewrite]:
     """The only driver, or all together."""
-    alone = _of_drivers(scene, "driver-reversed", "rate", -1.0)
+    alone = _of_drivers(scene, "rate", -1.0)
     edits = tuple(edit for one in alone for edit in one.edits)
-    return alone if len(alone) < 2 else [Rewrite("driver-reversed", "", edits=edits, way="all")]
+    return alone if len(alone) < 2 else [Rewrite("", edits=edits, way="all")]
 
 
 @mistake("driver-reversed-one", "driver", "3-2.1 (3-1)")
 def one_reversed(scene: Scene) -> Iterable[Rewrite]:
     """One of several drivers."""
-    alone = _of_drivers(scene, "driver-reversed-one", "rate", -1.0)
+    alone = _of_drivers(scene, "rate", -1.0)
     return alone if len(alone) > 1 else ()
 
 
-def _of_drivers(scene: Scene, id: str, word: str, factor: float) -> list[Rewrite]:
+def _of_drivers(scene: Scene, word: str, factor: float) -> list[Rewrite]:
     """Every driver's rate or acceleration so many times."""
-    return [Rewrite(id, driver.name, edits=(Edit((word, k), Times(factor)),))
+    return [Rewrite(driver.name, edits=(Edit((word, k), Times(factor)),))
             for k, driver in enumerate(scene.method.drivers) if getattr(driver, word)]  # fmt: skip
 
 
@@ -39,7 +39,7 @@ def along_crank(scene: Scene) -> Iterator[Rewrite]:
     """The velocity of a crank pin is drawn along the crank, outward for omega > 0 or inward."""
     for size, name in driven_velocities(scene):
         for way, turn in (("", -1j), ("back", 1j)):
-            yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", size), Times(turn)),), way=way)
+            yield Rewrite(name, edits=(Edit(("arrow", "velocity", size), Times(turn)),), way=way)
 
 
 def driven_velocities(scene: Scene) -> Iterator[tuple[Turning | Relative, str]]:
@@ -49,7 +49,7 @@ def driven_velocities(scene: Scene) -> Iterator[tuple[Turning | Relative, str]]:
 
 
 for _id, _factor in {"driver-acceleration-dropped": 0.0, "driver-acceleration-reversed": -1.0}.items():
-    mistake(_id, "driver", "3-2.1 (3-2)")(partial(_of_drivers, id=_id, word="acceleration", factor=_factor))
+    mistake(_id, "driver", "3-2.1 (3-2)")(partial(_of_drivers, word="acceleration", factor=_factor))
 
 
 @mistake("relative-as-absolute", "driver", "3-2.1 (3-3)")
@@ -59,7 +59,7 @@ def relative_as_absolute(scene: Scene) -> Iterator[Rewrite]:
         if driver.kind != "angle" or driver.from_link == FRAME:
             continue
         edits = tuple(Edit(("settled", word, driver.link), _alone(word, k)) for word in ("omega", "alpha"))
-        yield Rewrite("relative-as-absolute", driver.name, edits=edits)
+        yield Rewrite(driver.name, edits=edits)
 
 
 def _alone(word: str, k: int) -> Change:
@@ -77,7 +77,7 @@ def angle_clockwise(scene: Scene) -> Iterator[Rewrite]:
         return
     for k, driver in enumerate(scene.method.drivers):
         if driver.kind == "angle" and abs(np.sin(scene.plot.facts.values[k])) > 1e-9:
-            yield Rewrite("angle-clockwise", driver.name, edits=(Edit(("value", k), Times(-1.0)),))
+            yield Rewrite(driver.name, edits=(Edit(("value", k), Times(-1.0)),))
 
 
 @mistake("other-assembly", "position", "3-2.1")
@@ -88,4 +88,4 @@ def other_assembly(scene: Scene) -> Iterator[Rewrite]:
     for step in scene.method.position.steps:
         if isinstance(step, Meet | Swing) and step.choice is not None:
             of = step.point if isinstance(step, Meet) else step.link
-            yield Rewrite("other-assembly", of, edits=(Edit(("side", step.choice), Times(-1.0)),))
+            yield Rewrite(of, edits=(Edit(("side", step.choice), Times(-1.0)),))

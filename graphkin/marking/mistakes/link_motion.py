@@ -20,15 +20,15 @@ PLANES: tuple[Plane, Plane] = ("velocity", "acceleration")
 RULE_OF_IMAGES = "3-2.1"
 
 
-def _in_each_plane(scene: Scene, id: str, way: str, edits: dict[tuple[str, Plane], list[Edit]]) -> Iterator[Rewrite]:
+def _in_each_plane(scene: Scene, way: str, edits: dict[tuple[str, Plane], list[Edit]]) -> Iterator[Rewrite]:
     """One rewrite for both polygons of a link, and one for each of them alone."""
     for link in dict.fromkeys(link for link, _ in edits):
         name = scene.image_name(next(scene.images(plane)[link] for plane in PLANES if (link, plane) in edits))
         by_plane = {plane: edits[link, plane] for plane in PLANES if edits.get((link, plane))}
         if len(by_plane) > 1:
-            yield Rewrite(id, name, "v, a", tuple(edit for found in by_plane.values() for edit in found), way=way)
+            yield Rewrite(name, "v, a", tuple(edit for found in by_plane.values() for edit in found), way=way)
         for plane, found in by_plane.items():
-            yield Rewrite(id, name, LETTER[plane], tuple(found), way=way)
+            yield Rewrite(name, LETTER[plane], tuple(found), way=way)
 
 
 def _of_every_image(scene: Scene, swapped: bool) -> dict[tuple[str, Plane], list[Edit]]:
@@ -42,8 +42,8 @@ def _of_every_image(scene: Scene, swapped: bool) -> dict[tuple[str, Plane], list
 @mistake("image-mirrored", "image", RULE_OF_IMAGES)
 def image_mirrored(scene: Scene) -> Iterator[Rewrite]:
     """The image of a link is drawn with its corners the other way round."""
-    yield from _in_each_plane(scene, "image-mirrored", "", _of_every_image(scene, False))
-    yield from _in_each_plane(scene, "image-mirrored", "swapped", _of_every_image(scene, True))
+    yield from _in_each_plane(scene, "", _of_every_image(scene, False))
+    yield from _in_each_plane(scene, "swapped", _of_every_image(scene, True))
 
 
 @mistake("image-wrong-point", "image", RULE_OF_IMAGES)
@@ -58,7 +58,7 @@ def image_wrong_point(scene: Scene) -> Iterator[Rewrite]:
                 if (tail, head) != step.base and tail != head:
                     edits.setdefault((step.link, plane), []).append(image_edit(plane, step, tail, head))
             drawn += drawn_by(step)
-    yield from _in_each_plane(scene, "image-wrong-point", "", edits)
+    yield from _in_each_plane(scene, "", edits)
 
 
 def _coincident(scene: Scene, plane: Plane, node: str, drawn: list[str]) -> str | None:
@@ -86,15 +86,15 @@ def normals(scene: Scene) -> Iterator[tuple[Normal | Relative, str]]:
             yield turn, name or f"a^n_{turn.head}{turn.tail}"
 
 
-def _each(scene: Scene, id: str, change: Change | None) -> Iterator[Rewrite]:
+def _each(scene: Scene, change: Change | None) -> Iterator[Rewrite]:
     """Every term alone; and those of all links that are not driven."""
     driven = [name for size, name in normals(scene) if isinstance(size, Normal) and scene.driven(size.link)]
-    return each_and_all([scene.term(id, size, name, change) for size, name in normals(scene)], driven)
+    return each_and_all([scene.term(size, name, change) for size, name in normals(scene)], driven)
 
 
 _CHANGES = {"omitted": Times(0.0), "outward": Times(-1.0), "doubled": Times(2.0), "not-laid-off": None}
 for _id, _change in _CHANGES.items():
-    mistake(f"normal-{_id}", "normal", RULE_OF_NORMALS)(partial(_each, id=f"normal-{_id}", change=_change))
+    mistake(f"normal-{_id}", "normal", RULE_OF_NORMALS)(partial(_each, change=_change))
 
 
 @mistake("normal-size", "normal", RULE_OF_NORMALS)
@@ -106,7 +106,7 @@ def normal_size(scene: Scene) -> Iterator[Rewrite]:
         length = scene.length(normal.tail, normal.head)
         if scene.method.mechanism.usual.cut(length * scene.plot.omega[normal.link] ** 2, "m/s^2"):
             for form, change in _sizes(scene, normal, length):
-                yield scene.term("normal-size", normal, name, change, form)
+                yield scene.term(normal, name, change, form)
 
 
 def _sizes(scene: Scene, normal: Normal, length: float) -> Iterator[tuple[str, Change]]:
@@ -141,24 +141,23 @@ def _squared(tail: str, head: str, length: float) -> Change:
 def diameter_for_radius(scene: Scene) -> Iterator[Rewrite]:
     """One length twice or half as long: in omega = v / l or alpha = a^t / l, carried on; in the velocity of a crank's
     point, alone or with its acceleration; in one normal acceleration."""
-    id = "diameter-for-radius"
     for plane in PLANES:
         for step, name in measured(scene, plane):
             for form, times in _twice_or_half(scene, *step.lever):
-                yield Rewrite(id, name, form, reading(plane, step, Times(1 / times)))
+                yield Rewrite(name, form, reading(plane, step, Times(1 / times)))
     own: dict[Normal | Tangential | Relative, str] = {**scene.sized("acceleration", Tangential), **dict(normals(scene))}
     for crank, name in driven_velocities(scene):
         same = {size: called for size, called in own.items()
                 if (size.link, size.tail, size.head) == (crank.link, crank.tail, crank.head)}  # fmt: skip
         for form, times in _twice_or_half(scene, crank.tail, crank.head):
             edits = [Edit(("arrow", "velocity", crank), Times(times))]
-            yield Rewrite(id, name, form, tuple(edits))
+            yield Rewrite(name, form, tuple(edits))
             edits += [Edit(("arrow", "acceleration", size), Times(times)) for size in same]
             if same:
-                yield Rewrite(id, ", ".join((name, *same.values())), form, tuple(edits))
+                yield Rewrite(", ".join((name, *same.values())), form, tuple(edits))
     for size, name in normals(scene):
         for form, times in _twice_or_half(scene, size.tail, size.head):
-            yield scene.term(id, size, name, Times(times), form)
+            yield scene.term(size, name, Times(times), form)
 
 
 def _twice_or_half(scene: Scene, tail: str, head: str) -> tuple[tuple[str, float], ...]:
@@ -183,7 +182,7 @@ def slider_normal_term(scene: Scene) -> Iterator[Rewrite]:
                 return right + size * unit(plot.arm(*to))
 
             edits = (Edit(("through", "acceleration", meet, ray), shifted),)
-            yield Rewrite("slider-normal-term", name, scene.length_name(rod.tail, rod.head), edits)
+            yield Rewrite(name, scene.length_name(rod.tail, rod.head), edits)
 
 
 def _rods(scene: Scene, ray: Ray) -> Iterator[tuple[Normal, str, str]]:

@@ -194,6 +194,6 @@ def foot_lines(curves: Curves, layout: Sequence[CurvePanel], lang: Lang) -> Iter
 
 
 def event_line(curves: Curves, event: Event, lang: Lang) -> str:
-    """Where an upright line stands, and which links."""
+    """The place of an upright line, and its links."""
     mark, reason = event_mark(event, lang), writable(why(event, lang))
     return say("diagrams.event", lang, mark=mark[0].upper() + mark[1:], place=place_of(curves, event.at), why=reason)
