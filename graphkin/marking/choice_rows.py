@@ -129,7 +129,7 @@ class ChoiceRows:
                     yield (factor, f"r_{low}"), rate**power * radius
         for low, _, rate in () if in_velocity else self._rates("omega"):
             for name, (tail, head) in self.velocities.items():
-                speed = np.abs([plot.velocity[head] - plot.velocity[tail] for plot in self.plots])
+                speed = np.abs(np.array([plot.velocity[head] - plot.velocity[tail] for plot in self.plots]))
                 yield ("2", f"omega_{low}", name), rate * 2.0 * speed
                 yield (f"omega_{low}", name), rate * speed
 
@@ -138,13 +138,13 @@ class ChoiceRows:
         mechanism, order = self.method.mechanism, 1 if word == "omega" else 2
         for link in self.of_links:
             rates = [(plot.omega if order == 1 else plot.alpha)[link] for plot in self.plots]
-            yield self.called(link), link, np.abs(rates)
+            yield self.called(link), link, np.abs(np.array(rates))
         for driver in mechanism.drivers:
             if driver.kind != "slide" and driver.from_link != FRAME:
                 link, other = driver.link, driver.from_link
                 rates = [plot.facts.relative_rate(link, order) - plot.facts.relative_rate(other, order)
                          for plot in self.plots]  # fmt: skip
-                yield self.against(link, other), link, np.abs(rates)
+                yield self.against(link, other), link, np.abs(np.array(rates))
 
     @cached_property
     def velocities(self) -> Mapping[str, tuple[str, str]]:
@@ -186,4 +186,4 @@ class ChoiceRows:
         return self.at_each(lambda plot: plot.guide_direction(slide))
 
     def _length(self, first: str, second: str) -> np.ndarray:
-        return np.abs(self.at_each(lambda plot: plot.arm(first, second)))
+        return np.asarray(np.abs(self.at_each(lambda plot: plot.arm(first, second))))

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from operator import add
 
 import numpy as np
@@ -32,7 +31,6 @@ class MistakeVisibility:
     still   whether one leaves all answers as they are (m,)
     near    which two of different kinds that are seen lie within the tolerance in all answers (m, m)
     same    which two of different kinds give the very same answers (m, m)
-    failed  part of the drawings with a pencil whose links do not meet
     """
 
     names: tuple[Name, ...]
@@ -40,17 +38,16 @@ class MistakeVisibility:
     still: np.ndarray
     near: np.ndarray
     same: np.ndarray
-    failed: float = 0.0
 
 
 def mistake_visibility(
     method: Method, plot: Plot, marking: Marking, asked: AskedAnswers | None = None
 ) -> MistakeVisibility:
     """By what a mechanism asks for, at the position of a plot; asked: these answers, where they are known."""
-    quantities, entries, failed = asked or asked_alone(method, plot, marking)
+    quantities, entries, _ = asked or asked_alone(method, plot, marking)
     singles = rewrites(method, plot, quantities, marking.scales)
     values = combined(method, plot, quantities, [(one,) for one in singles]).values
-    return replace(compared(entries, [one.name for one in singles], values), failed=failed)
+    return compared(entries, [one.name for one in singles], values)
 
 
 def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndarray) -> MistakeVisibility:

@@ -158,10 +158,6 @@ class Key:
         """A key for each position, the drawn one first."""
         return self, *self.further
 
-    def number(self, text: str) -> int | None:
-        """The column of a quantity."""
-        return next((k for k, entry in enumerate(self.entries) if entry.text == text), None)
-
 
 # --- values against the key --------------------------------------------------------------------
 

@@ -33,14 +33,12 @@ _A4 = (210.0, 297.0)
 class RegisteredPage:
     """A sheet of paper on a picture.
 
-    number         as its markers tell it; name: of the picture
-    width, height  of the paper [mm]
+    number         as its markers tell it; width, height: of the paper [mm]
     rms            by how much its places are off, estimated; within: 95 % of them are off by less [mm]
     per_mm         pixels; pixels: where places of the page lie on the picture [px]
     """
 
     number: int
-    name: str
     width: float
     height: float
     rms: float
@@ -195,4 +193,4 @@ def _registered(picture: Picture, sheet: SeenSheet) -> RegisteredPage | Graphkin
     if within > _OFF:
         return PhotographAgain(picture.where, "bent", value=within)
     number = number_of(*(sheet.markers[k].id for k in (CORNERS, CORNERS + 1)))
-    return RegisteredPage(number, picture.name, *sheet.size, rms, within, per_mm, map, picture.grey)
+    return RegisteredPage(number, *sheet.size, rms, within, per_mm, map, picture.grey)

@@ -53,7 +53,7 @@ def board_in(content: bytes, where: Where, limits: Limits) -> HandedBoard | None
     if element is None:
         return None
     try:
-        return _BoardReader(where).board(_data(element))
+        return _board(_data(element), where)
     except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as problem:
         raise BrokenBoard(where, f"{type(problem).__name__}: {problem}"[:_LONGEST]) from None
 
@@ -108,32 +108,25 @@ def _steps(data: Mapping[str, object]) -> Iterator[BoardStep]:
         yield BoardStep(count, _plane(step["plane"]), _text(step["tool"]), places, *names)
 
 
-class _BoardReader:
-    """Takes the metadata apart; whatever is not as it should be raises."""
-
-    def __init__(self, where: Where) -> None:
-        self.where = where
-
-    def board(self, data: Mapping[str, object]) -> HandedBoard:
-        problem = _mapping(data["problem"])
-        entries = []
-        for name, answer in _mapping(data.get("answers", {})).items():
-            parts = {"value": answer} if isinstance(answer, str) else _mapping(answer)
-            if _text(parts.get("value")).strip():
-                own: dict[str, object] = {key: _text(part) for key, part in parts.items()}
-                if _ANGLE.fullmatch(_text(parts.get("sense")).strip()):  # of a vector, to +x
-                    own |= {"sense": "", "direction": _angle(_text(parts["sense"]))}
-                entries.append((_text(name), own, Where(self.where.file, None, _text(name))))
-        student = _text(problem.get("student")).strip()
-        document = StudentDocument((student,) if student else (), tuple(entries))
-        text = problem["mechanism"]
-        if not isinstance(text, str):
-            raise ValueError("problem: mechanism")
-        return HandedBoard(document, work_of(data), text)
-
-
-def _angle(text: str) -> float:
-    return float(text.strip().rstrip("°").replace(",", ".").replace("−", "-"))
+def _board(data: Mapping[str, object], where: Where) -> HandedBoard:
+    """The metadata taken apart; whatever is not as it should be raises."""
+    problem = _mapping(data["problem"])
+    entries = []
+    for name, answer in _mapping(data.get("answers", {})).items():
+        parts = {"value": answer} if isinstance(answer, str) else _mapping(answer)
+        if _text(parts.get("value")).strip():
+            own: dict[str, object] = {key: _text(part) for key, part in parts.items()}
+            sense = _text(parts.get("sense")).strip()
+            if _ANGLE.fullmatch(sense):  # of a vector, to +x
+                degrees = sense.rstrip("°").replace(",", ".").replace("−", "-")
+                own |= {"sense": "", "direction": float(degrees)}
+            entries.append((_text(name), own, Where(where.file, None, _text(name))))
+    student = _text(problem.get("student")).strip()
+    document = StudentDocument((student,) if student else (), tuple(entries))
+    text = problem["mechanism"]
+    if not isinstance(text, str):
+        raise ValueError("problem: mechanism")
+    return HandedBoard(document, work_of(data), text)
 
 
 def _mapping(value: object) -> Mapping[str, object]:

@@ -12,8 +12,10 @@ from click.testing import CliRunner
 
 from graphkin import load, loads
 from graphkin.cli import main
+from graphkin.errors import Where
 from graphkin.files import MechanismFile
 from graphkin.homework.grading import OneKey, grade, key_for
+from graphkin.homework.platforms.result import from_record
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded
 from graphkin.outputs.marks_json import record
@@ -151,7 +153,10 @@ class OnThePaper(BoardStudent):
 def test_points_of_the_mechanism_are_looked_at(tmp_path, astray):
     student = OnThePaper(loads(_CENTRE))
     student.astray = astray
-    step = marked(tmp_path, student).step
+    one = graded(tmp_path, student.source, student.file())
+    assert one.marked is not None
+    step = one.marked.step
+    assert from_record(json.loads(json.dumps(record(one))), Where("marks.json")).step == step
     assert (step.plane, step.kind, step.what) == ("position", "place", astray) if astray else step is None
     assert not astray or step_line(step, "en").endswith("is not where it belongs on the mechanism")
 

@@ -261,7 +261,7 @@ def test_moodle_tells_the_mistakes_of_a_key(name, tmp_path: Path):
             else:
                 off = abs(wrong.number - part.number) - part.tolerance - wrong.tolerance
                 assert off <= 0.004 * (part.tolerance + wrong.tolerance)
-        column = key.number(entry.text)
+        column = key.entries.index(entry)
         scatters = [float(x) for x in key.singles.scatters[:, column] if math.isfinite(x)]
         assert [wrong.tolerance for wrong in part.wrongs] == pytest.approx([3 * factor * x for x in scatters])
         if entry.sort == "angle":

@@ -139,7 +139,8 @@ def test_an_error_of_a_line_or_a_link_alone_reaches_a_group_that_is_fitted():
 
 def test_fixed_tolerances():
     key = key_for(api.load("ex3-1"), Pencils(relative=0.02))
-    assert key.entries[key.number("omega 3") or 0].tolerance == pytest.approx(0.02 * 3.91933, rel=1e-4)
+    of = {entry.text: entry for entry in key.entries}
+    assert of["omega 3"].tolerance == pytest.approx(0.02 * 3.91933, rel=1e-4)
     wide = key_for(api.load("ex3-1"), Pencils(sigmas=6))
     assert wide.entries[1].tolerance == pytest.approx(2 * marker().key.entries[1].tolerance)
 
@@ -281,7 +282,8 @@ def test_two_mistakes_where_there_are_values_enough():
     hypotheses, key = marker().pairs(None), marker().key
     row = next(k for k, names in enumerate(hypotheses.names)
                if {name[0] for name in names} == {"wrong-length", "coriolis-omitted"} and "l_CD" in names[0])  # fmt: skip
-    values |= {text: float(hypotheses.values[row, key.number(text)]) for text in ("alpha 3", "a_n B3D", "a_t B3D")}
+    number = {entry.text: k for k, entry in enumerate(key.entries)}
+    values |= {text: float(hypotheses.values[row, number[text]]) for text in ("alpha 3", "a_n B3D", "a_t B3D")}
     found = marked(values).diagnosis.explanations
     assert found
     assert any({name[0] for name in names} == {"wrong-length", "coriolis-omitted"} for names in found[0].names)

@@ -137,11 +137,11 @@ def run(
         work = partial(_lines, work=work, written=written)
     done: Iterable[Graded | StoredRecord]
     if options.executor is not None:
-        done = ahead(options.executor, work, _batches(some, _BATCH), _AHEAD)
+        done = ahead(options.executor, work, _batches(some), _AHEAD)
     elif options.workers:
-        done = guarded(work, _batches(some, _BATCH), options.workers, options.limits.seconds, _failed)
+        done = guarded(work, _batches(some), options.workers, options.limits.seconds, _failed)
     else:
-        done = chain.from_iterable(map(work, _batches(some, _BATCH)))
+        done = chain.from_iterable(map(work, _batches(some)))
     return firsts(done, paths, judge.roster)
 
 
@@ -176,14 +176,14 @@ def _failed(item: Item, problem: str) -> Graded | StoredRecord:
     return Graded(of.student, of.file, of.place, None, OwnFault(Where(of.file), problem))
 
 
-def _batches(some: Iterable[Item], size: int) -> Iterator[list[Item]]:
+def _batches(some: Iterable[Item]) -> Iterator[list[Item]]:
     """So many at once, and not too many bytes of them."""
     batch: list[Item] = []
     held = 0
     for item in some:
         batch.append(item)
         held += sum(len(content) for _, content in item.files) if isinstance(item, Handed) else 0
-        if len(batch) >= size or held >= _BYTES:
+        if len(batch) >= _BATCH or held >= _BYTES:
             yield batch
             batch, held = [], 0
     if batch:

@@ -125,7 +125,7 @@ def _panel(
     for event in curves.events:  # where the driver stops, and change points
         at = number(curves.course.value(event.at)) * EDGE[curves.course.unit].factor
         first.axvline(at, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
-    return DrawnPanel(panel, tuple(sides), lines)
+    return DrawnPanel(tuple(sides), lines)
 
 
 def _divide(axis: _AxesBase, side: Axes, unit: str, ends: tuple[float, float], size: float, lang: Lang) -> None:

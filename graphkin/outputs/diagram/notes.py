@@ -16,7 +16,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE
 from graphkin.outputs.diagram.curves import Curves
-from graphkin.outputs.diagram.panels import CurvePanel, event_mark, figure_of, place_of
+from graphkin.outputs.diagram.panels import event_mark, figure_of, place_of
 from graphkin.running.path import Event
 
 if TYPE_CHECKING:
@@ -40,7 +40,6 @@ THIN_PT = 0.18 * 72 / 25.4
 class DrawnPanel:
     """A panel that is drawn: its axes, and by the number of each curve its axis and its line."""
 
-    panel: CurvePanel
     sides: tuple[Axes, ...]
     lines: Mapping[int, tuple[Axes, Line2D]]
 
