@@ -89,8 +89,12 @@ class _CentreCommand:
             with streams.waiting():
                 pages = self._pages(self._centres(mechanisms[0]))
             shared.write_drawings(pages, self.output, self.steps, self.force)
-        else:
-            shared.print_each(mechanisms, self._lines, self.as_json, self.lang)
+            return
+
+        def answer(source: str) -> object:
+            return self._answer(self._centres(source))
+
+        shared.print_answers(mechanisms, answer, self.as_json, self.lang)
 
     def _centres(self, source: str) -> Centres:
         from graphkin.studies.centres import centres as find
@@ -103,9 +107,6 @@ class _CentreCommand:
         from graphkin.api.answers import around
 
         return around(found, self.link, self.point, self.pair, self.centre, self.ranges)
-
-    def _lines(self, source: str) -> list[str]:
-        return shared.answer_lines(self._answer(self._centres(source)), self.as_json, self.lang)
 
     def _pole_of_two_velocities(self) -> None:
         from graphkin.outputs import svg

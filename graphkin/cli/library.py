@@ -97,12 +97,10 @@ def structure(
     """
     from graphkin.api import answers
 
-    data = shared.wants_json(as_json, output, len(mechanisms))
+    def answer(source: str) -> object:
+        return answers.structure(shared.placed(source, at))
 
-    def lines(source: str) -> list[str]:
-        return shared.answer_lines(answers.structure(shared.placed(source, at)), data, lang)
-
-    shared.print_each(mechanisms, lines, data, lang, output, force)
+    shared.print_answers(mechanisms, answer, shared.wants_json(as_json, output, len(mechanisms)), lang, output, force)
 
 
 @click.command()

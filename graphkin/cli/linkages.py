@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,7 +17,7 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 
 if TYPE_CHECKING:
-    from graphkin.studies.linkages import Linkage, Report
+    from graphkin.studies.linkages import Linkage
 
 @click.command()
 @click.argument("mechanisms", metavar="[MECHANISM...]", nargs=-1, shell_complete=shared.library_names)
@@ -53,15 +52,14 @@ def linkage(
     misused("usage.one", len(mechanisms) > 1 and (fix or output), option="--fix, -o", what="MECHANISM")
     misused("usage.without", fix and (as_json or output), option="--fix", others="--json, -o")
     if output is None and mechanisms and not fix:
-        shared.print_each(mechanisms, lambda source: _lines(linkage_of(shared.read_at(source, at)), as_json, lang),
-                          as_json, lang)  # fmt: skip
+        shared.print_answers(mechanisms, lambda source: linkage_of(shared.read_at(source, at)), as_json, lang)
         return
     subject = shared.read_at(mechanisms[0], at) if mechanisms else from_lengths(*given[0], by)
     if fix:
         click.echo(_inverted(subject, fix, given[0][0] if given else ""), nl=False)
         return
     reports = linkage_of(subject)
-    click.echo("\n".join(_lines(reports, as_json, lang)))
+    shared.print_answer(reports, as_json, lang)
     if output is not None:
         from graphkin.outputs.saving import NotebookSheet
         from graphkin.sheet.linkage_sheet import limit_sheet
@@ -69,12 +67,6 @@ def linkage(
         title = subject.headline(lang) if isinstance(subject, Mechanism) and mechanisms != ("-",) else ""
         sheet = NotebookSheet.of(limit_sheet(reports, lang, paper=paper, title=title))
         click.echo(str(sheet.save(output, force=force)), err=True)
-
-
-def _lines(reports: Sequence[Report], as_json: bool, lang: Lang) -> list[str]:
-    from graphkin.api.answers import data_of, lines_of
-
-    return [shared.json_line(data_of(report)) for report in reports] if as_json else lines_of(reports, lang)
 
 
 def _inverted(subject: Mechanism | Linkage, link: str, kind: str) -> str:

@@ -306,13 +306,23 @@ def write_drawings(
         click.echo(str(path), err=err or printed)
 
 
-def answer_lines(answer: object, as_json: bool, lang: Lang) -> list[str]:
-    """An answer of a study, in words or as one line of JSON."""
+def _answer_lines(answer: object, as_json: bool, lang: Lang) -> list[str]:
+    """An answer of a study, in words or as a line of JSON; of several of them each."""
     from graphkin.api.answers import data_of, lines_of
 
-    return [json_line(data_of(answer))] if as_json else [*lines_of(answer, lang)]
+    if not as_json:
+        return lines_of(answer, lang)
+    return [json_line(data_of(one)) for one in (answer if isinstance(answer, list) else [answer])]
 
 
 def print_answer(answer: object, as_json: bool, lang: Lang) -> None:
     """The same, printed."""
-    click.echo("\n".join(answer_lines(answer, as_json, lang)))
+    click.echo("\n".join(_answer_lines(answer, as_json, lang)))
+
+
+def print_answers(
+    sources: tuple[str, ...], answer: Callable[[str], object], as_json: bool, lang: Lang, output: Path | None = None,
+    force: bool = False,
+) -> None:  # fmt: skip
+    """The answers for several sources, as `print_each` prints them."""
+    print_each(sources, lambda source: _answer_lines(answer(source), as_json, lang), as_json, lang, output, force)

@@ -26,7 +26,6 @@ from graphkin.handouts.markup import block_html
 from graphkin.handouts.problem import HandoutProblem, drawn_problem
 from graphkin.handouts.stages import blocks_of, figure_of
 from graphkin.homework.problems.posed import shown_at
-from graphkin.marking.choice_rows import Choice
 from graphkin.marking.equation_choices import EquationChoices, equation_choices
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Centre, Moving
@@ -209,7 +208,8 @@ def _vectors(problem: HandoutProblem, plane: Plane) -> list[str]:
 
 def _given(problem: HandoutProblem, figure: GivenFigure) -> Plain:
     """The mechanism's lines, by which a set square is laid, as far as the problem gives them."""
-    choices = _choices(problem)
+    equations = equation_choices(problem.drawing.method, problem.drawing.plot)
+    choices = [choice for equation in equations for choice in equation.directions]
     pairs = list(dict.fromkeys(choice.points for choice in choices if choice.kind == "parallel"))
     lines = [*_lines(figure, pairs)] if figure.corner is not None else []
     guides = {choice.token.removeprefix("parallel ") for choice in choices if choice.kind == "guide"}
@@ -217,12 +217,6 @@ def _given(problem: HandoutProblem, figure: GivenFigure) -> Plain:
     places: dict[str, Plain] = {name: _xy(at) for name, at in figure.points.items()}
     corner: Plain = None if figure.corner is None else [round(-figure.corner.real, 4), round(-figure.corner.imag, 4)]
     return {"lines": lines, "pairs": ["".join(pair) for pair in pairs], "points": places, "corner": corner}
-
-
-def _choices(problem: HandoutProblem) -> list[Choice]:
-    """All directions that can be chosen, in their order."""
-    every = equation_choices(problem.drawing.method, problem.drawing.plot)
-    return list(dict.fromkeys(choice for equation in every for choice in equation.directions))
 
 
 def _lines(figure: GivenFigure, pairs: list[tuple[str, ...]]) -> Iterator[Plain]:

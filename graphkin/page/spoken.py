@@ -191,20 +191,17 @@ def spoken_steps(
 
 def _entry(knots: Sequence[Spoken | None], tracks: Tracks, in_a_row: bool) -> list[dict[str, object]]:
     """One entry: its templates, each with the knots at which it is said."""
-    templates: dict[str, list[int]] = {}
+    templates: dict[str, dict[int, Spoken]] = {}
     for k, spoken in enumerate(knots):
         if spoken is not None:
-            templates.setdefault(repr((spoken.kind, spoken.words)), []).append(k)
+            templates.setdefault(repr((spoken.kind, spoken.words)), {})[k] = spoken
     entries: list[dict[str, object]] = []
     for own in templates.values():
-        first = knots[own[0]]
-        assert first is not None
+        first = next(iter(own.values()))
         table = np.full((len(knots), len(first.numbers)), np.nan)
+        table[[*own]] = [spoken.numbers for spoken in own.values()]
         there = np.zeros(len(knots), dtype=bool)
-        for k in own:
-            spoken = knots[k]
-            assert spoken is not None
-            table[k], there[k] = spoken.numbers, True
+        there[[*own]] = True
         turns = [_turns(first, n, table[:, n]) for n in range(table.shape[1])]
         columns = [unfolded(table[:, n]) if in_a_row and not turns[n] else table[:, n] for n in range(len(turns))]
         numbers = [tracks.fine(column) for column in columns]
