@@ -8,7 +8,7 @@ between them: the finest scale is the one at which all of them hold.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -29,20 +29,20 @@ it is not meant for."""
 
 
 class _Choices(NamedTuple):
-    """Places of one block in one corner, in all its shapes (o,).
+    """Places of one block in all corners, in all its shapes (o,).
 
-    corner  on each axis 0, left or above, or 1, right or below
+    corner  on each axis 0, left or above, or 1, right or below (2, o)
     off, part  the place of the figure that it keeps off that side, on each axis [SI], and how far [mm] (2, o)
     size    width and height with the distance to what is beside it (2, o) [mm]
-    shape, cost  its number; the cost of a corner that is not liked as well as others
+    shape, cost  its number; the cost of a corner that is not liked as well as others (o,)
     """
 
-    corner: tuple[int, int]
+    corner: Array
     off: Array
     part: Array
     size: Array
     shape: Array
-    cost: float
+    cost: Array
 
 
 def _edges(extent: Extent) -> Array:
@@ -52,29 +52,27 @@ def _edges(extent: Extent) -> Array:
     return np.array([[[first, 0.0], [last, whole]] for (first, last), whole in zip(ends, size, strict=True)])
 
 
-def _choices(extent: Extent, sizes: Sequence[complex], foot: bool) -> Iterator[_Choices]:
+def _choices(extent: Extent, sizes: Sequence[complex], foot: bool) -> _Choices:
     """All of a block; foot: it is meant to stand at the foot of the room."""
-    edges, own = _edges(extent), np.array([(size.real + _EDGE, size.imag + _EDGE) for size in sizes]).T
-    for corner, steps in extent.stairs:
-        stair = np.array([*dict.fromkeys(steps)]).T
-        size, stairs = np.repeat(own, stair.shape[1], axis=1), np.tile(stair, own.shape[1])
-        whole, side = edges[:, 1, 1][:, None], np.array(corner)[:, None]
-        first = edges[(0, 1), corner][:, :, None]  # where nothing of the figure is beside it
-        off = size + np.where(stairs == 0, first[:, 0], _AIR)
-        there = np.isfinite(stairs)
-        part = whole * abs(side - np.where(there, stairs, 0.0))
-        off, part = np.where(there, (off, part), first.swapaxes(0, 1))
-        shape = np.repeat(np.arange(len(sizes)), stair.shape[1])
-        yield _Choices(corner, off, part, size, shape, _OTHER_SIDE[foot] * corner[0] + _OTHER_END * (corner[1] != foot))
+    edges, own = _edges(extent), np.array([(size.real + _EDGE, size.imag + _EDGE) for size in sizes])
+    every = np.array([(*corner, shape, *step) for corner, steps in extent.stairs
+                      for shape in range(len(sizes)) for step in dict.fromkeys(steps)]).T  # fmt: skip
+    corner, shape, stairs = every[:2].astype(np.intp), every[2].astype(np.intp), every[3:]
+    size, first = own[shape].T, edges[[[0], [1]], corner]  # where nothing of the figure is beside it
+    off = size + np.where(stairs == 0, first[..., 0], _AIR)
+    there = np.isfinite(stairs)
+    part = edges[:, 1, 1][:, None] * abs(corner - np.where(there, stairs, 0.0))
+    off, part = np.where(there, off, first[..., 0]), np.where(there, part, first[..., 1])
+    return _Choices(corner, off, part, size, shape, _OTHER_SIDE[foot] * corner[0] + _OTHER_END * (corner[1] != foot))
 
 
 def _need(choices: _Choices, keeps: Sequence[Array], room: Array) -> Array:
     """The scales at which the figure fits between a block's places and all that keeps it off the other sides (o, n)."""
     need = np.zeros((choices.off.shape[1], room.shape[1]))
-    for old, (axis, side) in product(keeps, enumerate(choices.corner)):
-        other = old[axis, 1 - side]
-        free = (room[axis] - other[0]) - choices.off[axis][:, None]
-        part = (other[1] - choices.part[axis][:, None]) * (1 - 2 * side)
+    for old, axis in product(keeps, (0, 1)):
+        side = choices.corner[axis]
+        free = (room[axis] - old[axis, ::-1, 0]).take(side, axis=0) - choices.off[axis][:, None]
+        part = (old[axis, ::-1, 1].take(side, axis=0) - choices.part[axis][:, None]) * (1 - 2 * side)[:, None]
         np.maximum(need, np.where(free > _LEAST, part / np.maximum(free, _LEAST), np.inf), out=need)
     return need
 
@@ -111,20 +109,15 @@ def standing(rooms: Array, extent: Extent) -> Standing:
     least = np.where(free > _LEAST, edges[:, 1, 1] / np.maximum(free, _LEAST), np.inf).max(axis=0)
     keeps, blocks = [edges], list[tuple[Array, Array, Array]]()
     for sizes, foot in extent.blocks:
-        every = [*_choices(extent, sizes, foot)]
-        need = np.concatenate([_fitting(each, _need(each, keeps, room), blocks, room) for each in every])
-        cost = np.repeat([1 + each.cost for each in every], [len(each.shape) for each in every])[:, None]
-        price = (cost * (np.maximum(need, least) + 0.05 * need)).astype(np.float32)  # rounding decides nothing
-        best = np.argmin(price, axis=0)
+        choices = _choices(extent, sizes, foot)
+        need = _fitting(choices, _need(choices, keeps, room), blocks, room)
+        price = ((1 + choices.cost)[:, None] * (np.maximum(need, least) + 0.05 * need)).astype(np.float32)
+        best = np.argmin(price, axis=0)  # rounding decides nothing
         least = np.maximum(least, need[best, np.arange(room.shape[1])])
-        size, off, part = (np.concatenate(each, axis=1)[:, best]
-                           for each in list(zip(*((e.size, e.off, e.part) for e in every))))  # fmt: skip
-        corner = np.repeat([each.corner for each in every], [len(each.shape) for each in every], axis=0).T[:, best]
-        own = np.array(edges)
-        for axis, side in product((0, 1), (0, 1)):
-            own[axis, side] = np.where(corner[axis] == side, (off[axis], part[axis]), own[axis, side])
-        keeps.append(own)
-        blocks.append((size, corner, np.concatenate([each.shape for each in every])[best]))
+        corner, off, part, size = (each[:, best] for each in choices[:4])
+        held = corner[:, None, None] == np.array([[[0]], [[1]]])  # which side, on each axis
+        keeps.append(np.where(held, np.stack([off, part], axis=1)[:, None], edges))
+        blocks.append((size, corner, choices.shape[best]))
     fit = np.isfinite(least)
     if extent.given is None:
         scales = np.where(fit, finest_each(np.where(fit, np.maximum(least, extent.least), 1.0)), np.nan)
@@ -138,6 +131,6 @@ def _fitting(choices: _Choices, need: Array, blocks: Sequence[tuple[Array, Array
     size, wide = choices.size[..., None], np.array([[[1.0]], [[0.0]]])  # the top is the heading's foot
     fits = (size + _RIM * wide <= room[:, None]).all(axis=0)
     for other, corner, _ in blocks:
-        aside = corner != np.array(choices.corner)[:, None]
-        fits &= (aside[:, None] & (size + other[:, None] + _TIGHT * wide <= room[:, None])).any(axis=0)
+        aside = corner[:, None] != choices.corner[..., None]
+        fits &= (aside & (size + other[:, None] + _TIGHT * wide <= room[:, None])).any(axis=0)
     return np.where(fits, need, np.inf)

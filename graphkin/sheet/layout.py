@@ -29,7 +29,7 @@ _SECOND = 5.5  # its additional height where the scale stands under it, in a nar
 _NARROWEST = 46.0  # a heading wants at least so much [mm]
 _MECHANISM = 2.2  # the weight of the mechanism: its signs keep their size and need room between them
 _INK = 1.0  # the worth of paper that is used
-_AT_ONCE = 256  # so many divisions are held against blocks at once
+_AT_ONCE = 64  # so many divisions are held against blocks at once
 _COARSER = 2.1  # so much coarser a figure may be drawn to have room for its equations and tables beside it
 _FAIR, _MOST, _DEAR = 0.27, 0.4, 40.0
 """So much of the field each of three figures has at least, and the mechanism at most; the cost of what is not so."""
@@ -114,57 +114,55 @@ def division(
     for paper, field, strip in (each for each in every if each[1].size.imag > 0):  # the strip has left some
         extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         rooms, plain = _rooms(field, tuple(extents)), {p: replace(each, blocks=()) for p, each in extents.items()}
-        most = _not_coarser(*_bare_values(field, tuple(plain.items())), bare)
+        alone = _bare_worths(field, tuple(plain.items()))
+        most = _values(alone, bare)
         order = np.argsort(-most, kind="stable")
         for some in np.array_split(order, range(_AT_ONCE, len(order), _AT_ONCE)):
             if most[some[0]] <= best:
                 break
-            own = {plane: room[:, some] for plane, room in rooms.items()}
-            found = _values(own, extents, field)
-            values = _not_coarser(*found, bare)
+            worths = {plane: _worth(rooms[plane][:, some], plane, own, field, len(rooms)) if own.blocks
+                      else alone[plane][:, some] for plane, own in extents.items()}  # fmt: skip
+            values = _values(worths, bare)
             share = int(np.argmax(values))
             if values[share] > best:
-                each = {plane: Room(*map(float, room[:, share])) for plane, room in own.items()}
-                chosen = {plane: float(scale[share]) for plane, scale in found[1].items()}
+                each = {plane: Room(*map(float, room[:, some[share]])) for plane, room in rooms.items()}
+                chosen = {plane: float(worth[2, share]) for plane, worth in worths.items()}
                 best, layout = values[share], Layout(paper, each, chosen, strip)
     return layout
 
 
-def _not_coarser(values: Array, scales: Mapping[Plane, Array], bare: Layout | None) -> Array:
-    """The values of those divisions in which no figure is much coarser than in a bare one."""
-    fine = [scales[plane] <= _COARSER * least for plane, least in (bare.scales if bare else {}).items()]
-    return np.where(np.all(fine, axis=0), values, -math.inf)
+def _values(worths: Mapping[Plane, Array], bare: Layout | None) -> Array:
+    """The worth of many divisions (n,), none where a figure is much coarser than in a bare one, or does not fit."""
+    value, ink, _ = np.sum([*worths.values()], axis=0)
+    value = np.round(value + _INK * np.log(ink), 9)
+    fine = [worths[plane][2] <= _COARSER * least for plane, least in (bare.scales if bare else {}).items()]
+    return np.where(np.all(fine, axis=0) & ~np.isnan(value), value, -math.inf)
 
 
 @lru_cache(16)
-def _bare_values(field: Room, extents: tuple[tuple[Plane, Extent], ...]) -> tuple[Array, dict[Plane, Array]]:
-    """The values of all divisions of a field for figures without blocks, which many contents have in common."""
-    return _values(_rooms(field, tuple(plane for plane, _ in extents)), dict(extents), field)
+def _bare_worths(field: Room, extents: tuple[tuple[Plane, Extent], ...]) -> dict[Plane, Array]:
+    """Those of figures without blocks in all divisions of a field, which many contents have in common."""
+    rooms = _rooms(field, tuple(plane for plane, _ in extents))
+    return {plane: _worth(rooms[plane], plane, extent, field, len(rooms)) for plane, extent in extents}
 
 
-def _values(
-    rooms: Mapping[Plane, Array], extents: Mapping[Plane, Extent], field: Room
-) -> tuple[Array, dict[Plane, Array]]:
-    """The worth of many divisions, and the scales there: size of figures, room about their labels, paper used."""
-    value, inked, scales = np.asarray(0.0), np.asarray(0.0), dict[Plane, Array]()
-    area = field.size.real * field.size.imag
-    for plane, extent in extents.items():
-        room, free, machine = rooms[plane], _under_heading(rooms[plane]), plane == "position"
-        scale = np.where(room[2] - room[0] >= _NARROWEST, standing(free, extent).scales, math.nan)
-        wide, high = extent.size.real / scale, extent.size.imag / scale
-        easy = 110.0 if machine else 50.0 + 2.2 * extent.labels  # it has room for its letters
-        weight = math.sqrt(extent.labels / 10) * (_MECHANISM if machine else 1)
-        large = np.maximum(wide, high)
-        value = value + weight * (np.log(np.clip(large, 1.0, easy)) + 0.4 * np.log(np.clip(large / easy, 1.0, 1.8)))
-        wide, high = wide + extent.reach.real, high + extent.reach.imag
-        if extent.labels:
-            value = value + 0.15 * np.log(1 + np.minimum(free[2] - free[0] - wide, free[3] - free[1] - high))
-        if len(rooms) == 3:
-            part = (room[2] - room[0]) * (room[3] - room[1]) / area
-            value = value - _DEAR * (np.maximum(0.0, _FAIR - part) + machine * np.maximum(0.0, part - _MOST))
-        inked, scales[plane] = inked + wide * high / area, scale
-    value = np.round(value + _INK * np.log(inked), 9)
-    return np.where(np.isnan(value), -math.inf, value), scales
+def _worth(room: Array, plane: Plane, extent: Extent, field: Room, count: int) -> Array:
+    """One of so many figures in many rooms of a field (3, n): the worth of its size and of the room about its labels,
+    the part of the paper that it uses, and its scale; NaN where it does not fit."""
+    area, free, machine = field.size.real * field.size.imag, _under_heading(room), plane == "position"
+    scale = np.where(room[2] - room[0] >= _NARROWEST, standing(free, extent).scales, math.nan)
+    wide, high = extent.size.real / scale, extent.size.imag / scale
+    easy = 110.0 if machine else 50.0 + 2.2 * extent.labels  # it has room for its letters
+    weight = math.sqrt(extent.labels / 10) * (_MECHANISM if machine else 1)
+    large = np.maximum(wide, high)
+    value = weight * (np.log(np.clip(large, 1.0, easy)) + 0.4 * np.log(np.clip(large / easy, 1.0, 1.8)))
+    wide, high = wide + extent.reach.real, high + extent.reach.imag
+    if extent.labels:
+        value = value + 0.15 * np.log(1 + np.minimum(free[2] - free[0] - wide, free[3] - free[1] - high))
+    if count == 3:
+        part = (room[2] - room[0]) * (room[3] - room[1]) / area
+        value = value - _DEAR * (np.maximum(0.0, _FAIR - part) + machine * np.maximum(0.0, part - _MOST))
+    return np.array([value, wide * high / area, scale])
 
 
 def _too_large(extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]) -> TooLargeForPaper:
