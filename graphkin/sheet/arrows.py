@@ -118,8 +118,7 @@ def heads_apart(figure: Figure) -> Figure:
     """The figure with its arrow heads at the rims of the dots they point to, and off one another."""
     vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.length > _SHORT]
     dots = [mark for mark in figure.marks if isinstance(mark, PointMark) and mark.fill == "ink"]
-    changed: dict[int, VectorMark] = {}
-    heads: list[Head] = []
+    changed, heads = dict[int, VectorMark](), list[Head]()
     for vector in sorted(vectors, key=lambda vector: vector.length):  # a long one has room to stand back
         near = [other for other in vectors if abs(other.end - vector.end) < _SAME]
         rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cache, cached_property, partial
 from itertools import product
 from typing import Literal
 
+from graphkin.base.cache import kept
 from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import Fit, Plane, Plot, Simultaneous
@@ -77,12 +78,9 @@ class Planes:
     def gears(self, plane: Plane) -> list[GearImage]:
         return [*gear_images(self.method, self.plot)] if plane == "velocity" else []
 
-    @cached_property
-    def figure(self) -> Callable[[Plane, Window], Figure]:
+    @kept(32)
+    def figure(self, plane: Plane, window: Window) -> Figure:
         """Draws a plane once through each window: many divisions of a paper show one figure alike."""
-        return cache(self._figure)
-
-    def _figure(self, plane: Plane, window: Window) -> Figure:
         figure = self._outline(plane, window)
         if plane != "position":
             return heads_apart(figure)
@@ -131,9 +129,11 @@ class Planes:
         """Panels, by all they hang on: they are lettered once, with details and without."""
         return {}
 
+    @kept(2)
     def skeleton(self, window: Window) -> Skeleton:
         return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
 
+    @kept(4)
     def polygon(self, plane: Plane, window: Window) -> PolygonFigure:
         held = held_labels(self.method, plane, self.reading({}).rested)
         return PolygonFigure(

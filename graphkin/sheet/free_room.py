@@ -6,7 +6,7 @@ import cmath
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from copy import copy
 from functools import cached_property
-from itertools import accumulate, count, islice, pairwise
+from itertools import accumulate, count, islice, pairwise, product
 from math import ceil
 from typing import TypeVar
 
@@ -79,12 +79,9 @@ class FreeRoom:
         bad = overlap(letters[:, :, 0] - _CLEAR, letters[:, :, 1] + _CLEAR, at, at).any(axis=0)
         bad |= ~self._scene.inside(at[:, 0], at[:, 0])
         turns = np.flatnonzero(np.diff(np.concatenate([[True], bad, [True]])))
-        pieces: list[tuple[Place, Place]] = []
-        for first, after in zip(turns[::2], turns[1::2], strict=True):
-            low, high = float(steps[first]), float(steps[after - 1]) if after < len(steps) else length
-            if high - low > _CRUMB:
-                pieces.append((start + along * low, start + along * high))
-        return pieces
+        ends = ((float(steps[first]), float(steps[after - 1]) if after < len(steps) else length)
+                for first, after in zip(turns[::2], turns[1::2], strict=True))  # fmt: skip
+        return [(start + along * low, start + along * high) for low, high in ends if high - low > _CRUMB]
 
     @cached_property
     def _sums(self) -> Array:
@@ -141,8 +138,7 @@ class FreeRoom:
         rows, columns = np.nonzero(held == 0)
         if not len(rows):
             return None
-        one = -1 if from_below else 0
-        first = np.flatnonzero(rows == rows[one])[0]
+        first = np.flatnonzero(rows == rows[-1 if from_below else 0])[0]
         return complex(self.room.left, self.room.top) + complex(columns[first], rows[first]) * _GRID + _EDGE * (1 + 1j)
 
     def letters(self, wanted: Sequence[LabelRequest]) -> Iterator[list[Mark]]:
@@ -153,16 +149,16 @@ class FreeRoom:
             yield marks
 
     def fitting(self, ways: Iterable[_Way], marks: Callable[[_Way], Sequence[Sequence[Mark]]]) -> Iterator[_Way]:
-        """Those of many ways for whose marks there is room: of the first of two parts these touch nothing, of the
-        second no letters, arcs and arrow heads. More and more are tried together."""
+        """Those of many ways for whose marks there is room: of their parts these touch nothing, of the last no letters,
+        arcs and arrow heads. More and more are tried together."""
         every, lots = iter(ways), count(_AT_ONCE, _AT_ONCE)
         while some := [*islice(every, next(lots))]:
             yield from (some[number] for number in self._fitting([marks(way) for way in some]))
 
     def _fitting(self, groups: Sequence[Sequence[Sequence[Mark]]]) -> list[int]:
         """The numbers of the groups of marks for which there is room."""
-        good = [*range(len(groups))]
-        for part, letters in ((0, True), (0, False), (1, False)):  # few are left when lines are held against all
+        good, last = [*range(len(groups))], len(groups[0]) - 1
+        for part, letters in product(range(last + 1), (True, False)):  # few are left when lines are held against all
             every = [(k, mark) for k in good for mark in groups[k][part] if isinstance(mark, Text) == letters]
             if not every:
                 continue
@@ -174,7 +170,7 @@ class FreeRoom:
                 free = self.free(low, high) & ~_beside(low, high, self._letters)
             else:
                 at, number = places(marks, _SLICE)
-                free = self._clear(self._scene.inside(at, at), at.T, at.T, self._signs if part else None)
+                free = self._clear(self._scene.inside(at, at), at.T, at.T, self._signs if part == last else None)
             bad = {every[k][0] for k in number[~free].tolist()}
             good = [k for k in good if k not in bad]
         return good

@@ -177,9 +177,10 @@ class Arrows:
                 least = apart[:, 1:].min(axis=1, initial=np.inf) - _NEARER
                 strange[rows] = (apart[:, 0] > want.gap + _OFF) & (apart[:, 0] > least)
                 own[:] = want.gap >= SIGN  # a circle is about many lines
-                over = want.between or 0 < want.gap <= HINGE  # it is not beyond a bar either
-                for lines in ((self.start[~own], self.end[~own]), self.bars)[: 1 + over]:
-                    strange[rows] |= self._crossed(middle, np.full(len(rows), want.start), *lines)
+                lines = np.array([self.start, self.end])[:, ~own]
+                if want.between or 0 < want.gap <= HINGE:  # it is not beyond a bar either
+                    lines = np.concatenate([lines, self.bars], axis=1)
+                strange[rows] |= self._crossed(middle, np.full(len(rows), want.start), *lines)
         return strange
 
     def unclear(self, wanted: Sequence[LabelRequest], owner: Array, start: Array, end: Array) -> Array:
@@ -214,9 +215,9 @@ class Arrows:
     def _apart(self, low: Array, high: Array) -> Array:
         """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""
         (left, top), (right, bottom) = low.transpose(2, 0, 1), high.transpose(2, 0, 1)
-        corners = (x + 1j * y for x in (left, right) for y in (top, bottom))
-        distances = [abs(off_lines(corner, self.start, self.end)) for corner in corners]
-        for end in (self.start, self.end):
-            across = np.maximum(np.maximum(left - end.real, end.real - right), 0.0)
-            distances.append(np.hypot(across, np.maximum(np.maximum(top - end.imag, end.imag - bottom), 0.0)))
-        return np.asarray(np.minimum.reduce(distances))
+        corners = np.array([x + 1j * y for x in (left, right) for y in (top, bottom)])
+        ends = np.array([self.start, self.end])[:, None]
+        across = np.maximum(np.maximum(left - ends.real, ends.real - right), 0.0)
+        down = np.maximum(np.maximum(top - ends.imag, ends.imag - bottom), 0.0)
+        off = abs(off_lines(corners, self.start, self.end)).min(axis=0)
+        return np.asarray(np.minimum(off, np.hypot(across, down).min(axis=0)))

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
 from functools import cached_property, partial
-from itertools import combinations, islice, product, tee
+from itertools import chain, combinations, islice, product, tee
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -98,59 +98,59 @@ class MechanismNotes:
         return self.reading.asked_turns(self.planes)
 
     def _arc(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
-        """An arc in the sense in which the link turns, with its letter. drawn: by link the first, to stand beside; the
-        first stands where the other one of its link has room beside it, if there is such a place."""
+        """An arc as the link turns, with its letter; only if need be where this letter, or another's,
+        is nearer to a foreign head. drawn: by link the first, to stand beside; the first stands where the other one of
+        its link has room beside it, if there is such a place."""
         beside, new = drawn.get(turn.link), turn.link not in drawn
-        also = [other for other in self._turns if new and other.link == turn.link and other != turn]
-        ways, again = tee(self._ways(turn, free, beside))
-        both = (way for way in ways if all(any(self._ways(each, free.also(way[1]), way[0])) for each in also))
+        also = [each for each in self._turns if new and each.link == turn.link and each != turn]
+        alike = [mark for mark in free.marks
+                 if _is_head(mark) or (isinstance(mark, Text) and mark.accent in PLANES[1:])]  # fmt: skip
+        one, other = tee((way, _apart(way[1], alike)) for way in self._lettered(turn, free, beside))
+        ways, again = tee(chain((way for way, clear in one if clear), (way for way, clear in other if not clear)))
+        both = (way for way in ways if all(any(self._lettered(each, free.also(way[1]), way[0])) for each in also))
         place, marks = next(both, None) or next(again, None) or (beside, [])
         free.add(marks)
         if place is not None:
             drawn.setdefault(turn.link, place)
         return marks
 
-    def _ways(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
-        """Places of an arc with its letter, in the colour of the polygon; last those where that letter, or another's,
-        would be nearer to a foreign head."""
+    def _lettered(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
+        """Places of an arc with room for its letter, in the colour of the polygon."""
         plane, link = plane_of(turn), turn.link
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._turns[turn])
         label = quantity_label(turn.letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
-        alike = [mark for mark in free.marks
-                 if _is_head(mark) or (isinstance(mark, Text) and mark.accent in PLANES[1:])]  # fmt: skip
-        unclear = list[tuple[Arc, list[Mark]]]()
         for place in islice(self._places(link, free, beside), _TRIED):
             points, radius, middle, crossing, sweep = place
-            at, half = self._middle(points), cmath.rect(1, -sense * sweep / 2)
-            arc = spin(at, middle, sense * sweep, radius, step, Shows(link, form, points))
-            for away in (middle / half, middle * half) if crossing else (middle,):
-                want = LabelRequest(label, at + away * radius, gap=0.9, away=away, step=step)
-                if letters := next(free.also(arc).letters([want])):
-                    marks = [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
-                             for mark in (*arc, *letters)]  # fmt: skip
-                    if _apart(marks, alike):
-                        yield place, marks
-                    else:
-                        unclear.append((place, marks))
-        yield from unclear
+            about, half = self._middle(points), cmath.rect(1, -sense * sweep / 2)
+            arc = spin(about, middle, sense * sweep, radius, step, Shows(link, form, points))
+            sides = (middle / half, middle * half) if crossing else (middle,)
+            wanted = [LabelRequest(label, about + away * radius, gap=0.9, away=away, step=step) for away in sides]
+            for want, at in zip(wanted, free.also(arc).places(wanted, [want.half for want in wanted]), strict=True):
+                if at is not None:
+                    yield place, [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
+                                  for mark in (*arc, *want.about(at))]  # fmt: skip
 
     def _places(self, link: str, free: FreeRoom, beside: Arc | None) -> Iterator[Arc]:
         """Places with room for such an arc, beside another first: by a pivot, about a coupler's middle, or a point."""
         own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
 
-        def room(place: Arc, wide: float, over: bool) -> tuple[Sequence[Mark], Sequence[Mark]]:
+        def room(place: Arc, wide: float, over: bool) -> Sequence[Sequence[Mark]]:
             points, radius, middle, crossing, sweep = place
             at, half, start = self._middle(points), sweep / 2, cmath.phase(middle)
             cut = own / radius if crossing else -half
-            arcs = [ArcMark(at, r, start + low, half - cut) for low in (-half, cut)[: 1 + crossing]
-                    for r in dict.fromkeys((radius, radius - wide, radius + wide))]  # fmt: skip
-            return ((), arcs) if over else (arcs, ())
+            lows = (start - half, start + cut)[: 1 + crossing]
+            one, more = ([ArcMark(at, r, low, half - cut) for low in lows for r in radii]
+                         for radii in ((radius,), (radius - wide, radius + wide)))  # fmt: skip
+            return ((), (), one + more) if over else (one, more, ())
 
+        first = [arc for arc in self._arcs(link, True) if arc[:3:2] == beside[:3:2]] if beside else []
+        others, taken = [arc for arc in self._arcs(link, False) if arc not in first], set[Arc]()
         trials = ((_APART, False), (_APART / 2, False), (_APART / 2, True))
-        for second, (wide, over) in product((beside, None) if beside else (None,), trials):
-            arcs = (arc for arc in self._arcs(link, second is not None) if second is None or arc[:3:2] == second[:3:2])
-            yield from free.fitting(arcs, partial(room, wide=wide, over=over))
+        for arcs, (wide, over) in product((first, others), trials):
+            for arc in free.fitting((arc for arc in arcs if arc not in taken), partial(room, wide=wide, over=over)):
+                taken.add(arc)
+                yield arc
 
     def _middle(self, points: Sequence[str]) -> Place:
         return sum(map(self.skeleton.at, points)) / len(points)

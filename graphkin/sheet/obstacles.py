@@ -17,7 +17,7 @@ from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, 
 
 _TIP, _TIP_HALF = 2.8, 0.5  # length and half width of an arrow head [mm]
 _LETTER = 2.0  # no letter is much narrower [mm]
-_AT_ONCE = 128  # so many boxes are held against lines at once
+_AT_ONCE, _PAIRS = 128, 32_000  # so many boxes are held against lines at once, or as many as make so many pairs
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 
@@ -41,8 +41,9 @@ class Obstacles:
 
     def _beside(self, low: Array, high: Array) -> Iterator[tuple[Array, Array]]:
         """Pairs of boxes low..high (2, n) and of lines whose surroundings touch them, by their numbers."""
-        for first in range(0, low.shape[1], _AT_ONCE):
-            least, most = low[:, first : first + _AT_ONCE], high[:, first : first + _AT_ONCE]
+        some = max(_AT_ONCE, _PAIRS // max(1, self._low.shape[1]))
+        for first in range(0, low.shape[1], some):
+            least, most = low[:, first : first + some], high[:, first : first + some]
             there = (self._low <= most.max(axis=1)[:, None]) & (self._high >= least.min(axis=1)[:, None])
             if len(lines := np.flatnonzero(there[0] & there[1])):
                 begin, end = self._low.take(lines, axis=1)[:, None], self._high.take(lines, axis=1)[:, None]
@@ -63,8 +64,9 @@ class Obstacles:
             wide = half.take(boxes, axis=1)  # the growth of a box to all sides with which it reaches the line
             apart = abs(across[0] * off[0] + across[1] * off[1]) - abs(across[0]) * wide[0] - abs(across[1]) * wide[1]
             boxes, lines, apart = (each[apart <= far] for each in (boxes, lines, apart))
-            ends = self._low.take(lines, axis=1), self._high.take(lines, axis=1)  # or its surroundings
-            apart = np.maximum(apart, beyond(*ends, low.take(boxes, axis=1), high.take(boxes, axis=1)))
+            if far:  # or its surroundings
+                ends = self._low.take(lines, axis=1), self._high.take(lines, axis=1)
+                apart = np.maximum(apart, beyond(*ends, low.take(boxes, axis=1), high.take(boxes, axis=1)))
             for count, margin in zip(counts, margins, strict=True):
                 count += np.bincount(boxes[apart <= margin], minlength=len(count))
         return counts

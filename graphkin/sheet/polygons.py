@@ -264,8 +264,7 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
         same.append(name)
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     points = [image for image in polygon.gears if image.radius / polygon.window.scale < _LEAST]
-    requests: list[LabelRequest] = []
-    pole, nodes = polygon.construction.pole, polygon.construction.nodes
+    requests, pole, nodes = list[LabelRequest](), polygon.construction.pole, polygon.construction.nodes
     for at, names in places:
         labels = dict[Label, int | None]()
         names = [name for name in names if pole not in names or name == pole or nodes[name].site]  # no corners there

@@ -149,11 +149,10 @@ def angle_arc(at: Place, radius: float, first: complex, sweep: float, step: int 
     on = math.copysign(1, sweep)
     inside = -1 if long < 1.5 * THIN_HEAD else 1
     past = 2 * THIN_HEAD / radius * on if inside < 0 else 0.0
-    marks: list[Mark] = [ArcMark(at, radius, cmath.phase(first) - past, sweep + 2 * past, "thin", step)]
+    arc = ArcMark(at, radius, cmath.phase(first) - past, sweep + 2 * past, "thin", step)
     ends = ((first * cmath.rect(1, sweep), on * inside), (first, -on * inside))
-    for arm, sense in ends[: 1 if inside > 0 and long < 3 * THIN_HEAD else 2]:
-        marks.append(_arc_head(at, radius * arm, sense, step, THIN_HEAD))
-    return marks
+    count = 1 if inside > 0 and long < 3 * THIN_HEAD else 2
+    return [arc, *(_arc_head(at, radius * arm, sense, step, THIN_HEAD) for arm, sense in ends[:count])]
 
 
 def _arc_head(at: Place, arm: complex, sense: float, step: int | None, length: float) -> Stroke:
@@ -173,11 +172,9 @@ def dimension_line(
     along = (other - one) / abs(other - one)
     inside = abs(other - one) >= 2 * THIN_HEAD + 1.5
     line = Stroke((one - along * 5 * (not inside), other + along * past), "thin", step=step)
-    extensions = []
-    for end, tip, way, free in zip(ends, (one, other), ways, clear, strict=True):
-        if abs(way) > free:
-            out = across * math.copysign(1, way)
-            extensions.append(Stroke((end + out * free, tip + out * 1.5), "thin", step=step))
+    outs = ((end, tip, across * math.copysign(1, way), free)
+            for end, tip, way, free in zip(ends, (one, other), ways, clear) if abs(way) > free)  # fmt: skip
+    extensions = [Stroke((end + out * free, tip + out * 1.5), "thin", step=step) for end, tip, out, free in outs]
     out = along if inside else -along
     return line, extensions, [arrow_head(one, -out, step, THIN_HEAD), arrow_head(other, out, step, THIN_HEAD)]
 
