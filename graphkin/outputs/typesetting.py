@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from html import escape
 from itertools import groupby
+from typing import NamedTuple
 
 from graphkin.base.value import frozen
 from graphkin.sheet.lettering import Label, Run, advance, is_wide, run_size, run_width, scripts
@@ -41,8 +41,7 @@ def short(value: float, decimals: int = 2) -> str:
     return "0" if bare == "-0" else bare or "0"
 
 
-@frozen
-class LetterSpan:
+class LetterSpan(NamedTuple):
     """Letters of one script and style; where they begin, and how large they are [mm]."""
 
     text: str
@@ -73,7 +72,7 @@ def runs(mark: Text) -> list[LetterSpan]:
             bare = text.lstrip(" ")
             spaces = text[: len(text) - len(bare)]
             if spaces and spans:
-                spans[-1] = replace(spans[-1], text=spans[-1].text + spaces)
+                spans[-1] = spans[-1]._replace(text=spans[-1].text + spaces)
             at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
             for k, letters in enumerate(_DOTTED.get(bare, [bare])):
                 if letters:

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.base.cache import kept
 from graphkin.base.tolerances import RANK
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Drawn, Equation, Facts, Plane, Step, Term, kinds
@@ -19,6 +20,7 @@ from graphkin.planning.method import Method
 from graphkin.planning.needed import Fact, Part, PartsReader, turnings
 
 
+@kept(2, objects=2)  # every reading of a position asks for them
 def at_rest(method: Method, facts: Facts) -> frozenset[Fact]:
     """The facts that rest in both polygons."""
     rates = zip(facts.rates, facts.accelerations, strict=True)

@@ -11,6 +11,7 @@ from typing import TypedDict
 
 import numpy as np
 
+from graphkin.base.cache import kept
 from graphkin.base.geometry import Array, Value, number, weights_of
 from graphkin.base.value import bulky
 from graphkin.construction import Plot, replay
@@ -91,6 +92,7 @@ class Centres:
         return self.board.direction(self.name(first, second))
 
 
+@kept(2, objects=2)
 def centres(method: Method, plot: Plot) -> Centres:
     """The instant centres at the position of a plot in which all three planes are drawn."""
     centring, plot, board = search(method, plot)
@@ -233,6 +235,7 @@ def shortest(centres: Centres, names: Collection[str]) -> Centring:
     return replace(centres.centring, construction=Drafting({}, tuple(stages[name] for name in order)))
 
 
+@kept(2)
 def _cheapest_stages(centres: Centres) -> dict[str, Stage]:
     """By centre the stage that gives it: those by definition, then better and better ones until there are none."""
     stages = {stage.last.name: stage for stage in centres.centring.stages}
