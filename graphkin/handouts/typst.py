@@ -212,19 +212,20 @@ def page_count(content: bytes) -> int:
 
 def _fonts(typst: ModuleType, named: Path | None, chinese: bool) -> tuple[object, tuple[str, ...], bool]:
     """Families of fonts by preference, and whether the Chinese has but one weight. Raises NoFont, NoChineseLetters."""
-    from matplotlib.ft2font import FT2Font
-
-    from graphkin.outputs.diagram.fonts import chinese_font
-
     path = named or (Path(os.environ[VARIABLE]) if os.environ.get(VARIABLE) else None)
     own: tuple[str, ...] = ()
-    try:
-        own = (FT2Font(str(path)).family_name,) if path is not None else ()
-    except (OSError, RuntimeError):
-        raise NoFont(str(path)) from None
+    if path is not None:
+        from matplotlib.ft2font import FT2Font
+
+        try:
+            own = (FT2Font(str(path)).family_name,)
+        except (OSError, RuntimeError):
+            raise NoFont(str(path)) from None
     fonts = typst.Fonts(font_paths=[str(path.parent)] if path is not None else [])
     if not chinese:
         return fonts, (*own, *_LATIN), False
+    from graphkin.outputs.diagram.fonts import chinese_font
+
     letters = own or tuple(filter(None, [chinese_font()]))
     if not letters:
         raise NoChineseLetters()
