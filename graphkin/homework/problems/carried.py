@@ -57,7 +57,7 @@ def carried(template: Template, numbers: Sequence[int]) -> MechanismFile | None:
         if here == sides or here.keys() != sides.keys():  # other keys: with these lengths it is drawn in another way
             places = _moving(method, replay_all(method))
             few = [point for point in places if point in own.sketch]
-            ways = (own, *(_sketched(own, places, points) for points in (few, places)))
+            ways = (_sketched(own, places, points) if points else own for points in ((), few, places))
             return next((each for each in ways if _stands(each, places, method.size)), None)
     plan(own)
     return None
