@@ -112,13 +112,15 @@ class _DetailDrawing:
     burdens: Array
     views: tuple[_View, ...] = ()
 
-    def relieved(self) -> _DetailDrawing | None:
-        """With the one more detail that relieves it most, None where none does."""
+    def relieved(self, deeper: bool = True) -> _DetailDrawing | None:
+        """With the one more detail that relieves it most, or with one and that of a knot in it; None where none does."""
         whole, free, best = burden(self.burdens), FreeRoom(self.panel.scene), None
         least = whole - SAVED + _CLOSE
         for knot, held in sorted(knots(self.panel.figure, self.burdens).items(), key=lambda each: -each[1]):
             if whole - held < least and (view := self._view(knot, free)) is not None:  # were its labels no burden
                 other = self._with(view)
+                if deeper and len(other.views) < len(_NUMERALS) and burden(other.burdens) >= least:
+                    other = other.relieved(deeper=False) or other
                 own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
                 if min(own) >= _OWN and burden(other.burdens) < least:
                     best, least = other, burden(other.burdens)  # no detail loses its own letters to another

@@ -217,9 +217,7 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
             larger.sort(key=lambda other: other.lying == best.layout.paper.lying)
             if (other := larger.pop()) != best.sold:
                 with suppress(TooLargeForPaper):
-                    rooms = every[-1].contents.detailed
-                    more = [Arrangement.on(contents, [other])] if rooms else []  # they may need no details there
-                    for each in (*_arrangements(replace(contents, detailed=rooms), [other]), *more):
+                    for each in _arrangements(contents, [other]):
                         heappush(tried, (0.0, len(tried), each, each.bounds()))
         elif (price := next(bounds, -1.0)) >= 0:
             heapreplace(tried, (price, number, best, bounds))
