@@ -191,6 +191,8 @@ def _eccentricities(reading: Reading) -> list[Size]:
                 stated = (1 + 0j, 1j) if size.derived else (1 + 0j if abs(along.real) > abs(along.imag) else 1j,)
                 every += _start(reading, line, points[0], path, name, stated)
             every.append(size)
+        elif machine.named(FRAME) and pair.named and not line.named:
+            every += _start(reading, line, points[0], (*machine.path(pair), "through"), name)
         elif points == [line.origin] != [first := lines[0][1].origin]:
             every += _start(reading, line, first, (*machine.path(pair), "through"), name)
     return every
@@ -366,8 +368,8 @@ def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
         match step:
             case Measure(lever=lever):
                 pass
-            case LayOff(term=Term(size=Turning(_, tail, head) | Normal(_, tail, head) | Tangential(_, tail, head))):
-                lever = (tail, head)
+            case LayOff(term=Term(size=Turning() | Normal() | Tangential() as size)):
+                lever = ("", "") if reading.translates(size.link) else (size.tail, size.head)
             case _:
                 continue
         if lever[0]:

@@ -216,7 +216,7 @@ class SheetContents:
     given: Sequence[Table] = ()
     tight: bool = False
     low: frozenset[tuple[Plane, BlockName]] = frozenset()
-    without: frozenset[BlockName] = frozenset()
+    without: frozenset[tuple[Plane, BlockName]] = frozenset()
     detailed: Mapping[Plane, DetailRoom] = field(default_factory=dict)
     larger: frozenset[Plane] = frozenset()
     paged: bool = False
@@ -229,7 +229,7 @@ class SheetContents:
         """What stands with each figure, in all its shapes."""
         blocks = dict[Plane, dict[BlockName, Sequence[Block]]]()
         for plane in self.drawing.planes:
-            own = self.drawing.ladders.get(plane)
+            own = None if self.drawing.told else self.drawing.ladders.get(plane)
             lines = self.drawing.paths.lines if plane == "position" else ()
             every: dict[BlockName, Sequence[Block]] = {
                 "paths": [WrittenLines(tuple(lines), LEAST)] if lines else [],
@@ -237,7 +237,7 @@ class SheetContents:
                 "detail": [self.detailed[plane]] if plane in self.detailed else [],
                 "tables": self.tables.get(plane, ()),
             }
-            away = {name for where, name in self.low if where == plane} | self.without
+            away = {name for where, name in self.low | self.without if where == plane}
             blocks[plane] = {name: every[name] for name in _FEET if every[name] and name not in away}
         return blocks
 
@@ -264,8 +264,7 @@ class SheetContents:
             return None
         if self.said:
             return Strip(notes=self.notes, least=self.said)
-        low = {name: [plane for plane in self.drawing.planes if (plane, name) in self.low and name not in self.without]
-               for name in _IN_STRIP}  # fmt: skip
+        low = {name: [plane for plane in self.drawing.planes if (plane, name) in self.low] for name in _IN_STRIP}
         blocks = (self.tables[plane][0] for plane in low["tables"])
         found = [*self.given, *(table for block in blocks for tier in block.tiers for table in tier)]
         ladders = [self.drawing.ladders[plane] for plane in low["equations"]]
@@ -273,16 +272,17 @@ class SheetContents:
 
     @property
     def notes(self) -> list[Label]:
-        """How that was found which ruler and compass do not give."""
-        how, drawing = dict[Plane, str](), self.drawing
+        """How that was found which ruler and compass do not give; what the paper has no room for."""
+        told, drawing, lang = list[str](), self.drawing, self.drawing.lang
         for plane in drawing.planes if drawing.style != "given" else ():
             steps = drawing.method.construction(plane).steps
+            head = say(f"sheet.plane {plane}", lang) + say("common.colon", lang)
             if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
-                how[plane] = "sheet.fitted"
+                told.append(head + say("sheet.fitted", lang))
             elif plane not in drawing.ladders and any(isinstance(step, Simultaneous) for step in steps):
-                how[plane] = "sheet.together"
-        return [plain(f"{say(f'sheet.plane {plane}', drawing.lang)}{say('common.colon', drawing.lang)}"
-                      f"{say(key, drawing.lang)}") for plane, key in how.items()]  # fmt: skip
+                told.append(head + say("sheet.together", lang))
+        told += (say(f"sheet.no room {name}", lang) for name in sorted({name for _, name in self.without}))
+        return [*map(plain, told)]
 
     def laid_out(self, papers: Sequence[Paper]) -> tuple[SheetContents, Layout]:
         """The best division of the smallest paper that holds all figures; blocks for which they would be drawn much
@@ -291,15 +291,15 @@ class SheetContents:
         bare = lay_out({p: replace(e, blocks=()) for p, e in self.extents.items()}, self.height, papers)
         order = [(plane, name) for *_, plane, name in sorted(self.movable, reverse=True)]
         tries = [replace(self, low=self.low.union(order[:count])) for count in range(len(order) + 1)]
-        last = replace(tries[-1], detailed={})
-        given_up = [replace(last, without=frozenset(_IN_STRIP[:count])) for count in range(3)]
+        order.sort(key=lambda block: _IN_STRIP.index(block[1]))
+        given_up = [replace(self, detailed={}, without=self.without.union(order[:k])) for k in range(len(order) + 1)]
         sizes = sorted({paper.area for paper in papers})
         for every, some, most in ((sizes, tries, bare), (sizes[::-1], [*tries, *given_up], None)):
             for size, contents in product(every, some):
                 same = [paper for paper in papers if paper.area == size]
                 if layout := division(same, contents.extents, contents.height, most):
                     return contents, layout
-        return last, lay_out(last.extents, last.height, papers)
+        return given_up[-1], lay_out(given_up[-1].extents, given_up[-1].height, papers)
 
     @property
     def movable(self) -> list[tuple[bool, float, Plane, BlockName]]:

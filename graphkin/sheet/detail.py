@@ -113,7 +113,7 @@ class _DetailDrawing:
     views: tuple[_View, ...] = ()
 
     def relieved(self, deeper: bool = True) -> _DetailDrawing | None:
-        """With the one more detail that relieves it most, or with one and that of a knot in it; None where none does."""
+        """With the one more detail that relieves it most, or one with that of a knot in it; None where none does."""
         whole, free, best = burden(self.burdens), FreeRoom(self.panel.scene), None
         least = whole - SAVED + _CLOSE
         for knot, held in sorted(knots(self.panel.figure, self.burdens).items(), key=lambda each: -each[1]):

@@ -87,7 +87,8 @@ class DimensionLines:
                 shared = set.intersection(*(set(owners.get(point, ())) for point in span.points))
                 centres = {disc(self.skeleton, link) for link in shared} - {""}
                 parted = span.form == "bar" and (
-                    self._through(start, end, 0.3) or not (centres or self._joined(start, end)))
+                    self._through(start, end, 0.3) or not (centres or self._joined(start, end))
+                )
                 label = formula(size.bare.figure)
                 named = formula(size.text) if parted or span.form in ("measured", "radius") else label
                 along = self.skeleton.window.turned(span.along)
@@ -122,12 +123,14 @@ class DimensionLines:
         return joints
 
     def _from(self, end: Place, across: complex, level: float) -> tuple[Place, float]:
-        """The last joint of its link level with an end, where its extension begins, and how far off its middle [mm]."""
-        way = across * (level - (end / across).real)
+        """The joint of its link, or a pivot, where the extension of an end begins, and how far off its middle [mm]."""
+        way, joints = across * (level - (end / across).real), self._joints
         own = {link for at, _, links in self.skeleton.joints if abs(at - end) < 0.1 for link in links}
-        level_with = (at for at, (*_, on) in self._joints.items() if not own or own & on)
-        on = (at for at in level_with if abs(((at - end) / across).imag) < 0.05 and 0 < ((at - end) / way).real < 1)
-        at = min([end, *on], key=lambda at: abs(end + way - at))
+        level_with = [at for at in joints if abs(((at - end) / across).imag) < 0.05]
+        on = [at for at in level_with if 0 < ((at - end) / way).real < 1 and (not own or own & joints[at][2])]
+        if all(abs(self.skeleton.at(point) - end) > 0.1 for point in self.skeleton.points):
+            on = [at for at in level_with if joints[at][1]]
+        at = min(on, key=lambda at: abs(end + way - at), default=end)
         block, grounds, _ = self._joints.get(at, (False, [], set()))
         if any(abs(down - way / abs(way)) < 0.1 for down in grounds):
             return at, _GROUND

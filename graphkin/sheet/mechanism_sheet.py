@@ -85,7 +85,7 @@ def _contents(drawing: Planes, tight: bool = False) -> SheetContents:
     if drawing.style == "given":
         return SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
     found = {} if tight else tables(drawing.method, drawing.plot, drawing.lang)
-    return SheetContents(drawing, found, tight=tight, without=frozenset({"equations"} if drawing.told else ()))
+    return SheetContents(drawing, found, tight=tight)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -208,8 +208,7 @@ def _arranged(
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure. A figure for
     another document stays on the smallest. None is composed further once another is known to be cheaper."""
-    usual = papers_for(paper)
-    every, larger = [*_arrangements(contents, usual)], [] if contents.tight else usual[2:]
+    larger, every = [] if contents.tight else papers_for(paper)[2:], _arrangements(contents, papers_for(paper))
     tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
     while True:
         price, number, best, bounds = tried[0]
@@ -226,15 +225,13 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
 
 
 def _arrangements(contents: SheetContents, papers: Sequence[Paper]) -> Iterator[Arrangement]:
-    """Those on papers: with the details that are known to be wanted, else without, and with those that it wants, those
-    polygons larger, too; cut to small ones a paper may have no room for them among its letters."""
+    """Those on papers: without details, with those that it wants (large ones, too, where cut), with larger polygons."""
     yield (one := Arrangement.on(contents, papers))
-    if not contents.detailed and (small := one.knotted):
+    if small := one.knotted:
         for rooms in (small, dict.fromkeys(small, DetailRoom(DETAILS[1])))[: 1 + contents.tight]:
             yield (one := Arrangement.on(replace(contents, detailed=rooms), papers))
         if not contents.tight:  # and larger, with the mechanism as it is
-            own = dict[Plane, float](contents.scales)
-            own.update((plane, scale) for plane, scale in one.layout.scales.items() if plane == "position")  # if shown
+            own: dict[Plane, float] = {p: scale for p, scale in one.layout.scales.items() if p == "position"}
             same = [paper for paper in papers if paper.area == one.sold.area]
             with suppress(TooLargeForPaper):
                 yield Arrangement.on(replace(contents, detailed=small, larger=frozenset(small), scales=own), same)

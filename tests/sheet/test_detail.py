@@ -75,6 +75,14 @@ def test_each_arrow_is_named_once() -> None:
     assert [want.label for want in after.figure.wanted if not want.of] == [plain("I\u2032")]
 
 
+def test_a_detail_that_relieves_nothing_alone_is_drawn_with_that_of_its_knot() -> None:
+    """Arrows of a twentieth of a millimetre are seen in none that has room."""
+    draw = fan(9, 0.05)
+    after = detailed(panel(draw), draw, "velocity")
+    assert len(after.magnified) == 2
+    assert not after.near.led
+
+
 def test_a_detail_saves_leaders() -> None:
     draw = fan(14, 2.0)
     before, after = (one.near for one in (panel(draw), detailed(panel(draw), draw, "velocity")))

@@ -13,7 +13,7 @@ from graphkin.construction import Plot
 from graphkin.files import loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.say.dimensions import sizes
+from graphkin.say.dimensions import measured_lengths, sizes
 from graphkin.say.reading import Reading
 from graphkin.sheet import sheet
 from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text
@@ -50,6 +50,48 @@ angle = 60
 [sketch]
 B = [1000, 400]
 C = [300, 225]
+"""
+FLAT = """
+ask = ["v F"]
+frame = { A = [0, 0] }
+links = { 1.AB = 25, 2.points = ["F"] }
+[[cam]]
+links = ["1", "2"]
+profiles = [{ centre = "B", radius = 45 }, { through = "F", angle = 0 }]
+[[slide]]
+block = "2"
+point = "F"
+guide = "frame"
+through = "A"
+angle = 90
+[[driver]]
+vector = "AB"
+angle = 35
+omega = -12
+[sketch]
+F = [0, 60]
+"""
+DOOR = """
+ask = ["omega 1", "v C"]
+frame = { A = [0, 0] }
+[links]
+1.AB = 800
+2 = { PB = 1000, BC = 1000, PC = 2000 }
+roller.points = ["P"]
+[[slide]]
+name = "roller"
+block = "roller"
+point = "P"
+guide = "frame"
+through = [0, 900]
+angle = 0
+[[driver]]
+slide = "roller"
+at = 450
+velocity = 0.25
+[sketch]
+B = [-500, 620]
+C = [-1500, 400]
 """
 TAPPET = """
 [frame]
@@ -88,6 +130,27 @@ def test_a_guide_through_a_place_without_a_name_is_told() -> None:
     written = ["".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)]
     assert "4 ft" in written
     assert any("xB,0 = 4 ft" in text for text in written)
+
+
+def test_a_named_track_through_a_pivot_is_told_where_its_displacement_begins() -> None:
+    """Beside the pivot it runs through, from which its distance is none."""
+    every = sizes(Reading(*solved(ROLLER.replace("frame = { }", "frame = { F = [900, 0] }")), {}, "en"))
+    assert {size.symbol: size.value for size in every}["x_K,0"] == -900.0
+
+
+def test_what_only_translates_has_no_lever() -> None:
+    """The follower of an eccentric: no distance in it is used."""
+    reading = Reading(*solved(FLAT), {}, "en")
+    assert measured_lengths(reading) == []
+
+
+def test_a_displacement_is_measured_from_a_pivot_in_line_with_its_beginning() -> None:
+    """The guide begins over the pivot A, where nothing is drawn."""
+    page = sheet(*solved(DOOR))
+    points = {mark.name: mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"}
+    upright = [mark.places for mark in page.marks if isinstance(mark, Stroke) and mark.pen == "thin"
+               and all(abs((place - points["A"]).real) < 0.1 for place in mark.places)]  # fmt: skip
+    assert any(abs(place - points["A"]) < 4 for places in upright for place in places)
 
 
 def test_two_lines_at_one_point_have_angles_with_two_symbols() -> None:

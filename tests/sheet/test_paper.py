@@ -13,10 +13,11 @@ from xml.etree.ElementTree import Element
 
 import pytest
 from defusedxml.ElementTree import fromstring
+from library_sheets import plain_text
 
 from graphkin import Drawing
 from graphkin.check import measure
-from graphkin.files import library
+from graphkin.files import library, loads
 from graphkin.outputs.svg import svg
 from graphkin.outputs.typesetting import runs
 from graphkin.sheet.lettering import number, plain, point_label, quantity_label, vector_label
@@ -206,3 +207,36 @@ def test_viewers_put_letters_at_the_same_places(viewer: str, tmp_path: Path) -> 
             near |= np.roll(second[:high, :wide], (dy, dx), axis=(0, 1))
     assert abs(first.shape[0] - second.shape[0]) <= 2
     assert (first[:high, :wide] & ~near).sum() <= 0.003 * first.sum()
+
+
+LIFT = """
+frame = { name = "6", A = [0, 0], D = [200, 0], H = [90, -40] }
+[links]
+1 = { AB = 240, AK = 120, BK = 120 }
+2 = { BC = 200, BE = 260, CE = 103.65, ccw = ["B", "C", "E"] }
+3.DC = 240
+4.points = ["H"]
+5.points = ["K"]
+[[slide]]
+name = "cylinder"
+block = "5"
+point = "K"
+guide = "4"
+[[driver]]
+slide = "cylinder"
+at = 110
+velocity = 0.05
+[sketch]
+B = [170, 170]
+K = [85, 85]
+C = [370, 170]
+E = [400, 260]
+"""
+
+
+def test_a_paper_with_too_little_room_says_so() -> None:
+    """At fine scales the equations go first, the tables stay, and the foot tells it."""
+    fine = loads(LIFT + "[scales]\nlength = 0.004\nvelocity = 0.002\nacceleration = 0.0006\n")
+    words = {plain_text(m.label) for m in Drawing.of(fine).sheet(paper="A4-landscape").marks if isinstance(m, Text)}
+    assert "no room for all equations at these scales" in words
+    assert {"ω [rad/s]", "α [rad/s²]"} <= words
