@@ -169,7 +169,7 @@ class DriverOptions:
         drawn = method.facts(None).values
         values = [rest[d.kind].pop(0) if rest[d.kind] else float(v) for d, v in zip(method.drivers, drawn, strict=True)]
         for option, kind in (("--angle", "angle"), ("--at", "slide")):
-            misused("usage.drivers", rest[kind], name=method.mechanism.name, option=option, count=len(values))
+            misused("usage.drivers", rest[kind], name=method.mechanism.name, option=option)
         return [Number(value, driven(d.kind == "slide")) for value, d in zip(values, method.drivers, strict=True)]
 
 

@@ -78,9 +78,9 @@ class StrayLetter(LocatedError):
     code: str
     en = (
         "{where}: {letter} ({code}) cannot stand outside quotes, where only letters, digits and signs of an English "
-        "keyboard can. Type it anew, even if it looks the same."
+        "keyboard can. Type it anew, even if it looks the same; a name of such letters stands in quotes."
     )
-    zh = "{where}：引号以外不能有字符 {letter}（{code}），那里只能用英文半角字母、数字和符号；即使看起来一样，也请重新输入。"
+    zh = "{where}：引号以外不能有字符 {letter}（{code}），那里只能用英文半角字母、数字和符号；即使看起来一样，也请重新输入；名称中用到时请加引号。"
 
 
 class TooDeep(LocatedError):

@@ -301,7 +301,8 @@ def _owners(draft: Draft, vector: tuple[str, str], path: KeyPath) -> list[str]:
         draft.known(point, *path)
     owners = [link for link in draft.owners(*vector) if abs(draft.links[link].arm(*vector)) > 1e-12]
     if not owners:
-        arms = ("".join(draft.named(link)[:2]) for link in draft.links if len(draft.named(link)) > 1)
+        links = (link for link in draft.links if link != FRAME or path[-1] == "from")  # the frame is not driven
+        arms = ("".join(draft.named(link)[:2]) for link in links if len(draft.named(link)) > 1)
         raise errors.NoVector(draft.where(*path), "".join(vector), tuple(arms))
     return owners
 

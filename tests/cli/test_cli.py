@@ -479,7 +479,7 @@ def test_what_is_no_condition_or_no_pencil_is_refused_with_what_to_do(words: tup
         ("none", "没有命令 'none'。"),
         ("explain ex3-1 -o x.doc", "x.doc：要写的文件须以 .html, .tex, .md 结尾"),
         ("linkage ex3-5 --fix 2 --json", "--fix：请去掉 --json, -o"),
-        ("draw ex3-1 --angle 120 --angle 7", "ex3-1 共 1 个原动件，没有可用于 --angle 的了"),
+        ("draw ex3-1 --angle 120 --angle 7", "ex3-1 没有可用于 --angle 的原动件了"),
     ],
 )
 @pytest.mark.parametrize("where", ["before", "after", "environment"])
