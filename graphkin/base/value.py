@@ -8,8 +8,7 @@ such classes, most of which a command never fills, and `graphkin draw` is to sta
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import MISSING, Field, FrozenInstanceError, field, fields, make_dataclass
-from functools import cache
+from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
 from operator import attrgetter
 from threading import RLock
 from typing import Any, TypeVar, dataclass_transform
@@ -74,39 +73,29 @@ class Lazy(Mapping[str, _T]):
 
 
 class _Undeclared:
-    """Stands for the fields of a class until they are read; the first value declares the rest."""
+    """Stands for the fields of a class until they are read, or a first value is made."""
 
     def __init__(self, cls: type, complete: Callable[[type, Data], None] = lambda cls, data: None) -> None:
-        self._cls = cls
+        self._cls, self._complete = cls, complete
 
         def first(value: object, /, *args: object, **named: object) -> None:
-            with _ONE_THREAD:
-                if vars(cls)["__init__"] is first:
-                    entries = _entries(cls)
-                    complete(cls, attrgetter(*entries) if entries else lambda value: ())
-                    setattr(cls, "__match_args__", tuple(entries))  # noqa: B010
-                    setattr(cls, "__init__", _filler(cls, entries))  # noqa: B010
+            self._declare()
             vars(cls)["__init__"](value, *args, **named)
 
         setattr(cls, "__init__", first)  # noqa: B010
 
     def __get__(self, value: object, cls: type) -> dict[str, Field[object]]:
-        specs = [(name, kind, *default) for name, (kind, *default) in _entries(self._cls).items()]
-        twin = make_dataclass("Fields", specs, namespace={"__doc__": "The same"}, init=False, repr=False, eq=False)
-        for name in ("__dataclass_params__", "__dataclass_fields__"):
-            setattr(self._cls, name, vars(twin)[name])
-        return {each.name: each for each in fields(twin)}
+        self._declare()
+        return {each.name: each for each in fields(self._cls)}
 
-
-@cache
-def _entries(cls: type) -> dict[str, tuple[Any, ...]]:
-    """By name the type of each field, and its default, or the `Field` that has it, which no class keeps."""
-    own = {name: kind for name, kind in vars(cls).get("__annotations__", {}).items() if "ClassVar" not in kind}
-    entries = {name: (kind, *([vars(cls)[name]] if name in vars(cls) else [])) for name, kind in own.items()}
-    for name in (name for name, entry in entries.items() if isinstance(entry[-1], Field)):
-        delattr(cls, name)
-    bases = (base for base in cls.__mro__[1:] if "__dataclass_fields__" in vars(base))
-    return next((_entries(base) for base in bases), {}) | entries
+    def _declare(self) -> None:
+        cls = self._cls
+        with _ONE_THREAD:
+            if vars(cls).get("__dataclass_fields__") is self:
+                delattr(cls, "__dataclass_fields__")
+                names = [each.name for each in fields(dataclass(init=False, repr=False, eq=False)(cls))]
+                self._complete(cls, attrgetter(*names) if names else lambda value: ())
+                setattr(cls, "__init__", _filler(cls))  # noqa: B010
 
 
 def _compare(cls: type, data: Data) -> None:
@@ -119,12 +108,13 @@ def _compare(cls: type, data: Data) -> None:
     setattr(cls, "__hash__", lambda self: hash(data(self)))  # noqa: B010
 
 
-def _filler(cls: type, entries: Mapping[str, tuple[Any, ...]]) -> Fill:
+def _filler(cls: Any) -> Fill:
     """`__init__` by place or by name, with defaults for the rest."""
-    names, plain = tuple(entries), {name: default for name, (_, *rest) in entries.items() for default in rest}
-    own = {name: plain.pop(name) for name in names if isinstance(plain.get(name), Field)}
-    makers = {name: each.default_factory for name, each in own.items() if each.default_factory is not MISSING}
-    defaults = plain | {name: each.default for name, each in own.items() if each.default is not MISSING}
+    entries = {each.name: each for each in fields(cls)}
+    names = tuple(entries)
+    defaults = {name: each.default for name, each in entries.items() if each.default is not MISSING}
+    makers = {name: each.default_factory for name, each in entries.items() if each.default_factory is not MISSING}
+    filled = {*defaults, *makers}
     post: Fill | None = getattr(cls, "__post_init__", None)
     rests: dict[tuple[object, ...], dict[str, object]] = {}
     """By how many values are given by place, and which by name: the defaults of all others."""
@@ -132,9 +122,9 @@ def _filler(cls: type, entries: Mapping[str, tuple[Any, ...]]) -> Fill:
     def left(count: int, named: Iterable[str]) -> dict[str, object]:
         given = [*names[:count], *named]
         others = entries.keys() - given
-        if count > len(names) or len({*given}) < len(given) or {*given} - {*names} or others - {*defaults, *makers}:
+        if count > len(names) or len({*given}) < len(given) or not {*given} <= entries.keys() or others - filled:
             raise TypeError(f"{cls.__name__} wants {', '.join(names)}; given: {count} by place, {[*named]}")
-        return {name: default for name, default in defaults.items() if name in others}
+        return {name: defaults[name] for name in names if name in others and name in defaults}
 
     def fill(self: object, /, *args: object, **named: object) -> None:
         data, key = self.__dict__, (len(args), *named)
