@@ -1,6 +1,8 @@
-"""The series of scales: a drawing's is taken from it, or given and then kept."""
+"""The series of scales: a drawing's is taken from it, or given and then kept; and round steps."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 
@@ -29,3 +31,16 @@ def finest_each(least: Array) -> Array:
 def finer(scale: float) -> float:
     """The next finer scale of the series."""
     return float(_ALL[np.searchsorted(_ALL, scale * _CLOSE) - 1])
+
+
+def round_step(size: float, up: bool = False) -> float:
+    """The largest of 1, 2, 5 times powers of ten that is at most this; or the smallest that is at least this."""
+    power = 10.0 ** math.floor(math.log10(size))
+    if up:
+        return next(power * k for k in (1, 2, 5, 10) if power * k >= size * _CLOSE)
+    return next(power * k for k in (5, 2, 1, 0.5) if power * k * _CLOSE <= size)
+
+
+def multiples(low: float, high: float, step: float) -> Array:
+    """Those of a step from low to high."""
+    return np.arange(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1) * step

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from itertools import combinations, product
 
 from graphkin.base.geometry import cross, dot, number, place
+from graphkin.base.scales import round_step
 from graphkin.base.value import frozen
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing, replay
 from graphkin.planning import Method
@@ -59,8 +60,7 @@ def drawn_sides(method: Method, plot: Plot) -> DrawnSides:
     if not fitted or (size := _size(places)) <= 0:
         return DrawnSides(sides)
     # points that the file has in its sketch, to a twentieth of the mechanism's size
-    power = 10.0 ** math.floor(math.log10(size / 20))
-    step = power * max(k for k in (1, 2, 5) if k * power <= size / 20)
+    step = round_step(size / 20)
     sketched = ((name, places[name]) for name in method.mechanism.sketch if name in places)
     near = ((name, complex(round(z.real / step) * step, round(z.imag / step) * step)) for name, z in sketched)
     return DrawnSides(sides, tuple(near))

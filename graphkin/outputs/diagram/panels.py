@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from graphkin.base.geometry import number
+from graphkin.base.scales import multiples, round_step
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, driven
@@ -110,10 +111,8 @@ def division(low: float, high: float, most: int, degrees: bool = False) -> list[
     least = (high - low) / most
     step = next((s for s in (15.0, 30.0, 60.0, 90.0, 180.0, 360.0) if s >= least), 0.0) if degrees else 0.0
     if not step or (degrees and least <= 10):
-        power = 10.0 ** math.floor(math.log10(least))
-        step = next(power * k for k in (1, 2, 5, 10) if power * k >= least * (1 - 1e-9))
-    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
-    return [k * step for k in range(first, last + 1)]
+        step = round_step(least, up=True)
+    return list(map(float, multiples(low, high, step)))
 
 
 def figure_of(value: float) -> str:

@@ -13,6 +13,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from graphkin.base.geometry import Real, number
+from graphkin.base.scales import multiples, round_step
 from graphkin.base.value import bulky, frozen
 from graphkin.errors import BadRange, BadValues, GivenTwice, GraphkinError, NoPosition, NoSuchDriver, Where
 from graphkin.files.values import LARGEST, UNITS, read_quantity
@@ -332,21 +333,15 @@ def _usual(method: Method, driver: Driver, path: DriverPath, swept: int) -> np.n
     """Every 10 degrees of a turn, or of what is reached; of a slide's range, some forty round values."""
     low, high = path.start[swept] + path.first, path.start[swept] + path.last
     if driver.kind == "slide":
-        step = (high - low) / ROWS
-        power = 10.0 ** math.floor(math.log10(step))
-        step = next(power * k for k in (1, 2, 5, 10) if power * k >= step * (1 - 1e-9))
+        step = round_step((high - low) / ROWS, up=True)
     elif not path.stops:
-        return _multiples(0.0, TURN, math.radians(10))
+        return multiples(0.0, TURN, math.radians(10))
     else:
         step = math.radians(10)
         while (high - low) / step < 12:
             step /= 2
-    values, margin = _multiples(low, high, step), 1e-9 * (high - low)
+    values, margin = multiples(low, high, step), 1e-9 * (high - low)
     return values[(values > low + margin) & (values < high - margin)]
-
-
-def _multiples(low: float, high: float, step: float) -> np.ndarray:
-    return np.arange(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1) * step
 
 
 def _together(method: Method, spans: dict[int, DriverValues], moving: list[int]) -> Course:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.base.geometry import number
+from graphkin.base.scales import round_step
 from graphkin.base.value import frozen
 from graphkin.errors import StandsStill, UnknownPoint, Where
 from graphkin.model.quantities import EDGE
@@ -106,8 +107,7 @@ def point_path(method: Method, point: str, values: tuple[float, ...] | None = No
         steps = map(math.radians, _DEGREES)
         step, every = next((step for step in steps if length >= _ENOUGH * step), math.radians(_DEGREES[-1])), 3
     else:
-        power = 10.0 ** math.floor(math.log10(length / _ENOUGH))
-        step, every = power * next(k for k in (5, 2, 1) if k * power * _ENOUGH <= length), 2
+        step, every = round_step(length / _ENOUGH), 2
     ticks = tuple(_ticks(course, point, (low, high), closed, step, every))
     return PointPath(course, point, places, closed, step, ticks)
 
