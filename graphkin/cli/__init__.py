@@ -6,7 +6,6 @@ nowhere to write.
 
 from __future__ import annotations
 
-import gc
 import os
 from importlib import import_module
 from typing import Any
@@ -42,12 +41,11 @@ class Program(click.Group):
     It computes with one thread, where nothing else is said: matrices are small, and threads that wait for one another
     take longer. Set before NumPy is loaded; processes that it starts inherit it.
 
-    It ends soon: garbage is collected rarely, and the interpreter is not taken down module by module at the
-    end, which would take a tenth of the whole time of `draw`. Files are written and closed by then.
+    It ends soon: the interpreter is not taken down module by module at the end, which would take a tenth of the whole
+    time of `draw`. Files are written and closed by then.
     """
 
     def __call__(self, *args: Any, **kwargs: Any) -> object:
-        gc.set_threshold(200_000)
         if not any(name in os.environ for name in _THREADS):
             os.environ[_THREADS[0]] = "1"
         streams.prepare()
