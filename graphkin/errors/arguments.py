@@ -11,7 +11,7 @@ from reprlib import repr as shortened
 from typing import ParamSpec, TypeVar, get_args
 
 from graphkin.errors.base import Where
-from graphkin.errors.keys import NotOneOf, OutOfRange, WrongType
+from graphkin.errors.files import NotOneOf, OutOfRange, WrongType
 
 _Given = ParamSpec("_Given")
 _Done = TypeVar("_Done")

@@ -4,12 +4,6 @@ from __future__ import annotations
 
 from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
-__all__ = [
-    "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NeedsTwoLinks", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
-    "NoSuchDriver", "NoSuchName", "NoSuchValue", "NotAMechanism", "NotSwept", "SeveralPositions", "SketchMirrored", "StandsStill", "TooManyRows", "TurnsAsItLikes", "UnevenArrays",
-    "UnknownQuantity", "ValueForEach",
-]  # fmt: skip
-
 
 class BadRange(AboutText):
     en = (

@@ -10,11 +10,6 @@ from graphkin.base.value import filled, frozen
 Lang = Literal["en", "zh"]
 WordTable = Mapping[str, tuple[str, str]]  # English, Chinese
 
-__all__ = [
-    "NOWHERE", "AboutLink", "AboutLinks", "AboutText", "Choice", "GraphkinError", "Lang", "LocatedError", "Several",
-    "Where", "WordTable", "listed", "steers",
-]  # fmt: skip
-
 
 @frozen
 class Where:

@@ -5,17 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, LocatedError, WordTable
-
-__all__ = [
-    "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenBoard", "BrokenSubmission", "CentresNotMarked", "ExcelInside", "ForeignBoard", "HandedTwice",
-    "LetterTwice", "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoNumbers", "NoPaperScale",
-    "NoRange", "NoRightNumber", "NoRows", "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant",
-    "NoneMarked",
-    "NotAQuestion", "NotAResult", "NotASet", "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform",
-    "NotMarkable", "NothingToMark", "OffTheDrawing", "OwnFault", "OwnSheet", "SaidBefore", "SameName", "SameNumbers",
-    "SenseDisputed", "SeveralStudents", "StudentTwice", "StudentWithoutId", "TooMuch", "TookTooLong", "TurnedPage", "TwoNames",
-    "UnknownStudent", "WantsExtra",
-]  # fmt: skip
+from graphkin.errors.drawings import PLANES
 
 
 class BadKey(LocatedError):
@@ -356,13 +346,6 @@ class LetterTwice(LocatedError):
     letter: str
     en = "{where}: it is not clear which point the letter {letter} belongs to. Put it beside its point, and only there."
     zh = "{where}：无法确定字母 {letter} 标注的是哪一点。请把它写在该点旁边，且只写一次。"
-
-
-PLANES: WordTable = {
-    "position": ("position", "位置"),
-    "velocity": ("velocity", "速度"),
-    "acceleration": ("acceleration", "加速度"),
-}
 
 
 class NoScaleDrawn(LocatedError, plane=PLANES):

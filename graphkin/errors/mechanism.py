@@ -4,14 +4,6 @@ from __future__ import annotations
 
 from graphkin.errors.base import AboutLink, AboutLinks, AboutText, Choice, Lang, LocatedError
 
-__all__ = [
-    "BlockOrPin", "CannotMove", "CcwContradicts", "CcwOnLine", "CircleOrLine", "Contradiction", "DrivenFrame",
-    "DrivenTwice", "FrameNameTaken", "JoinedToNothing", "LineOnLine", "LooseLink", "MissingCcw", "NeedsDirection",
-    "NeedsSecondTilt", "NeedsTilt", "NoDriver", "NoLine", "NoPoints", "NoTriangle", "NoVector", "OneSpot",
-    "PinInCircle", "PointOnPoint", "RepeatedDriver", "RigidlyJoined", "SameCircles", "SameLink", "SameTwice", "SayValue", "ShapeAndMeasures",
-    "SlidesOnItself", "TooFewDrivers", "TooFewMeasures", "TooManyDrivers", "TooManyPoints", "WhatIsDriven",
-]  # fmt: skip
-
 
 class TooFewMeasures(AboutLink):
     points: tuple[str, ...]

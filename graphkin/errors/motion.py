@@ -4,12 +4,6 @@ from __future__ import annotations
 
 from graphkin.errors.base import AboutLink, AboutLinks, Lang, LocatedError, Where, listed
 
-__all__ = [
-    "AlongOwnAxis", "AmbiguousDirection", "AmbiguousSketch", "CannotAssemble", "DeadPoint", "FarFromSketch",
-    "GearsApart", "HigherClass", "NoAssembly", "NotJoined", "NotPlaced", "NotReached", "NotRepeated", "OffTrack",
-    "OtherSide", "PosesDiffer", "RoadsDiffer", "SingularPosition", "TooFar", "UnevenLengths", "called_pair",
-]  # fmt: skip
-
 
 class HigherClass(AboutLinks):
     """Links that no vector equation with two unknowns reaches."""

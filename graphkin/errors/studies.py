@@ -4,13 +4,6 @@ from __future__ import annotations
 
 from graphkin.errors.base import AboutLink, AboutText, Choice, GraphkinError, Lang, LocatedError, WordTable
 
-__all__ = [
-    "BadCondition", "BadVelocities", "CannotClose", "CannotDriveBy", "CannotScale", "CouplerChanges", "FrameStands",
-    "NegativeSize", "NoBobillier", "NoCentrode", "NoDesign", "NoDimension", "NoFixing", "NoLineOf", "NoLinkage",
-    "NoQuickReturn", "NoUnitHere", "NotALength", "NotOnBisector", "NotOneBody", "NotScaled", "NothingDrawn", "OneCondition", "OnePlace",
-    "OnlyStretched", "OtherUnits", "SameWanted", "UnknownCentre", "WantedRange", "WrongNumber",
-]  # fmt: skip
-
 
 class BadCondition(AboutText):
     en = (

@@ -648,11 +648,11 @@ def one_problem(text: str, kind: str) -> GraphkinError:
     return next(problem for problem in problems if type(problem).__name__ == kind)
 
 
-MODULES = ("files", "keys", "mechanism")
 ERRORS = [
     thing
-    for name in errors.__all__
-    if isinstance(thing := getattr(errors, name), type) and thing.__module__.split(".")[-1] in MODULES
+    for module in (errors.files, errors.mechanism)
+    for thing in vars(module).values()
+    if isinstance(thing, type) and thing.__module__ == module.__name__
 ]
 RAISED_ELSEWHERE = {
     "NoFile", "IsFolder", "NotUtf8", "Unreadable", "UnknownMechanism", "TooFewDrivers", "TooManyDrivers", "RepeatedDriver",
