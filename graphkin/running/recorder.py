@@ -112,8 +112,6 @@ class Recorded:
     def conjugate(self) -> Recorded:
         return Recorded(self.tape, self.x, self.tape.negative(self.y))
 
-    # --- by NumPy -----------------------------------------------------------------------------
-
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *operands: Quantity, **more: object) -> Recorded:
         do = self.UFUNCS.get(ufunc.__name__)
         if do is None or method != "__call__" or more:

@@ -17,8 +17,8 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import Lazy, filled, frozen
 from graphkin.construction import Construction, Facts, Plot, replay
 from graphkin.construction.fitting import sense_and_sine
-from graphkin.running.in_numpy import Calls, in_numpy
 from graphkin.running.recorder import TABLES, Entry, FactsOf, GroupSense, Recorded, Recording, record
+from graphkin.running.tape import Calls, in_numpy
 
 USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "turn")
 """Tables that are calculated at once; the others when they are read."""

@@ -36,11 +36,10 @@ from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.running.in_numpy import in_numpy
 from graphkin.running.other_positions import FITTED_MANY, MANY, by_program, on_one_path, program_of, replay_along
 from graphkin.running.recorder import TABLES, Recorded
 from graphkin.running.replay_program import BLOCK, recorded_program
-from graphkin.running.tape import CannotRecord, Tape
+from graphkin.running.tape import CannotRecord, Tape, in_numpy
 from graphkin.running.tracing import trace
 
 MOVING_ON = {"triad": triad, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling, "circular": circular_slot}
