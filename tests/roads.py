@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from random_mechanisms import Seed
 
-from graphkin.analytic import motion
+from graphkin.analytic import mobility, motion
 from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
 from graphkin.model.mechanism import Mechanism
@@ -25,6 +25,13 @@ ALIKE = 20
 COUNT, BATCH = max(ALIKE, int(os.environ.get("GRAPHKIN_RANDOM", "120"))), 250
 """Random mechanisms of each kind, and of how many a test is made; more with GRAPHKIN_RANDOM in the environment."""
 BATCHES = range(-(-COUNT // BATCH))
+
+
+def definite(mechanism: Mechanism) -> bool:
+    """As many drivers as freedoms, each needed, and an assembled position to show it."""
+    counted = mobility(mechanism)
+    needed = counted.freedoms == len(mechanism.drivers) and not counted.redundant
+    return needed and counted.gap_mm is None and not counted.unplaced
 
 
 def kinds(batch: int) -> range:

@@ -13,7 +13,7 @@ Mechanism -> rules      each pair's joints and linear relations (one function a 
 """
 
 from graphkin.analytic.freedom import Mobility, mobility
-from graphkin.analytic.motions import Motion, conditioning, motion
+from graphkin.analytic.motions import Motion, motion
 from graphkin.errors import NoAssembly, NotJoined, SingularPosition
 
-__all__ = ["Mobility", "Motion", "NoAssembly", "NotJoined", "SingularPosition", "conditioning", "mobility", "motion"]
+__all__ = ["Mobility", "Motion", "NoAssembly", "NotJoined", "SingularPosition", "mobility", "motion"]

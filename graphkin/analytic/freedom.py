@@ -6,6 +6,8 @@ at a dead point or a change point, so it is taken at several positions near the 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from graphkin.analytic.assembly import assemble, held, idle
@@ -26,8 +28,6 @@ class Mobility:
     """The freedoms of a mechanism, and whether its drivers determine them.
 
     freedoms    degrees of freedom, idle rotations apart; None where the pairs alone cannot be assembled
-    drivers     how many the file has
-    independent how many of them do not repeat others or the constraints
     free        links that still can move when all drivers stand still
     redundant   numbers of drivers that repeat the constraints and the drivers before them
     repeated    constraint equations that repeat others (and are met)
@@ -37,19 +37,12 @@ class Mobility:
     """
 
     freedoms: int | None
-    drivers: int
-    independent: int
     free: tuple[str, ...]
     redundant: tuple[int, ...]
     repeated: int
     idle: tuple[str, ...]
     unplaced: tuple[str, ...]
     gap_mm: float | None
-
-    @property
-    def definite(self) -> bool:
-        """As many drivers as freedoms, each needed, and an assembled position to show it."""
-        return self.gap_mm is None and self.freedoms == self.drivers == self.independent and not self.unplaced
 
 
 def mobility(mechanism: Mechanism) -> Mobility:
@@ -60,24 +53,20 @@ def mobility(mechanism: Mechanism) -> Mobility:
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
     quiet = idle(mechanism, loops)
     if pairs.q is None:
-        return Mobility(None, len(drivers), 0, (), (), 0, quiet, (), pairs.gap * 1e3)
+        return Mobility(None, (), (), 0, quiet, (), pairs.gap * 1e3)
     positions = _nearby(loops, pairs.q)
     if whole.q is None:  # put together anyhow, perhaps folded so that a driven link is at rest
         positions += _nearby(loops, pairs.q, anyhow=True)
     ranks = _Ranks.at(loops, loops.weights(drivers), positions)
-    independent, redundant = ranks.drivers()
-    constraints = ranks.constraints()
-    still = loops.weights(held(loops, loops.relations))
+    constraints, still = ranks.constraints(), loops.weights(held(loops, loops.relations))
     # at the drawn position driver values and poses place links; gears and rolling do not
     known = [relation for relation in loops.relations if relation.offset is not None]
     known += [driven(mechanism, each) for each, _ in placing(mechanism)]
     placed = loops.weights([*known, *held(loops, known)])
     return Mobility(
         freedoms=len(loops.unknowns) - len(quiet) - rank(constraints),
-        drivers=len(drivers),
-        independent=independent,
         free=_moving(mechanism, loops, ranks.q, np.vstack([constraints, ranks.driving, still])),
-        redundant=redundant,
+        redundant=tuple(ranks.redundant_drivers()),
         repeated=len(constraints) - rank(constraints),
         idle=quiet,
         unplaced=_moving(mechanism, loops, ranks.q, np.vstack([loops.slope(ranks.q), placed / _scale(placed)])),
@@ -120,15 +109,14 @@ class _Ranks:
         relations = self.loops.weights(self.loops.relations)
         return np.vstack([self.loops.slope(self.q), relations / _scale(relations)])
 
-    def drivers(self) -> tuple[int, tuple[int, ...]]:
-        """The number of drivers that add to the rank, and the numbers of those which do not."""
-        rows, redundant = self.constraints(), []
+    def redundant_drivers(self) -> Iterator[int]:
+        """The numbers of the drivers that do not add to the rank."""
+        rows = self.constraints()
         for number, row in enumerate(self.driving):
             more = np.vstack([rows, row])
             if rank(more) == rank(rows):
-                redundant.append(number)
+                yield number
             rows = more
-        return len(self.driving) - len(redundant), tuple(redundant)
 
 
 def _scale(rows: Reals) -> Reals:

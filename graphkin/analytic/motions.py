@@ -87,13 +87,6 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     return _motion(mechanism, closure, goals, q, Rates(dq, ddq, result.condition.reshape(shape)))
 
 
-def conditioning(mechanism: Mechanism) -> float:
-    """Reciprocal condition number at the drawn position: 1 is best, 0 a dead point. Raises NoAssembly."""
-    start = drawn(mechanism)
-    closure, _ = driving(mechanism, start.loops, start.closure)
-    return float(inverse(closure.matrix(start.q[None]))[1][0])
-
-
 def _clear(closure: EquationSystem, q: Reals, condition: Reals) -> Flags:
     """True where velocities are determined, at q (p, n): (p,); also where it is only far displacements that weigh."""
     clear = condition >= SINGULAR
