@@ -12,7 +12,6 @@ from dataclasses import replace
 import numpy as np
 
 from graphkin.base.tolerances import ROUNDED
-from graphkin.base.value import frozen
 from graphkin.construction import Construction, Equation, Facts, Meet, Plot, Step, Swing, slide_key
 from graphkin.errors import AmbiguousDirection, AmbiguousSketch
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, at, branches, slides_of_file
@@ -23,12 +22,8 @@ from graphkin.planning.structure import Topology
 TOUCHING = 1e-6  # two assemblies nearer to each other are one, at a dead point
 
 
-@frozen
-class Assembly:
-    """The crossing of each choice, +1 or -1, and angles by base link and displacements by `slide_key` as drawn."""
-
-    sides: tuple[int, ...]
-    near: Mapping[str, float]
+Assembly = tuple[tuple[int, ...], Mapping[str, float]]
+"""The crossing of each choice, +1 or -1, and angles by base link and displacements by `slide_key` as drawn."""
 
 
 def assemble(
@@ -43,7 +38,7 @@ def assemble(
     plot = assemblies.plot
     near = {base: at(plot.theta[base], best).real for base in structure.bases if base in plot.theta}
     near |= {slide_key(slide): at(value, best).real for slide, value in plot.s.items()}
-    return Assembly(tuple(int(side) for side in assemblies.sides[best]), near)
+    return tuple(int(side) for side in assemblies.sides[best]), near
 
 
 def _nearest(structure: Topology, assemblies: Branches) -> int:

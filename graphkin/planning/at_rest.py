@@ -79,20 +79,14 @@ def steady_turnings(method: Method, facts: Facts) -> frozenset[Fact]:
     return frozenset(("alpha", base) for k, base in enumerate(bases) if np.all(abs(free[:, k]) < RANK))
 
 
-def held_points(method: Method, plane: Plane, rested: frozenset[Fact]) -> tuple[str, ...]:
-    """The points of the mechanism that drivers at rest hold."""
-    return tuple(dict.fromkeys(held_labels(method, plane, rested).values()))
-
-
 def held_labels(method: Method, plane: Plane, rested: frozenset[Fact]) -> dict[str, str]:
-    """The letters of those points by how they are written in the polygon, `D7`."""
-    construction = method.velocity if plane == "velocity" else method.acceleration
-    return {of: point for point, of in _held(construction, rested).values()}
+    """The points of the mechanism that drivers at rest hold, by how they are written in the polygon, `D7`."""
+    return {of: point for point, of in _held(method.construction(plane), rested).values()}
 
 
 def moving_parts(method: Method, plane: Plane, parts: tuple[Part, ...], rested: frozenset[Fact]) -> tuple[Part, ...]:
     """The parts that find something that moves, with the pole for every point that does not."""
-    construction = method.velocity if plane == "velocity" else method.acceleration
+    construction = method.construction(plane)
     nodes, reader = _held(construction, rested), PartsReader(method, construction)
     writer = _PartsWriter(plane, construction.pole, nodes, {of: point for point, of in nodes.values()})
     sites = {name for name, node in construction.nodes.items() if node.site is not None}

@@ -103,21 +103,16 @@ def _line(term: Term, through: str) -> Ray:
     return Ray(through, term.direction)
 
 
-@frozen
-class Ordered:
-    """A side in its new order; `carried`: the arrows that carry its unknown one back to where its points lie; `moved`:
-    the unknown term as it was and as it is now, where it has moved."""
-
-    terms: tuple[Term, ...]
-    carried: tuple[LayOff, ...] = ()
-    moved: tuple[Term, Term] | None = None
+Ordered = tuple[tuple[Term, ...], tuple[LayOff, ...], tuple[Term, Term] | None]
+"""A side in its new order; the arrows that carry its unknown one back to where its points lie; the unknown term as it
+was and as it is now, where it has moved."""
 
 
 def known_first(side: tuple[Term, ...], corner: Corner) -> Ordered:
     """A side whose one unknown term, if it has one, comes last."""
     at = next((k for k, term in enumerate(side) if term.unknowns), len(side))
     if at >= len(side) - 1:
-        return Ordered(side)
+        return side, (), None
     before, unknown, behind = side[:at], side[at], side[at + 1 :]
     tail, moved = unknown.tail, list[Term]()
     for term in behind:
@@ -134,4 +129,4 @@ def known_first(side: tuple[Term, ...], corner: Corner) -> Ordered:
             tail, start = now.head, term.head
     carried = (LayOff(replace(term, size=Drawn(tail, head), direction=None), start, end)
                for term, tail, head, start, end in again)  # fmt: skip
-    return Ordered((*before, *moved, last), tuple(carried), (unknown, last))
+    return (*before, *moved, last), tuple(carried), (unknown, last)

@@ -161,9 +161,9 @@ def _placed(
         raise NotPlaced(mechanism.where("links", names[0]), tuple(mechanism.called(name) for name in names))
     construction, choices = position(structure, order)
     facts = facts_of(structure, None, {})
-    assembly = assemble(structure, construction, choices, facts, {})
-    construction = with_sides(construction, assembly.sides)
-    plot = replay(construction, Plot(facts, assembly.near))
+    sides, near = assemble(structure, construction, choices, facts, {})
+    construction = with_sides(construction, sides)
+    plot = replay(construction, Plot(facts, near))
     refuse_open(structure, plot, ROUNDED)
     return DrawnPlacement(structure, construction, plot)
 

@@ -63,15 +63,15 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     order = _order(structure)
     construction, choices = position(structure, order)
     facts = facts_of(structure, None, drawn)
-    assembly = assemble(structure, construction, choices, facts, drawn)
-    construction = with_sides(construction, assembly.sides)
+    sides, near = assemble(structure, construction, choices, facts, drawn)
+    construction = with_sides(construction, sides)
     ternaries: Mapping[Group, Ternary] = {}
     if ties or any(isinstance(stage, Group) for stage in order):  # nothing else hangs on places
-        plot = replay(construction, Plot(facts, assembly.near))
+        plot = replay(construction, Plot(facts, near))
         refuse_contacts_apart(mechanism, ties, plot)
         ternaries = special_points(structure, order, plot)
     polygons = _polygons(structure, order, construction, ternaries)
-    return Method(mechanism, structure, order, *polygons, assembly.near, drawn, ternaries, aside)
+    return Method(mechanism, structure, order, *polygons, near, drawn, ternaries, aside)
 
 
 def with_other_points(method: Method, plot: Plot) -> Method:

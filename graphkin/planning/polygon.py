@@ -162,14 +162,13 @@ class PolygonPlan:
 
     def equate(self, of: Site, left: tuple[Term, ...], right: tuple[Term, ...], pole: str = "") -> None:
         """Both sides of one vector equation, what is known first, drawn until they meet."""
-        sides, carried = (left, right), list[LayOff]()
+        carried = list[LayOff]()
         if not pole_is_last(left, right, pole):
-            ordered = [known_first(side, self.corner) for side in sides]
-            sides = ordered[0].terms, ordered[1].terms
-            carried = [*ordered[0].carried, *ordered[1].carried]
-            for before, after in (each.moved for each in ordered if each.moved is not None):
+            (left, first, one), (right, second, other) = (known_first(side, self.corner) for side in (left, right))
+            carried += (*first, *second)
+            for before, after in filter(None, (one, other)):
                 self.unknown = {hop: after if term is before else term for hop, term in self.unknown.items()}
-        drawn = close(self.labels.label(of), *sides, {}, pole=pole)
+        drawn = close(self.labels.label(of), left, right, {}, pole=pole)
         self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)) if carried else drawn)
 
     def corner(self, term: Term) -> str | None:

@@ -149,8 +149,6 @@ class _PositionDrawing:
         self.asides.append(f"*{len(self.asides) + 1}")
         return self.asides[-1]
 
-    # --- stages -------------------------------------------------------------------------------
-
     def loop(self, stage: Loop) -> None:
         stretches = _stretches(self.structure, stage)
         # stretches of one unknown group together; those whose direction is known one by one
@@ -231,8 +229,6 @@ class _PositionDrawing:
             body = next(b for b in waiting if {*self.structure.bodies[b]} & self.points or self._half_drawn(b))
             waiting.remove(body)
             self.fill(body)
-
-    # --- further points -----------------------------------------------------------------------
 
     def measure_slide(self, slide: str) -> None:
         pair = self.structure.slides[slide]

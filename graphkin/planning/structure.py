@@ -222,8 +222,6 @@ class Topology:
         freedoms = 3 * (len(self.bodies) - 1) - 2 * (hinges + len(self.joining)) - len(self.tying) + len(self.followers)
         return len(self.mechanism.drivers) + len(self.mechanism.idle) - freedoms
 
-    # --- links that hold their angles to one another ------------------------------------------
-
     @cached_property
     def turns(self) -> Mapping[str, TurnOf]:
         """Each body's angle by that of the base body of its group; the frame's group is the known one."""
