@@ -169,11 +169,11 @@ def mechanism_of(drawing: DrawingFile) -> Mechanism:
     return loading.loads(text, name=Path(drawing.file).stem, file=f"{drawing.file} (mechanism)")
 
 
-def numbers(drawing: DrawingFile, key: str, count: int) -> list[float]:
-    """So many finite numbers that a drawing gives under a key."""
-    given = drawing.claims.get(key)
+def driver_values(drawing: DrawingFile, count: int) -> list[float]:
+    """The values of so many drivers that a drawing gives, all finite."""
+    given = drawing.claims.get("drivers")
     if not isinstance(given, list) or len(given) != count or not all(_is_number(v) for v in given):
-        raise BadDrawing(Where(drawing.file), "value", key)
+        raise BadDrawing(Where(drawing.file), "value", "drivers")
     return [float(v) for v in given]
 
 

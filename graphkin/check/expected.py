@@ -6,8 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import numpy as np
-
 from graphkin.analytic import Motion
 from graphkin.base.geometry import Real, Value, meet_lines, number, place
 from graphkin.base.value import Lazy, frozen
@@ -34,11 +32,9 @@ class Body:
 class Widened(Motions):
     """The analytic solution at every site of a drawing; bodies that are no links move among the links.
 
-    added   points that a construction adds, and where they lie [m]: special points, rolling contacts
     bodies  those that are no links
     """
 
-    added: Mapping[str, complex]
     bodies: Mapping[str, Body]
 
     def place(self, point: str) -> complex:
@@ -81,7 +77,7 @@ def widened(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Widene
     return Widened(
         mechanism, exact.theta, _turning_of(exact, bodies, exact.omega, exact.velocity),
         _turning_of(exact, bodies, exact.alpha, exact.acceleration), exact.s, exact.s_rate, exact.s_acceleration,
-        {**exact.position, **added}, velocities, accelerations, added, bodies,
+        {**exact.position, **added}, velocities, accelerations, bodies,
     )  # fmt: skip
 
 
@@ -106,7 +102,7 @@ def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> comp
     if isinstance(step, Touch):
         centre = place(exact.position[step.centre])
         if step.slide:
-            return centre + 1j * step.offset * _along(step.slide, mechanism, exact)
+            return centre + 1j * step.offset * exact.along(lines_of(mechanism)[step.slide])
         return centre + step.ratio * (complex(exact.position[step.other]) - centre)
     rays = [ray for ray in (step.first, step.second) if isinstance(ray, Ray)]
     first, second = ((exact.position[ray.through], _line(ray.direction, mechanism, exact)) for ray in rays)
@@ -115,16 +111,11 @@ def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> comp
 
 def _line(direction: terms.Direction, mechanism: Mechanism, exact: Motion) -> complex:
     if isinstance(direction, terms.AcrossGuide | terms.AlongGuide):
-        along = _along(direction.slide, mechanism, exact)
+        along = exact.along(lines_of(mechanism)[direction.slide])
         return 1j * along if isinstance(direction, terms.AcrossGuide) else along
     assert isinstance(direction, terms.Along | terms.Across)
     arm = complex(exact.position[direction.head] - exact.position[direction.tail])
     return arm / abs(arm) * (1j if isinstance(direction, terms.Across) else 1)
-
-
-def _along(slide: str, mechanism: Mechanism, exact: Motion) -> complex:
-    line = lines_of(mechanism)[slide]
-    return complex(line.direction * np.exp(1j * exact.theta[line.link]))
 
 
 def lines_of(mechanism: Mechanism) -> dict[str, Line]:

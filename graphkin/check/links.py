@@ -109,7 +109,7 @@ def _on_line(
 ) -> Iterator[Pair]:
     """Ends or middle on the line, sides along it, over its points; a block's middle on its point."""
     line = lines_of(exact.mechanism)[mark.attributes.get("data-line", "")]
-    foot, along = at(line.origin), line.direction * cmath.rect(1, number(exact.theta[line.link]))
+    foot, along = at(line.origin), exact.along(line)
     corners = _corners(mark)
     middle = sum(corners) / len(corners)
     for place in corners if len(corners) == 2 else [middle]:

@@ -15,7 +15,17 @@ from graphkin.base.geometry import number, place
 from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
 from graphkin.check.claims import changed, judged
-from graphkin.check.drawing import UNITS, DrawingFile, Fault, ends, mechanism_of, numbers, plane_of, read, scales_of
+from graphkin.check.drawing import (
+    UNITS,
+    DrawingFile,
+    Fault,
+    driver_values,
+    ends,
+    mechanism_of,
+    plane_of,
+    read,
+    scales_of,
+)
 from graphkin.check.expected import Widened, is_called_so, is_named_so, point_value, vector_value, widened
 from graphkin.check.links import link_name, worst_of_path, worst_place
 from graphkin.check.mark_faults import Layers, loose_ends, wrong_heads
@@ -30,18 +40,24 @@ CENTRES: Literal["centres"] = "centres"  # the plane that the marks of centres g
 
 
 @frozen
-class SeenCentre:
-    """A centre in the drawing.
+class RulerReading:
+    """One vector, point or line of a link: what the ruler says, what it should be.
 
-    name          `P13`; kind: "point" for a mark, "vector" for an arrow towards it
-    drawn, exact  in mm on paper, y up: where a mark lies, and where it should from the mechanism's origin;
-                  an arrow from its tail
+    drawn, exact  in mm on paper, x to the right and y up; of a link, the place that is farthest off
+    unit_per_mm   scale of its plane, in `unit` per mm
     """
 
+    plane: Plane | Literal["centres", "sheet"]
     name: str
     kind: str
     drawn: complex
     exact: complex
+    unit_per_mm: float
+    unit: str
+
+    @property
+    def off_mm(self) -> float:
+        return abs(self.drawn - self.exact)
 
 
 def parted(drawing: DrawingFile) -> tuple[DrawingFile, DrawingFile]:
@@ -67,7 +83,7 @@ def ways_to_move(mechanism: Mechanism, solved: Motion) -> list[Motion]:
 
 def seen_centres(
     centres: DrawingFile, mechanism: Mechanism, exact: Sequence[Motion], scale: float
-) -> Iterator[SeenCentre]:
+) -> Iterator[RulerReading]:
     """Every mark of a centre: its place on the paper, and where it should be from the mechanism's origin.
 
     Links that never move against each other and are not joined have all points in common: there is nothing to measure.
@@ -80,12 +96,12 @@ def seen_centres(
         if not finite and pole != 0:
             raise BadDrawing(Where(centres.file), "value", f"data-name={name}")
         if finite:
-            yield SeenCentre(name, "point", drawn, pole / scale)
+            yield RulerReading(CENTRES, name, "point", drawn, pole / scale, scale, "m")
 
 
 def seen_arrows(
     centres: DrawingFile, mechanism: Mechanism, exact: Sequence[Motion], scale: float, origin: complex
-) -> Iterator[SeenCentre]:
+) -> Iterator[RulerReading]:
     """Every arrow towards a centre, as long as it is drawn. origin: of the mechanism on paper [mm], y up."""
     for attributes, tail, head in centres.vectors:
         pole, finite = _known(centres, mechanism, exact, attributes)
@@ -93,7 +109,8 @@ def seen_arrows(
         along = toward / abs(toward) if abs(toward) else 0j
         if not finite and (along.conjugate() * (head - tail)).real < 0:
             along = -along
-        yield SeenCentre(attributes.get("data-name", ""), "vector", head - tail, abs(head - tail) * along)
+        drawn, name = head - tail, attributes.get("data-name", "")
+        yield RulerReading(CENTRES, name, "vector", drawn, abs(drawn) * along, scale, "m")
 
 
 def _known(
@@ -142,27 +159,6 @@ def pole_of(mechanism: Mechanism, exact: Sequence[Motion], first: str, second: s
 
 
 @frozen
-class RulerReading:
-    """One vector, point or line of a link: what the ruler says, what it should be.
-
-    drawn, exact  in mm on paper, x to the right and y up; of a link, the place that is farthest off
-    unit_per_mm   scale of its plane, in `unit` per mm
-    """
-
-    plane: Plane | Literal["centres", "sheet"]
-    name: str
-    kind: str
-    drawn: complex
-    exact: complex
-    unit_per_mm: float
-    unit: str
-
-    @property
-    def off_mm(self) -> float:
-        return abs(self.drawn - self.exact)
-
-
-@frozen
 class RulerReport:
     """The findings of a ruler in one drawing file.
 
@@ -197,7 +193,7 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> RulerReport:
 
 def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> RulerReport:
     """A drawing beside the mechanism that it should show."""
-    values = numbers(drawing, "drivers", len(mechanism.drivers))
+    values = driver_values(drawing, len(mechanism.drivers))
     planes, centres = parted(drawing)
     scales = scales_of(drawing)
     ruler = _CentrelessDrawing(planes, mechanism, scales, values)
@@ -330,10 +326,8 @@ def _centres(
         if attributes.get("data-plane") == "position" and of in solved.position:
             pairs.append((drawn, complex(solved.position[of]) / scale))
     origin = _origin(pairs)
-    for mark in marks:
-        yield RulerReading(CENTRES, mark.name, mark.kind, mark.drawn - origin, mark.exact, scale, "m")
-    for arrow in seen_arrows(centres, mechanism, exact, scale, origin):
-        yield RulerReading(CENTRES, arrow.name, arrow.kind, arrow.drawn, arrow.exact, scale, "m")
+    yield from (replace(mark, drawn=mark.drawn - origin) for mark in marks)
+    yield from seen_arrows(centres, mechanism, exact, scale, origin)
 
 
 def _origin(pairs: list[tuple[complex, complex]]) -> complex:

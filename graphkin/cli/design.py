@@ -62,7 +62,7 @@ def _write(
 ) -> None:  # fmt: skip
     from graphkin.api.answers import sheet_of
     from graphkin.outputs import files
-    from graphkin.say.design import as_toml, error
+    from graphkin.say.design import error, mechanism_of
 
     if (missing := error(solution)) is not None:
         raise missing
@@ -77,7 +77,7 @@ def _write(
         files.refuse(toml, force, (b"graphkin",))
     shared.write_drawings(pages, output, steps, force, err=True)
     if toml is not None and solution.best is not None:
-        files.write(toml, "# graphkin\n" + as_toml(solution.best, solution.kind), force, (b"graphkin",))
+        files.write(toml, "# graphkin\n" + mechanism_of(solution.best, solution.kind).text, force, (b"graphkin",))
         click.echo(str(toml), err=True)
 
 

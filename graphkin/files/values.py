@@ -101,14 +101,14 @@ def is_range(value: object) -> bool:
     return isinstance(value, dict) and not value.keys().isdisjoint(("to", "step"))
 
 
-def quantity_at(where: str, dimension: Dimension, written: float | str) -> float:
+def quantity_at(where: str | errors.Where, dimension: Dimension, written: float | str) -> float:
     """A number of an option or an argument, in mm or deg or with a unit, in SI; what is wrong names that."""
     with suppress(ValueError, TypeError, OverflowError):
         written = float(written)
     try:
         return read_quantity(written, dimension)
     except errors.GraphkinError as error:
-        raise error.at(errors.Where(where)) from None
+        raise error.at(errors.Where(where) if isinstance(where, str) else where) from None
 
 
 def read_quantity(written: float | str, dimension: Dimension) -> float:

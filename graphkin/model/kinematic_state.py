@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from graphkin.base.geometry import Real, Value
+from graphkin.base.geometry import Real, Value, number
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Line
 
 
 @frozen
@@ -32,6 +34,10 @@ class Motions:
     position: Mapping[str, Value]
     velocities: Mapping[str, Mapping[str, Value]]
     accelerations: Mapping[str, Mapping[str, Value]]
+
+    def along(self, line: Line) -> complex:
+        """The unit vector of a line of a link as it lies, at a single position."""
+        return line.direction * cmath.rect(1, number(self.theta[line.link]))
 
     def velocity_at(self, point: str, link: str) -> Value:
         """Velocity of the point of `link` that lies under `point` at this instant [m/s]: known, or by image."""

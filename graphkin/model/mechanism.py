@@ -114,11 +114,6 @@ class GivenValue:
     dimension: Dimension | None = None
     si: float | None = None
 
-    @property
-    def name(self) -> str:
-        """`links.2.AB`, `driver.0.angle`."""
-        return ".".join(map(str, self.path))
-
 
 ROUNDING = 1e-7
 """Sizes below this part of what is usual of their kind are rounding noise: an angle typed to five decimals of a degree,

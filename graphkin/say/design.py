@@ -14,8 +14,8 @@ from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import SentenceNumber, sense
-from graphkin.studies.design import Design, Reason, Solution, linkage_of, proof
-from graphkin.studies.linkages import filed
+from graphkin.studies.design import Design, Reason, Solution, linkage_of
+from graphkin.studies.linkages import filed, report
 
 _DIGITS = 5  # as `Figure` has them
 
@@ -103,15 +103,15 @@ def faults(one: Solution, lang: Lang) -> list[str]:
 def _judged(one: Solution, lang: Lang) -> Iterator[str]:
     yield from (f"  {fault}" for fault in faults(one, lang))
     try:
-        report = proof(one)
+        proof = report(linkage_of(one))  # by its lengths alone, without the drawing
     except GraphkinError as wrong:
         yield f"  {wrong.message(lang)}"
         return
-    angles = {"ψ": report.swing, "θ": report.theta, "γ_min": report.gamma_min}
-    facts = [kind_name(report, lang)]
+    angles = {"ψ": proof.swing, "θ": proof.theta, "γ_min": proof.gamma_min}
+    facts = [kind_name(proof, lang)]
     facts += [f"{name} = {SentenceNumber(value):deg}" for name, value in angles.items() if value is not None]
-    facts += [f"H = {SentenceNumber(report.stroke):mm}"] if report.stroke is not None else []
-    facts += [f"K = {SentenceNumber(report.k):n}"] if report.k is not None else []
+    facts += [f"H = {SentenceNumber(proof.stroke):mm}"] if proof.stroke is not None else []
+    facts += [f"K = {SentenceNumber(proof.k):n}"] if proof.k is not None else []
     if one.pace is not None:
         facts.append(say("design.slow", lang, sense=sense(one.pace, lang)))
     yield f"  {say('design.proof', lang)}{say('common.and', lang).join(facts)}"
@@ -119,11 +119,6 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
 
 
 def mechanism_of(solution: Solution, kind: str) -> Mechanism:
-    """The linkage driven at AB with 1 rad/s. kind: of the design (`Design.kind`)."""
+    """The linkage driven at AB with 1 rad/s, its file as its text. kind: of the design (`Design.kind`)."""
     machine = linkage_of(solution).mechanism(omega=1.0)
     return filed(replace(machine, name="design", file="design.toml", title=in_both(f"design.title {kind}")))
-
-
-def as_toml(solution: Solution, kind: str) -> str:
-    """The same as a mechanism file."""
-    return mechanism_of(solution, kind).text

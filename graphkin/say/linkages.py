@@ -96,9 +96,8 @@ def amount(report: Report, value: float) -> str:
 
 def _sums(report: Report, lang: Lang) -> str:
     """`AB + CD = 15 + 55 = 70 mm < BC + AD = 48 + 45 = 93 mm`."""
-    sizes = report.linkage.sizes
-    gap = report.sum_ends - report.sum_middle
-    sign = "=" if abs(gap) <= EVEN * (report.sum_ends + report.sum_middle) else "<" if gap < 0 else ">"
+    sizes, sums = report.linkage.sizes, report.sums
+    sign = "=" if sums.gap == 0 else "<" if sums.gap < 0 else ">"
 
     def added(names: tuple[str, str]) -> str:
         shown = [name for name in names if name]
@@ -108,8 +107,8 @@ def _sums(report: Report, lang: Lang) -> str:
         return terms + " = " + " + ".join(exact(abs(sizes[name]) * 1e3) for name in shown)
 
     key = "linkages.lengths" if report.slide else "linkages.grashof"
-    first = {"ends": added(report.ends), "first": millimetres(report.sum_ends)}
-    return say(key, lang, **first, sign=sign, middle=added(report.middle), second=millimetres(report.sum_middle))
+    first = {"ends": added(sums.ends), "first": millimetres(sums.sum_ends)}
+    return say(key, lang, **first, sign=sign, middle=added(sums.middle), second=millimetres(sums.sum_middle))
 
 
 def _equal(report: Report, lang: Lang) -> Iterator[str]:

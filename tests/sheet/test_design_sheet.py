@@ -11,7 +11,7 @@ import graphkin
 from graphkin import files as loading
 from graphkin.errors import NoDesign
 from graphkin.outputs.svg import svg
-from graphkin.say.design import as_toml
+from graphkin.say.design import mechanism_of
 from graphkin.sheet.design_sheet import design_sheet
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Stroke, Text
@@ -96,7 +96,7 @@ def test_sheets_are_written_and_the_linkage_is_drawn(name):
     text = svg(design_sheet(design, lang="zh"))
     assert ElementTree.fromstring(text.split("\n", 1)[1]).tag.endswith("svg")
     assert text == svg(design_sheet(design, lang="zh"))
-    mechanism = loading.loads(as_toml(design.best, design.kind))
+    mechanism = loading.loads(mechanism_of(design.best, design.kind).text)
     assert len(graphkin.Drawing.of(mechanism).sheet(lang="zh").marks) > 20
 
 

@@ -467,7 +467,7 @@ def test_positions_of_any_kind_are_judged_told_and_written():
                 at = solution.places
                 drawn = [abs(at[q] - at[p]) for p, q in ("AB", "BC", "CD", "AD")]
                 assert drawn == pytest.approx(lengths, rel=1e-9), "places are those of the linkage"
-                loading.loads(words.as_toml(solution, one.kind))
+                loading.loads(words.mechanism_of(solution, one.kind).text)
 
 
 # --- told, written ----------------------------------------------------------------------------------------
@@ -497,7 +497,7 @@ def test_the_sentences_of_example_2_3():
 def test_every_solution_is_a_mechanism_that_is_analysed_back(name):
     found = DESIGNS[name]
     for one in found.solutions:
-        machine = loading.loads(words.as_toml(one, found.kind))
+        machine = loading.loads(words.mechanism_of(one, found.kind).text)
         assert machine.headline("zh") != machine.headline("en")
         graphkin.plan(machine)
         start = float(graphkin.motion(machine).values[0])

@@ -15,7 +15,7 @@ from graphkin.say.finding import lines
 from graphkin.sheet import finding_sheet
 from graphkin.sheet.marks import Disc, Stroke
 from graphkin.studies import finding, sweeps
-from graphkin.studies.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
+from graphkin.studies.finding.search import Curve, differences, followed, tops, touches, vanishing
 
 PLAIN = """
 [frame]
@@ -376,14 +376,14 @@ def looked_at(function, low: float = 0.0, high: float = 6.0, count: int = 601) -
 
 
 def test_zeros_touchings_poles_and_pairs_between_two_places() -> None:
-    assert crossings(looked_at(np.sin)) == pytest.approx([0, math.pi], abs=1e-14)
+    assert looked_at(np.sin).zeros == pytest.approx([0, math.pi], abs=1e-14)
     curve = looked_at(lambda t: (t - 2.123456789) ** 2 * (5.5 - t))
-    assert crossings(curve)[-1] == pytest.approx(5.5, abs=1e-14)
+    assert curve.zeros[-1] == pytest.approx(5.5, abs=1e-14)
     assert touches(curve) == pytest.approx([2.123456789], abs=1e-10)
     with np.errstate(divide="ignore"):
-        assert crossings(looked_at(lambda t: 1 / (t - 1.23456))).size == 0
+        assert looked_at(lambda t: 1 / (t - 1.23456)).zeros.size == 0
     near = 1e-4
-    pair = crossings(looked_at(lambda t: (t - 3.00123) ** 2 - near**2))
+    pair = looked_at(lambda t: (t - 3.00123) ** 2 - near**2).zeros
     assert pair == pytest.approx([3.00123 - near, 3.00123 + near], abs=1e-10)
 
 

@@ -56,8 +56,8 @@ def read(text, name="test"):
 @pytest.mark.parametrize("found", [measured("fourbar", 15, 48, 55, 45), report(found_in(library.load("s2-2"))[0].linkage)])
 def test_example_2_2(found):
     assert (found.kind, found.grashof) == ("crank-rocker", True)
-    assert (found.sum_ends, found.sum_middle) == pytest.approx((0.070, 0.093))
-    assert {*found.ends} == {"AB", "CD"}
+    assert (found.sums.sum_ends, found.sums.sum_middle) == pytest.approx((0.070, 0.093))
+    assert {*found.sums.ends} == {"AB", "CD"}
     assert (deg(found.swing), deg(found.theta)) == pytest.approx((40.535, 29.859), abs=5e-4)
     assert found.k == pytest.approx(1.39775, abs=5e-6)
     assert [deg(end.gamma) for end in found.critical] == pytest.approx([32.984, 70.885], abs=5e-4)

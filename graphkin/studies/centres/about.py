@@ -97,8 +97,6 @@ class About:
         """The mechanism's size [m]."""
         return self.found.board.size
 
-    # --- the poles ----------------------------------------------------------------------------
-
     @cached_property
     def pole(self) -> complex:
         """P, the place without velocity [m]; infinite in translation, NaN where a link at rest shows none."""
@@ -133,8 +131,6 @@ class About:
     def _turn(self) -> complex:
         """The factor by which the vector from J to a point is multiplied to give its acceleration."""
         return 1j * self.alpha - self.omega**2
-
-    # --- the circles --------------------------------------------------------------------------
 
     @cached_property
     def diameter(self) -> complex | None:
@@ -181,8 +177,6 @@ class About:
     def returning(self) -> Circle | None:
         """The return circle: the inflection circle's mirror image in the pole tangent."""
         return None if self.diameter is None else Circle(self.pole - self.diameter / 2, abs(self.diameter) / 2)
-
-    # --- points -------------------------------------------------------------------------------
 
     def carried(self, place: complex) -> CarriedPoint:
         """The point of the link's plane that lies at a place [m]."""

@@ -64,11 +64,6 @@ class Bobillier:
         """Every point and line."""
         return replay(self.construction)
 
-    @property
-    def centre(self) -> complex:
-        """The centre of curvature [m]; infinite where the path is straight."""
-        return complex(self.board.at(self.answer))
-
 
 def guided(seen: About) -> list[Guided]:
     """Points of the link that a pivoted link, a fixed guide or a wheel on a fixed track leads; then measured ones."""

@@ -110,10 +110,6 @@ class Centrodes:
         origin, turn = (np.broadcast_to(axes, count).reshape(shape)[()] for axes in carried_to(plot, link))
         return origin, turn
 
-    def lengths(self, piece: int) -> tuple[np.ndarray, np.ndarray]:
-        """Lengths of the fixed and of the moving curve from a piece's first place to the end of each cell [m]."""
-        return arc_length(self.pieces[piece], 0), arc_length(self.pieces[piece], len(self.axes) - 1)
-
 
 def whole(course: Coursed) -> tuple[float, float]:
     """The t between which the mechanism moves: a full turn, or all that is reached."""
@@ -234,13 +230,6 @@ def _cut(sample: Sample, far: float) -> list[CentrodePiece]:
         CentrodePiece(sample.t[2 * a : 2 * b + 1], sample.places[:, 2 * a : 2 * b + 1])
         for a, b in zip(edges[::2], edges[1::2], strict=True)
     ]
-
-
-def arc_length(piece: CentrodePiece, axes: int = 0) -> np.ndarray:
-    """The length from the piece's first place to the end of each cell [m]: (cells + 1,), to the fourth order."""
-    begin, middle, end = _cells(piece.places[axes])
-    halves, chord = np.abs(middle - begin) + np.abs(end - middle), np.abs(end - begin)
-    return np.concatenate([[0.0], np.cumsum((4 * halves - chord) / 3)])
 
 
 def joined(parts: Sequence[CentrodePiece], turn: float, near: float) -> list[CentrodePiece]:

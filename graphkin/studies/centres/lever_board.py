@@ -120,8 +120,6 @@ class LeverBoard:
         places = [complex(place) for place in self.found.plot.position.values()]
         return max(abs(place - places[0]) for place in places) or 1.0
 
-    # --- numbers --------------------------------------------------------------------------------
-
     def rate(self, link: str) -> str:
         """The number that is known of a link: its angular velocity, or its speed."""
         return f"{'omega' if self.turning[link] else 'speed'} {link}"
@@ -190,8 +188,6 @@ class LeverBoard:
     def stands(self, link: str) -> bool:
         """True for a link that is at rest for good: nothing can be carried on from it."""
         return not self.turning[link] and self.value(link) == 0.0
-
-    # --- steps ----------------------------------------------------------------------------------
 
     def do(self, step: Step) -> str:
         """Add a step towards the next sum; returns the name of what it makes."""

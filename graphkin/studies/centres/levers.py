@@ -36,11 +36,6 @@ def given_drivers(mechanism: Mechanism) -> list[Driver]:
     return [driver for driver in mechanism.drivers if driver.rate] or [mechanism.drivers[0]]
 
 
-def _from_frame(mechanism: Mechanism, driver: Driver) -> bool:
-    """True of a driver that moves a link against the frame."""
-    return driven_point(mechanism, driver)[2] == FRAME if driver.kind == "slide" else driver.from_link == FRAME
-
-
 @frozen
 class DrivenEnd:
     """A centre of a link with one that is driven: as a point of either it has the velocity [m/s] that the driver gives.
@@ -76,15 +71,15 @@ class Levers(LeverBoard):
 
     costs: dict[tuple[str, str], float] = field(default_factory=dict)
 
-    # --- given motions --------------------------------------------------------------------------
-
     def given(self) -> list[Lever]:
         """The first motions by the driver that moves first, then what others state of links against the frame."""
         first, *others = given_drivers(self.mechanism)
         levers = self.start(first)
         for driver in others:
-            link = driven_point(self.mechanism, driver)[1] if driver.kind == "slide" else driver.link
-            if _from_frame(self.mechanism, driver) and link not in self.turning:
+            link, base = driver.link, driver.from_link
+            if driver.kind == "slide":
+                _, link, base = driven_point(self.mechanism, driver)
+            if base == FRAME and link not in self.turning:
                 levers += self.start(driver)
         return levers
 
@@ -138,8 +133,6 @@ class Levers(LeverBoard):
             yield self._about("about", guide, link, self.becomes(link), speed, across, own, seat)
         else:
             yield self._triangle(guide, link, speed, across, seat)
-
-    # --- from link to link ------------------------------------------------------------------------
 
     def path(self, target: str) -> list[str] | None:
         """The links from one with known motion to a target, by the cheapest levers; None where nothing leads there."""

@@ -12,9 +12,9 @@ from typing import Literal
 
 from graphkin.base.geometry import cross, dot, number
 from graphkin.base.value import frozen
-from graphkin.errors import GraphkinError, Where
+from graphkin.errors import Where
 from graphkin.errors.studies import BadVelocities, NotOneBody, OnePlace
-from graphkin.files.values import read_quantity
+from graphkin.files.values import quantity_at
 
 Case = Literal["meet", "infinity", "similar", "point", "rest"]
 
@@ -62,7 +62,7 @@ class TwoVelocities:
 
 
 def pole_of(
-    points: Sequence[complex], velocities: Sequence[complex], names: Sequence[str] = ("A", "B"), where: Where = WHERE
+    points: Sequence[complex], velocities: Sequence[complex], names: Sequence[str] = ("A", "B")
 ) -> TwoVelocities:
     """The pole of a rigid body from two points [m] and their velocities [m/s].
 
@@ -70,11 +70,11 @@ def pole_of(
     """
     (a, b), (va, vb), (first, second) = points, velocities, names
     if abs(b - a) <= 1e-12 * max(abs(a), abs(b), 1e-9):
-        raise OnePlace(where, first, second)
+        raise OnePlace(WHERE, first, second)
     along, fastest = (b - a) / abs(b - a), max(abs(va), abs(vb))
     one, other = number(dot(along, va)), number(dot(along, vb))
     if abs(one - other) > RIGID * fastest:
-        raise NotOneBody(where, first, second, one, other)
+        raise NotOneBody(WHERE, first, second, one, other)
     omega = number(cross(along, vb - va)) / abs(b - a)
     if abs(vb - va) <= PARALLEL * fastest:
         omega = 0.0
@@ -110,17 +110,6 @@ def _entry(entry: str, text: str) -> tuple[str, complex, complex]:
     words = re.fullmatch(r"([^\W\d_][\w']*)[\s:：]+(\S+)\s*[,，]\s*(\S+)\s+(\S+)\s*[,，]\s*(\S+)", entry.strip())
     if words is None:
         raise BadVelocities(WHERE, text)
-    try:
-        x, y = (read_quantity(_without_unit(word), "length") for word in words.groups()[1:3])
-        across, up = (read_quantity(_without_unit(word), "velocity") for word in words.groups()[3:])
-    except GraphkinError as error:
-        raise error.at(WHERE) from None
+    x, y = (quantity_at(WHERE, "length", word) for word in words.groups()[1:3])
+    across, up = (quantity_at(WHERE, "velocity", word) for word in words.groups()[3:])
     return words[1], complex(x, y), complex(across, up)
-
-
-def _without_unit(word: str) -> float | str:
-    """The number, where a word is one; a word with a unit as it stands."""
-    try:
-        return float(word)
-    except ValueError:
-        return word

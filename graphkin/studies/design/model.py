@@ -198,22 +198,9 @@ def linkage_of(solution: Solution) -> Linkage:
     return GuideBar(solution.a, solution.d or 0.0, solution.e or 0.0, places=places, turn=solution.turn)
 
 
-def proof(solution: Solution) -> Report:
-    """The report by lengths alone: swing, stroke, theta, K, transmission angle in closed form, without the drawing."""
-    return report(linkage_of(solution))
-
-
-@frozen
-class Passing:
-    """A four-bar judged by its positions. report: of the linkage, None where it cannot move at all."""
-
-    report: Report | None
-    why: tuple[Reason, ...]
-    notes: tuple[Reason, ...]
-
-
-def passing(positions: Positions) -> Passing:
-    """Judge a four-bar by its given positions (A, B, C, D each), driven at AB.
+def passing(positions: Positions) -> tuple[Report | None, tuple[Reason, ...], tuple[Reason, ...]]:
+    """Judge a four-bar by its given positions (A, B, C, D each), driven at AB: its report, None where it cannot move at
+    all, reasons against it, and remarks.
 
     A driven crank takes the linkage from one position to another where both have one assembly (C on the same side of
     BD) and the crank's arc between them lies within its range: then BC and CD are never in line between them.
@@ -222,7 +209,7 @@ def passing(positions: Positions) -> Passing:
         bars = [_bar(places) for places in positions]
         whole = report(bars[0])
     except GraphkinError:
-        return Passing(None, (Reason("no links"),), ())
+        return None, (Reason("no links"),), ()
     why = tuple(_against(positions, whole))
     notes = [Reason("kind", (("kind", whole.kind), ("family", whole.family)))]
     notes += [] if whole.grashof else [Reason("no Grashof")]
@@ -239,7 +226,7 @@ def passing(positions: Positions) -> Passing:
     else:
         swapped = [{"A": p["D"], "B": p["C"], "C": p["B"], "D": p["A"]} for p in positions]
         notes += [] if list(_against(swapped, report(_bar(swapped[0])))) else [Reason("drive at CD")]
-    return Passing(whole, why, tuple(notes))
+    return whole, why, tuple(notes)
 
 
 def _bar(places: Mapping[str, complex]) -> FourBar:

@@ -234,11 +234,11 @@ def _solution(construction: Drafting, board: Board, count: int, turned: tuple[Re
     positions = tuple(
         {"A": at["A"], "B": at[f"B{k}"], "C": at[f"C{k}"], "D": at["D"]} for k in range(1, count + 1)
     )  # fmt: skip
-    judged = passing(positions)
-    whole, why = judged.report, (*turned, *judged.why)
+    whole, against, notes = passing(positions)
+    why = (*turned, *against)
     a, b, c, d = (abs(number(board.numbers[name])) for name in "abcd")
     return Solution(
-        "four-bar", construction, shown(positions, whole), positions, a, b, c, d, None, not why, why, judged.notes,
+        "four-bar", construction, shown(positions, whole), positions, a, b, c, d, None, not why, why, notes,
         None if whole is None else whole.gamma_min, swing=None if whole is None else whole.swing,
         theta=None if whole is None else whole.theta, k=None if whole is None else whole.k,
     )  # fmt: skip

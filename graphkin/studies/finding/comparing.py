@@ -15,7 +15,7 @@ from graphkin.errors import NegativeSize, OtherUnits, Where
 from graphkin.studies.finding import conditions
 from graphkin.studies.finding.answers import Interval, Kind, OutputStroke, Phase, Position
 from graphkin.studies.finding.conditions import Comparison
-from graphkin.studies.finding.search import Curve, Function, crossings, differences, followed, tops, touches, vanishing
+from graphkin.studies.finding.search import Curve, Function, differences, followed, tops, touches, vanishing
 from graphkin.studies.finding.stretch import ROUNDING, CourseStretch
 from graphkin.studies.sweeps import Series
 from graphkin.studies.sweeps.course import TURN
@@ -86,7 +86,7 @@ def holding(sides: Difference) -> tuple[Position, ...]:
         t, _ = vanishing(stretch.places, *_vectors(stretch))
         return tuple(stretch.position(place, "zero") for place in stretch.within(t))
     places = []
-    for zeros in (crossings(sides.curve), touches(sides.curve)):
+    for zeros in (sides.curve.zeros, touches(sides.curve)):
         with np.errstate(invalid="ignore"):  # no zeros are the jumps of an angle's difference half a turn off
             near = np.abs(sides.curve.function(zeros)) < 1.0 + 1e-3 * sides.curve.size
         places.append(stretch.within(zeros[near]))
@@ -134,9 +134,9 @@ def intervals(sides: Difference, sign: str) -> tuple[Interval, ...]:
     up = 1.0 if sign == ">" else -1.0
     with np.errstate(invalid="ignore"):
         changes = np.flatnonzero(curve.values[:-1] * curve.values[1:] < 0)
-    zeros = np.searchsorted(crossings(curve), curve.t)
+    zeros = np.searchsorted(curve.zeros, curve.t)
     jumps = [float(curve.t[j]) for j in changes if zeros[j] == zeros[j + 1]]  # a quotient goes through infinity
-    cuts = sorted({stretch.low, *stretch.within(crossings(curve)), *jumps, stretch.high})
+    cuts = sorted({stretch.low, *stretch.within(curve.zeros), *jumps, stretch.high})
     parts, inside = [(a, b) for a, b in pairwise(cuts) if b - a > 1e-9 * (stretch.high - stretch.low)], []
     for begin, end in parts:
         values = curve.function(begin + (end - begin) * np.array([0.2, 0.5, 0.8]))
@@ -215,9 +215,9 @@ class Extremes:
         return swing if math.isfinite(swing) else None
 
 
-def extremes(stretch: CourseStretch, *, size: bool = False) -> Extremes:
-    """The extremes of the stretch's first quantity; `size`: of its size, whatever its sense."""
-    curve = followed(stretch.values(size=size), stretch.slope(size=size), stretch.places)
+def extremes(stretch: CourseStretch) -> Extremes:
+    """The extremes of the stretch's first quantity."""
+    curve = followed(stretch.values(), stretch.slope(), stretch.places)
     finite = curve.values[np.isfinite(curve.values)]
     spread = float(np.ptp(finite)) if finite.size else 0.0
     noise = stretch.noise(stretch.read(stretch.places[:1])[0].unit)

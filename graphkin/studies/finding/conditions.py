@@ -6,12 +6,11 @@ import re
 from typing import Literal
 
 from graphkin.base.value import frozen
-from graphkin.errors import NOWHERE, BadCondition, GraphkinError, NoSuchDriver, NotANumber, NoUnitHere, Where
-from graphkin.files.values import DIMENSIONS, read_quantity, tidy
+from graphkin.errors import BadCondition, NoSuchDriver, NotANumber, NoUnitHere, Where
+from graphkin.files.values import DIMENSIONS, quantity_at, tidy
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import GRAVITY
 from graphkin.model.quantities.reading import SHAPE
-from graphkin.studies.sweeps.course import plain
 
 WHERE = Where("find")
 
@@ -129,22 +128,17 @@ def value(text: str, unit: str, where: Where = WHERE) -> float:
 
     Raises what a wrong unit in a mechanism file raises.
     """
+    if unit == "1":
+        return _bare(text, where, NoUnitHere)
+    dimension = DIMENSIONS[unit]
+    if dimension == "acceleration" and (gravity := _IN_GRAVITY.fullmatch(text)):
+        return GRAVITY * _bare(gravity[1], where, NotANumber)
+    return quantity_at(where, dimension, text)
+
+
+def _bare(text: str, where: Where, error: type[NoUnitHere | NotANumber]) -> float:
+    """A number without a unit; the error where it is none."""
     try:
-        if unit == "1":
-            if isinstance(plain(text), str):
-                raise NoUnitHere(where, text)
-            return _bare(text)
-        dimension = DIMENSIONS[unit]
-        if dimension == "acceleration" and (gravity := _IN_GRAVITY.fullmatch(text)):
-            return GRAVITY * _bare(gravity[1])
-        return read_quantity(plain(text), dimension)
-    except GraphkinError as error:
-        raise error.at(where) from None
-
-
-def _bare(text: str) -> float:
-    """A number without a unit."""
-    number = plain(text)
-    if isinstance(number, str):
-        raise NotANumber(NOWHERE, text)
-    return read_quantity(number, "velocity")
+        return quantity_at(where, "velocity", float(text))
+    except ValueError:
+        raise error(where, text) from None

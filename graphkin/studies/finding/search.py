@@ -15,6 +15,7 @@ from graphkin.base.value import frozen
 Function = Callable[[np.ndarray], np.ndarray]
 
 ROUNDS = 70
+FINER = 3  # so often a curve is read more closely where it bends
 BENT = 0.01  # between places where a curve bends by more than this part of its range, it is read more closely
 GRAZE = 1e-10  # a curve that comes so near to zero, as a part of its size, grazes it
 EVEN = 501
@@ -65,10 +66,10 @@ class Curve:
         return np.sort(np.concatenate([zeros[small], self.t[self.values == 0], _hidden(self)]))
 
 
-def followed(function: Function, slope: Function, t: np.ndarray, rounds: int = 3) -> Curve:
+def followed(function: Function, slope: Function, t: np.ndarray) -> Curve:
     """The curve at places t and at more where it bends."""
     values = function(t)
-    for _ in range(rounds):
+    for _ in range(FINER):
         more = _bends(t, values)
         if not more.size or t.size > 60_000:
             break
@@ -139,11 +140,6 @@ def bisected(function: Function, low: np.ndarray, high: np.ndarray) -> np.ndarra
 
 
 # --- zeros ------------------------------------------------------------------------------------
-
-
-def crossings(curve: Curve) -> np.ndarray:
-    """Places at which the curve changes sign through zero (not through infinity)."""
-    return curve.zeros
 
 
 def _hidden(curve: Curve) -> np.ndarray:

@@ -18,7 +18,7 @@ from graphkin.base.plain import Plain
 from graphkin.base.value import bulky, frozen
 from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver, Where
 from graphkin.files.toml import replaced_values
-from graphkin.files.values import UNITS, read_quantity, split_points, tidy
+from graphkin.files.values import UNITS, quantity_at, split_points, tidy
 from graphkin.model.mechanism import FRAME, Dimension, KeyPath, Mechanism
 from graphkin.model.naming import driver_number
 from graphkin.planning import Method
@@ -29,7 +29,6 @@ from graphkin.studies.finding.answers import Findings, as_json
 from graphkin.studies.finding.find import find, line_of
 from graphkin.studies.finding.stretch import checked
 from graphkin.studies.sweeps import Road
-from graphkin.studies.sweeps.course import plain
 
 WHERE = Where("--vary")
 MOST = 10_000  # values of a dimension, at most
@@ -143,10 +142,7 @@ def _values(text: str, span: str, place: DimensionPlace) -> np.ndarray:
     parts = [part.strip() for part in span.split(":")]
     if len(parts) not in (1, 3):
         raise BadRange(WHERE, text)
-    try:
-        numbers = [read_quantity(plain(part), place.kind) for part in parts]
-    except GraphkinError as error:
-        raise error.at(WHERE) from None
+    numbers = [quantity_at(WHERE, place.kind, part) for part in parts]
     if len(numbers) == 1:
         return np.array(numbers)
     begin, end, step = numbers

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Collection, Mapping
+from typing import Protocol
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism
 from graphkin.model.pairs import Line, Slide
-from graphkin.studies.linkages.linkage import Linkage, LinkagePosition
+from graphkin.studies.linkages.linkage import LinkagePosition
 
 Places = Mapping[str, complex]  # the points of a link as they are drawn [m]
 _PUSH = 0.1  # the speed of a driven slide [m/s]
@@ -78,6 +79,17 @@ def free_names(names: Collection[str], count: int) -> list[str]:
     return [name for name in every if name not in names][:count]
 
 
+class AnyLinkage(Protocol):
+    """A linkage of any kind, as far as `posed` asks it."""
+
+    @property
+    def names(self) -> tuple[str, ...]: ...
+    @property
+    def places(self) -> tuple[complex, ...]: ...
+    @property
+    def drawn(self) -> LinkagePosition: ...
+
+
 @frozen
 class Placement:
     """Points [m] and angles of links [rad] at one position; points that only end a line are left out."""
@@ -86,7 +98,7 @@ class Placement:
     theta: Mapping[str, float]
 
 
-def posed(linkage: Linkage, machine: Mechanism, position: LinkagePosition) -> Placement:
+def posed(linkage: AnyLinkage, machine: Mechanism, position: LinkagePosition) -> Placement:
     """`machine`, which `linkage.mechanism` made, at a position; a dead point is one like any other."""
     drawn = {**machine.sketch, **dict(zip(linkage.names, linkage.places))}
     places = dict(zip(linkage.names, position.places))

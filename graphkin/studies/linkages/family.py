@@ -13,9 +13,10 @@ from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
 from graphkin.studies.linkages.four import FourBar
 from graphkin.studies.linkages.guide import GuideBar
-from graphkin.studies.linkages.linkage import Linkage
 from graphkin.studies.linkages.slider import SliderCrank
 
+Linkage = FourBar | SliderCrank | GuideBar
+"""Any kind; what each of them tells, `linkage` has."""
 KINDS: dict[str, Callable[..., Linkage]] = {kind.word: kind for kind in (FourBar, SliderCrank, GuideBar)}
 """Every kind by its word."""
 

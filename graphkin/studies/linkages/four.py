@@ -93,8 +93,6 @@ class FourBar:
     def arm(self) -> tuple[int, int]:
         return (0, 1) if self.output == "crank" else (3, 2)
 
-    # --- kinds --------------------------------------------------------------------------------
-
     def sums(self) -> Sums:
         """Grashof's: shortest and longest link, and the two others."""
         sizes = self.sizes
@@ -139,8 +137,6 @@ class FourBar:
             one, other = hinges[k], hinges[k + 1]
             turns.append(Turn(names[k], names[k + 2], one != other or (one and not parallel)))
         return tuple(turns)
-
-    # --- ranges and positions -----------------------------------------------------------------
 
     def driver_range(self) -> triangles.MotionRange:
         bar = self._from_driver()

@@ -103,8 +103,6 @@ class GuideBar:
     def arm(self) -> tuple[int, int]:
         return (2, 1) if self.output == "bar" else (0, 1)
 
-    # --- kinds --------------------------------------------------------------------------------
-
     def sums(self) -> Sums:
         return Sums.beside_offset(self.sizes)
 
@@ -123,8 +121,6 @@ class GuideBar:
         short = triangles.passes(self.crank, self.frame, self.offset)
         other = triangles.passes(self.frame, self.crank, self.offset)
         return Turn(crank, frame, short or other), Turn(bar, frame, other), Turn(crank, bar, short)
-
-    # --- ranges and positions -----------------------------------------------------------------
 
     def driver_range(self) -> triangles.MotionRange:
         if self.driver == "slide":

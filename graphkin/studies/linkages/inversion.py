@@ -73,7 +73,7 @@ class _Inversion:
 
     def machine(self) -> Mechanism:
         for slide in self.old.slides:  # a line of a moving link goes towards a point of it: one is added for none
-            points, origin, along = self.points[slide.guide], self.names[slide.line.origin], self._along(slide)
+            points, origin, along = self.points[slide.guide], self.names[slide.line.origin], self.now.along(slide.line)
             if slide.guide != self.fixed and not ahead_on(points, origin, along):
                 ahead = ((place_of(self.now.position[slide.point]) - points[origin]) * along.conjugate()).real
                 self._added(slide.guide, points[origin] + along * max(ahead, 0.25 * self.reach))
@@ -83,13 +83,10 @@ class _Inversion:
         slides = []
         for slide in self.old.slides:
             guide, block = self.called(slide.guide), None if slide.block is None else self.called(slide.block)
-            line = drawn_line(links, guide, self.names[slide.line.origin], self._along(slide))
+            line = drawn_line(links, guide, self.names[slide.line.origin], self.now.along(slide.line))
             tilt, point = self._tilt(slide), self.names[slide.point]
             slides.append(replace(slide, line=line, point=point, block=block, tilt=tilt))
         return assembled(self.fixed, links, tuple(slides), drivers, self.old.scales.get("length"))
-
-    def _along(self, slide: Slide) -> complex:
-        return slide.line.direction * cmath.rect(1, number(self.now.theta[slide.guide]))
 
     def _added(self, link: str, place: complex) -> str:
         """The name of a point that a link gets at a place."""
@@ -101,14 +98,14 @@ class _Inversion:
         """Angle from the line to the block's own direction; a block of one point has that of its first line."""
         if slide.block is None:
             return 0.0
-        line = cmath.phase(self._along(slide))
+        line = cmath.phase(self.now.along(slide.line))
         if slide.block == self.fixed:
             return _wrapped(-line)
         places = list(self.points[slide.block].values())
         if len(places) > 1:
             return _wrapped(cmath.phase(places[1] - places[0]) - line)
         first = next(other for other in self.old.slides if other.block == slide.block)
-        return _wrapped(cmath.phase(self._along(first)) - line)
+        return _wrapped(cmath.phase(self.now.along(first.line)) - line)
 
     def _driver(self, driver: Driver) -> Driver:
         if driver.kind == "slide":

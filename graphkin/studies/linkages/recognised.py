@@ -17,9 +17,10 @@ from graphkin.base.value import frozen
 from graphkin.errors import CannotClose, NoLinkage, OnlyStretched
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.pairs import Slide
+from graphkin.studies.linkages.family import Linkage
 from graphkin.studies.linkages.four import FourBar
 from graphkin.studies.linkages.guide import GuideBar
-from graphkin.studies.linkages.linkage import DriverScale, Linkage
+from graphkin.studies.linkages.linkage import DriverScale
 from graphkin.studies.linkages.slider import SliderCrank
 from graphkin.studies.linkages.triangles import even
 
@@ -205,10 +206,6 @@ class _Ring:
             return abs(points[other] - points[one])
         return abs(place(self.now.position[other]) - place(self.now.position[one]))
 
-    def along(self, slide: Slide) -> complex:
-        """Direction of a slide's line."""
-        return slide.line.direction * cmath.rect(1, number(self.now.theta[slide.guide]))
-
     @property
     def drives_middle(self) -> bool:
         """True if a driver turns the coupler, and nothing else drives."""
@@ -263,7 +260,7 @@ def _four_bar(ring: _Ring) -> FourBar | None:
 def _slider(ring: _Ring, slide: Slide) -> SliderCrank | None:
     """Pairs 0, 1, 2 are hinges, pair 3 is the slide between the last link and the frame."""
     a, b, c = ring.places
-    along, sizes = ring.along(slide), (ring.length(1), ring.length(2))
+    along, sizes = ring.now.along(slide.line), (ring.length(1), ring.length(2))
     if not _lengths_exist(*sizes):
         return None
     driver = "slider" if ring.entry == ring.loop.links[3] else "coupler" if ring.drives_middle else "crank"
@@ -280,7 +277,7 @@ def _slider(ring: _Ring, slide: Slide) -> SliderCrank | None:
 def _guide(ring: _Ring, slide: Slide) -> GuideBar | None:
     """Pairs 0, 1, 3 are hinges: the crank is link 1, pair 2 the slide, link 3 stands on the frame."""
     a, b, c = ring.places
-    along, sizes = ring.along(slide), (ring.length(1), abs(c - a))
+    along, sizes = ring.now.along(slide.line), (ring.length(1), abs(c - a))
     if not _lengths_exist(*sizes):
         return None
     block = slide.guide != ring.loop.links[3]

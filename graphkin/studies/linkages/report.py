@@ -14,7 +14,8 @@ from functools import cached_property
 
 from graphkin.base.plain import Plain
 from graphkin.base.value import bulky, frozen
-from graphkin.studies.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePosition, Turn
+from graphkin.studies.linkages.family import Linkage
+from graphkin.studies.linkages.linkage import CRANKS, SLIDES, LinkagePosition, Sums, Turn
 from graphkin.studies.linkages.recognised import FoundLinkage
 from graphkin.studies.linkages.triangles import MotionRange, even, greatest_between, whole
 
@@ -42,7 +43,7 @@ class Report:
 
     kind, family    "crank-rocker", "change-point" with "parallelogram", ..
     grashof         some link turns fully: shortest + longest <= the rest
-    ends, middle, sum_ends, sum_middle   the links of Grashof's two sums, and the sums
+    sums            Grashof's two sums
     driver, output  the parts: AB, CD, or C for a slider; driver_range, output_range: what they go through
     limits          the output's two ends (of its swing or stroke); none where it turns fully
     theta, k        between the crank positions at the limits; time ratio
@@ -57,10 +58,7 @@ class Report:
     kind: str
     family: str
     grashof: bool
-    ends: tuple[str, str]
-    middle: tuple[str, str]
-    sum_ends: float
-    sum_middle: float
+    sums: Sums
     turns: tuple[Turn, ...]
     driver: str
     output: str
@@ -139,7 +137,7 @@ def report(linkage: Linkage) -> Report:
     >>> bar.kind, round(math.degrees(bar.theta), 3), round(bar.k, 4)
     ('crank-rocker', 29.859, 1.3977)
     """
-    (kind, family), sums, limits, span = linkage.kind(), linkage.sums(), linkage.limits(), linkage.driver_range()
+    (kind, family), limits, span = linkage.kind(), linkage.limits(), linkage.driver_range()
     theta, k, slow = None, None, None
     if linkage.driver in CRANKS and span.full and len(limits) == 2 and kind != "change-point":
         theta, k, slow = timed(limits[0].driver, limits[1].driver)
@@ -150,9 +148,9 @@ def report(linkage: Linkage) -> Report:
             dead[linkage.called[part]] = tuple(sorted({end.driver for end in ends if end.gamma == 0}))
     grashof = kind not in ("triple-rocker", "rocking guide bar") and family != "no full turn"
     return Report(
-        linkage, kind, family, grashof, sums.ends, sums.middle, sums.sum_ends, sums.sum_middle, linkage.turns(),
-        linkage.called[linkage.driver], linkage.called[linkage.output], span, linkage.output_range(), limits,
-        linkage.stroke, theta, k, slow, linkage.critical(), dead,
+        linkage, kind, family, grashof, linkage.sums(), linkage.turns(), linkage.called[linkage.driver],
+        linkage.called[linkage.output], span, linkage.output_range(), limits, linkage.stroke, theta, k, slow,
+        linkage.critical(), dead,
     )  # fmt: skip
 
 

@@ -93,8 +93,6 @@ class SliderCrank:
         first, second = self._reach()
         return abs(first - second)
 
-    # --- kinds --------------------------------------------------------------------------------
-
     def sums(self) -> Sums:
         return Sums.beside_offset(self.sizes)
 
@@ -117,8 +115,6 @@ class SliderCrank:
             Turn(crank, FRAME, first), Turn(crank, rod, first or second), Turn(rod, block, second),
             Turn(crank, block, first), Turn(rod, FRAME, second),
         )  # fmt: skip
-
-    # --- ranges and positions -----------------------------------------------------------------
 
     def driver_range(self) -> triangles.MotionRange:
         if self.driver == "slider":

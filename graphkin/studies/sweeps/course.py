@@ -15,8 +15,8 @@ import numpy as np
 from graphkin.base.geometry import Real, number
 from graphkin.base.scales import multiples, round_step
 from graphkin.base.value import bulky, frozen
-from graphkin.errors import BadRange, BadValues, GivenTwice, GraphkinError, NoPosition, NoSuchDriver, Where
-from graphkin.files.values import LARGEST, UNITS, read_quantity
+from graphkin.errors import BadRange, BadValues, GivenTwice, NoPosition, NoSuchDriver, Where
+from graphkin.files.values import LARGEST, UNITS, quantity_at
 from graphkin.model.mechanism import Dimension, Driver
 from graphkin.model.naming import driver_number
 from graphkin.model.quantities import EDGE, driven
@@ -132,10 +132,7 @@ def _listed(dimension: Dimension, span: object, written: Written) -> DriverValue
 
 def _from_text(dimension: Dimension, span: str, written: Written) -> DriverValues:
     """Values from `begin:end:step`, `begin:end`, or one value that is held."""
-    try:
-        numbers = [read_quantity(plain(part), dimension) for part in span.split(":")]
-    except GraphkinError as error:
-        raise error.at(WHERE) from None
+    numbers = [quantity_at(WHERE, dimension, part) for part in span.split(":")]
     if len(numbers) == 1:
         return DriverValues.held(numbers[0])
     if len(numbers) == 2:
@@ -150,14 +147,6 @@ def _from_text(dimension: Dimension, span: str, written: Written) -> DriverValue
         raise BadRange(WHERE, written())
     count = math.floor(abs(end - begin) / step + 1e-9)
     return DriverValues(begin + math.copysign(step, end - begin) * np.arange(count + 1), begin, end, True)
-
-
-def plain(text: str) -> float | str:
-    """The number, where a text is one; a text with a unit as it stands."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
 
 
 @bulky

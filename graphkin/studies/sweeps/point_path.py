@@ -69,11 +69,6 @@ class PointPath:
         driver = self.course.driver
         return self.step / abs(driver.rate) if driver.rate and not driver.acceleration else None
 
-    @property
-    def fastest(self) -> float:
-        """The greatest speed at a tick [m/s]."""
-        return max((abs(tick.velocity) for tick in self.ticks), default=0.0)
-
     def shown(self, value: float) -> str:
         """`30°`, `20 mm`: a value of the driver."""
         return EDGE[self.course.unit].shown(value).replace("-", "−")

@@ -215,17 +215,17 @@ def sweep_over(course: Course, names: Sequence[str], by: Road = "construction") 
     return next(parts) if course.t.size <= PART else _joined(parts, course.t.size)
 
 
-def in_parts(course: Course, names: Sequence[str], by: Road = "construction", size: int = PART) -> Iterator[Sweep]:
+def in_parts(course: Course, names: Sequence[str], by: Road = "construction") -> Iterator[Sweep]:
     """The same, some positions at a time: a sweep of any length needs no more memory."""
     quantities = _read(course, names)
     turns = _turns(course, quantities, by)
     course = replace(course, compiled=course.t.size >= VERY_MANY or None) if course.compiled is None else course
     entries: set[Entry] | None = None
-    if course.t.size > size:  # the first few positions show from what the quantities are read
+    if course.t.size > PART:  # the first few positions show from what the quantities are read
         entries = set()
         _at(course, quantities, course.t[:MANY], by, turns, entries)
-    for begin in range(0, course.t.size, size):
-        here = slice(begin, begin + size)
+    for begin in range(0, course.t.size, PART):
+        here = slice(begin, begin + PART)
         part = _at(course, quantities, course.t[here], by, turns, entries)
         yield _defined(replace(part, driven=course.values[here]))
 
