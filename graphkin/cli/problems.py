@@ -81,7 +81,7 @@ def problems(
 def _write(order: SetOrder, executor: Executor | None) -> list[Variant]:
     """The set's files; the variants in the order of the students."""
     from graphkin.handouts.problem_folder import write_problems
-    from graphkin.say.problems import removed
+    from graphkin.say.catalogue import say
 
     variants: dict[str, Variant] = {}
     gone: list[Path] = []
@@ -96,5 +96,6 @@ def _write(order: SetOrder, executor: Executor | None) -> list[Variant]:
                 bar.update(1)
     click.echo(f"{order.folder}: {len(variants)}")
     if gone:
-        click.echo(removed([str(path.relative_to(order.folder)) for path in gone], order.lang), err=True)
+        files = say("common.and", order.lang).join(str(path.relative_to(order.folder)) for path in gone)
+        click.echo(say("problems.removed", order.lang, files=files), err=True)
     return [variants[student.id] for student in order.students]

@@ -67,7 +67,6 @@ class Document:
 
     title: str
     blocks: tuple[Block, ...]
-    by: By
     lang: Lang
     name: str
 

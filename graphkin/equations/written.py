@@ -57,7 +57,7 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     page.blocks.append(DocumentTable(heads, tuple(rows)))
     mechanism = model.method.mechanism
     title = f"{mechanism.headline(lang)}{say('common.colon', lang)}{say(f'equations.method {by}', lang)}"
-    return Document(title, tuple(page.blocks), by, lang, mechanism.name)
+    return Document(title, tuple(page.blocks), lang, mechanism.name)
 
 
 def _figure(model: Model, lang: Lang) -> Sheet:

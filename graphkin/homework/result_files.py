@@ -13,7 +13,8 @@ from graphkin.homework.grading import MarkingOptions, Problem, SetMarker
 from graphkin.homework.platforms import Reveal
 from graphkin.homework.platforms.result_formats import RESULTS
 from graphkin.outputs import marks_json
-from graphkin.say.marks import interrupted, kept_lines
+from graphkin.say.catalogue import say
+from graphkin.say.marks import kept_lines
 
 MARKS = "marks.json"  # in a folder of results graphkin's own records, from which everything else there is made
 
@@ -53,7 +54,7 @@ class ResultFiles:
                 lines = grading.resumed(judge, problem.paths, journal, options, record)
                 marks_json.write(path, self.watch(problem.name, lines), self.force)
         except KeyboardInterrupt:
-            raise KeyboardInterrupt(interrupted(path, self.lang)) from None
+            raise KeyboardInterrupt(say("marks.interrupted", self.lang, path=path)) from None
         yield path
         yield from kept_lines(journal.kept, journal.replaced, self.lang)
 

@@ -20,12 +20,13 @@ Phrases = Mapping[str, tuple[str, str]]  # by full name: English, Chinese
 
 SHARED_FILES: Mapping[str, tuple[str, ...]] = {
     "centres": ("about",),
+    "common": ("usage",),
     "derivation": ("solution",),
     "file_help": ("file_page", "file_keys"),
     "homework": ("problems", "assembly", "platforms", "feedback", "class_report"),
     "linkages": ("design",),
     "marking": ("marks", "mistakes", "verdicts", "tolerances", "discriminability"),
-    "page": ("quiz", "layers", "photo"),
+    "page": ("quiz", "layers", "photo", "board"),
     "results": ("checks", "structure", "sweeps", "finding"),
     "sheets": ("sheet", "diagrams", "pictures", "handouts", "equations"),
 }

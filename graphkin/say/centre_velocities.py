@@ -40,16 +40,8 @@ def centre_lines(found: Centres, lang: Lang) -> Iterator[str]:
     yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(lang))))
     yield from table(list(centre_rows(found, lang)))
     yield ""
-    yield from explain_centres(found, lang)
+    yield from text_lines(centre_entries(found, lang), lang)
     yield from advantage_lines(found, lang)
-
-
-def explain_centres(found: Centres, lang: Lang, scale: float | None = None) -> list[str]:
-    """All centres at one position with the lines that give them, and the velocities asked for with their figures.
-
-    scale  of the drawing from which lengths are taken [m/mm]; the file's own, or 0.001, where left out
-    """
-    return list(text_lines(centre_entries(found, lang, scale), lang))
 
 
 def shorter_road(goal: SolutionGoal, number: int) -> Iterator[Entry]:
@@ -66,7 +58,10 @@ def shorter_road(goal: SolutionGoal, number: int) -> Iterator[Entry]:
 
 
 def centre_entries(found: Centres, lang: Lang, scale: float | None = None) -> Iterator[Entry]:
-    """The same as data."""
+    """All centres at one position with the lines that give them, and the velocities asked for with their figures.
+
+    scale  of the drawing from which lengths are taken [m/mm]; the file's own, or 0.001, where left out
+    """
     reader = CentreReader(found, lang)
     yield Heading(found.method.mechanism.headline(lang))
     yield from reader.entries(found.centring.stages, found.without)
@@ -169,8 +164,8 @@ class LeverReader:
             case "alike":
                 return say("centres.sense alike", sense=sense(levers.omega(link), lang), centre=self._shared(lever))
             case "pushed" | "triangle":
-                told = ["centres.triangle", "centres.along"][lever.stage.say == "pushed" :]
-                return say("common.and").join([*map(say, told), heading(degrees(levers.way(link)), lang)])
+                phrases = ["centres.triangle", "centres.along"][lever.stage.say == "pushed" :]
+                return say("common.and").join([*map(say, phrases), heading(degrees(levers.way(link)), lang)])
             case "glides":
                 return ""
             case "point" | "pair":

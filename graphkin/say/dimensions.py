@@ -105,7 +105,7 @@ def _coordinates(path: KeyPath, first: str) -> list[KeyPath]:
 
 @frozen
 class GuideAngle:
-    """The line through `through` makes `angle` [rad] with corner -> through, counter-clockwise where positive.
+    """The angle that a moving guide's line through `through` makes with corner -> through.
 
     symbol  γ, with the number of the link where several guides have such an angle; "" where another is given
     corner  the point about which the drawing turns the link, from which γ is counted
@@ -114,7 +114,6 @@ class GuideAngle:
     symbol: str
     corner: str
     through: str
-    angle: float
 
 
 def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
@@ -123,11 +122,9 @@ def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
     if slide.name not in corners:
         return None
     corner, through = corners[slide.name], slide.line.origin
-    arm = reading.mechanism.links[slide.guide].arm(corner, through)
-    angle = (phase(slide.line.direction / arm) + pi) % (2 * pi) - pi
     alone = len({pair.guide for pair in reading.mechanism.slides if pair.name in corners}) == 1
     symbol = "γ" if alone else names.of_link("γ", reading.mechanism.called(slide.guide))
-    return GuideAngle(symbol if slide.line.base in (None, (corner, through)) else "", corner, through, angle)
+    return GuideAngle(symbol if slide.line.base in (None, (corner, through)) else "", corner, through)
 
 
 def _corner(reading: Reading, slide: Slide) -> str:

@@ -68,19 +68,11 @@ class Calculation:
 
 @frozen
 class TermRow:
-    """One term of a vector equation with its two rows.
-
-    direction, size   as the rows print them: `⊥BD`, `B→A`, `√`, `?`; `ω1 l_AB`, `√`, `?`, `0`
-    value, length_mm  its size in SI units, and on paper
-    ends              the points of the polygon between which it lies
-    """
+    """One term of a vector equation with its two rows as printed: `⊥BD`, `B→A`, `√`, `?`; `ω1 l_AB`, `?`, `0`."""
 
     name: str
     direction: str
     size: str
-    value: float
-    length_mm: float
-    ends: tuple[str, str]
 
 
 @frozen

@@ -68,11 +68,10 @@ def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
     for side in part.sides:
         row = []
         for term in side:
-            ends, size = (term.tail, term.head), size_row(polygon, term)
+            size = size_row(polygon, term)
             resting = size == "0" and isinstance(term.size, terms.Drawn)
             direction = "—" if resting else polygon.direction_row(term, both_sides)
-            lengths = (polygon.size(*ends), polygon.length_mm(*ends))
-            row.append(TermRow(polygon.vector(term), direction, size, *lengths, ends))
+            row.append(TermRow(polygon.vector(term), direction, size))
         rows.append(tuple(row))
     return VectorEquation(front, tuple(rows))
 

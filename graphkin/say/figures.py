@@ -155,17 +155,12 @@ def squared(value: float) -> Formula:
 
 
 def joined_sum(parts: Sequence[tuple[float, Formula]]) -> Formula:
-    """`−0.49 + 2 × 3` of formulas with their signs."""
+    """`−0.49 + 2 × 3`, `1.5 − (−2)` of formulas with their signs."""
     (sign, first), *more = parts
     total = first if sign > 0 else -first
     for sign, formula in more:
         total = total + formula if sign > 0 else total - formula
     return total
-
-
-def signed_sum(parts: Sequence[tuple[float, float]]) -> Formula:
-    """`−0.49 + 2`, `1.5 − (−2)` of signs and numbers."""
-    return joined_sum([(sign, Operand(value)) for sign, value in parts])
 
 
 def written(formula: Formula, result: float, digits: int = DIGITS) -> str:

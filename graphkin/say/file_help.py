@@ -75,8 +75,7 @@ EXAMPLES: Mapping[str, Mapping[str, str]] = {
     "scales": {"length": "length = 0.001", "velocity": "velocity = 0.01", "acceleration": "acceleration = 0.1"},
     "sketch": {FURTHER: "C = [65, 46]"},
 }  # fmt: skip
-"""By table, as it is called in the file, then by key."""
-"""How each key of the file is written, by table and key."""
+"""An example of each key of the file, by table and key."""
 
 
 def head(table: str, lang: Lang) -> str:

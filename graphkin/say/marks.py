@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.marking.key import Name
@@ -40,9 +39,9 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
         rows.append([in_signs(line_name(one.text, lang)), *sizes, verdict(one, lang)])
     yield from (f"  {row}" for row in marks_table(rows))
     known = {one.text for one in marked.judged}
-    told = [in_signs(line, known) for line in (*_carried(marked, lang), *_explanations(marked, lang))]
-    told += [*fault_lines(marked.faults, lang), *([step_line(marked.step, lang)] if marked.step is not None else [])]
-    yield from (f"  {unbraced(line)}" for line in told)
+    lines = [in_signs(line, known) for line in (*_carried(marked, lang), *_explanations(marked, lang))]
+    lines += [*fault_lines(marked.faults, lang), *([step_line(marked.step, lang)] if marked.step is not None else [])]
+    yield from (f"  {unbraced(line)}" for line in lines)
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
     yield from _remarks(graded, lang)
 
@@ -70,13 +69,8 @@ def _carried(marked: Marked, lang: Lang) -> Iterator[str]:
         yield say("marks.follows", lang, quantity=between.join(followed))
 
 
-def interrupted(path: Path, lang: Lang) -> str:
-    """That a marking that was broken off can be gone on with."""
-    return say("marks.interrupted", lang, path=path)
-
-
 def kept_lines(kept: int, replaced: Sequence[tuple[str, str, str]], lang: Lang) -> Iterator[str]:
-    """What became of the records that were there: how many stay, and which work is another now."""
+    """The records that were there before: how many stay, and which work is another now."""
     if kept:
         yield say("marks.kept", lang, count=kept)
     for student, old, latest in replaced:
@@ -98,9 +92,10 @@ def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
     numbers = [one for one in marked.judged if not one.of_equations]
     if not any(one.verdict in ("wrong", "carried") and one.unit_right for one in numbers):
         return
-    told = [one.text for one in numbers if one.reversed and one.credit]  # by its verdict
-    if not marked.diagnosis.explanations and marked.departure is not None and marked.departure.text not in told:
-        yield departs(marked.departure, lang)
+    reversed_ones = [one.text for one in numbers if one.reversed and one.credit]  # their verdict says so
+    departure = marked.departure
+    if not marked.diagnosis.explanations and departure is not None and departure.text not in reversed_ones:
+        yield departs(departure, lang)
     for one in marked.diagnosis.explanations:
         texts = [mistakes_together(names, lang) for names in one.names]
         what, sure = joined(texts, lang), how_sure(one.probability, texts, lang)
@@ -192,8 +187,3 @@ def mistake_kind(id: str, lang: Lang) -> str:
         return say(f"mistakes.kind {id}", lang)
     made = " ".join(mistake((id, "", "", ""), lang).split())  # as it was made, without the names
     return close(made) if lang == "zh" else made
-
-
-def mistake_hint(topic: str, lang: Lang) -> str:
-    """The place to look at again, by a mistake's topic."""
-    return say(f"mistakes.look {topic}", lang)

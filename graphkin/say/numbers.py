@@ -77,10 +77,10 @@ def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
     return text.replace("-", "−")
 
 
-def given_figure(value: float, zero: float = 0.0) -> str:
+def given_figure(value: float) -> str:
     """A figure of the problem itself: in full where six digits are all it has, `113.72`; else with four."""
     whole = math.isclose(float(f"{value:.{_COMPUTED}g}"), value, rel_tol=1e-9)
-    return number(value, zero, _COMPUTED if whole else DIGITS)
+    return number(value, 0.0, _COMPUTED if whole else DIGITS)
 
 
 def stated_figure(value: float) -> str:

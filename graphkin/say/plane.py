@@ -26,8 +26,7 @@ class PolygonReading:
 
     @property
     def construction(self) -> Construction:
-        method = self.reading.method
-        return method.velocity if self.plane == "velocity" else method.acceleration
+        return self.reading.method.construction(self.plane)
 
     @property
     def parts(self) -> tuple[Step | Equation, ...]:

@@ -9,11 +9,11 @@ from typing import assert_never
 from graphkin.base.geometry import cross, dot
 from graphkin.construction import Equation, Plane, Step, kinds
 from graphkin.model.mechanism import FRAME
-from graphkin.planning.at_rest import held_points, moving_parts
+from graphkin.planning.at_rest import held_labels, moving_parts
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
-from graphkin.say.figures import Operand, figures, signed_sum
+from graphkin.say.figures import Operand, figures, joined_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading, aside
@@ -87,7 +87,7 @@ def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.pole fixed", which=several, pole=pole, points=fixed, nodes=nodes))
     links = [link for link in reading.mechanism.moving if reading.stands(link)]
     if links:
-        held = held_points(reading.method, polygon.plane, reading.rested)
+        held = dict.fromkeys(held_labels(reading.method, polygon.plane, reading.rested).values())
         points = [names.point(p) for p in held if not all(map(reading.stands, owners.get(p, ())))]
         words = {"points": reading.listed(points), "pole": names.point(polygon.construction.pole)}
         words = {"fixed": reading.say("derivation.as fixed", which=len(points) > 1, **words)}
@@ -194,7 +194,7 @@ def _kept_angle(polygon: PolygonReading, link: str, other: str) -> Calculation:
     formula = ("−" if sign < 0 else "") + first + "".join(f" {'−' if s < 0 else '+'} {text}" for s, text, _ in more)
     if not driven or (not more and sign > 0):
         return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, reading.sense(value))
-    numbers = signed_sum([(sign, rate) for sign, _, rate in parts]) if more else ""
+    numbers = joined_sum([(sign, Operand(rate)) for sign, _, rate in parts]) if more else ""
     return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, reading.signed(value))
 
 

@@ -64,11 +64,6 @@ def remarks(shared: Sequence[str], carried: Sequence[str], every: int, lang: Lan
             yield say(phrase, lang, count=len(students), students=few, every=every, different=different)
 
 
-def removed(files: Sequence[str], lang: Lang) -> str:
-    """Files of students who are on the list no more."""
-    return say("problems.removed", lang, files=say("common.and", lang).join(files))
-
-
 def _angle_line(goal: SolutionGoal, angle: Rotation) -> str:
     """The line along which a link's angle is measured: from its first point to the next; of one point, its guide."""
     mechanism, symbol = goal.reading.mechanism, goal.symbol(angle)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Driven, LayOff, Plane, Plot, Step
+from graphkin.construction import Driven, LayOff, Plane, Plot, Step
 from graphkin.errors import Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
@@ -46,13 +46,10 @@ def capitalized(text: str) -> str:
 def driven_slides(method: Method) -> dict[tuple[str, str], str]:
     """The arrows that are laid off for driven slides: `v_B3B4` by `ṡ` or `s̈` and the slide."""
     arrows = dict[tuple[str, str], str]()
-    planes: tuple[tuple[Plane, Construction], ...] = (
-        ("velocity", method.velocity), ("acceleration", method.acceleration)
-    )  # fmt: skip
-    for plane, construction in planes:
-        for term in (step.term for step in construction.steps if isinstance(step, LayOff)):
+    for polygon in (method.velocity, method.acceleration):
+        for term in (step.term for step in polygon.steps if isinstance(step, LayOff)):
             if isinstance(term.size, Driven) and term.size.slide in method.structure.slides_driven:
-                arrows.setdefault((names.SLIDING[plane], term.size.slide), term.name(plane))
+                arrows.setdefault((names.SLIDING[polygon.plane], term.size.slide), term.name(polygon.plane))
     return arrows
 
 
@@ -246,8 +243,8 @@ class Reading:
         asked, driven = map(partial(read, self.mechanism), self.mechanism.ask), {d.link for d in self.mechanism.drivers}
         halves = (half for quantity in asked if quantity is not None for half in quantity.halves)
         turns = [half for half in halves if isinstance(half, Rotation) and half.link not in driven]
-        found = [(turn, plane) for turn in turns if (plane := plane_of(turn)) in planes and plane != "position"]
-        return {turn: rate for turn, plane in found if (rate := self.turning(turn.link, plane))}
+        moving = [(turn, plane) for turn in turns if (plane := plane_of(turn)) in planes and plane != "position"]
+        return {turn: rate for turn, plane in moving if (rate := self.turning(turn.link, plane))}
 
     def sliding(self, slide: str, plane: Plane) -> float:
         """The rate of a displacement, or its rate again, as the plane has it, without noise."""

@@ -11,16 +11,21 @@ from calculator import hold
 
 from graphkin import files as loading
 from graphkin.analytic import Motion, motion
-from graphkin.errors import NOWHERE
+from graphkin.errors import NOWHERE, Lang
 from graphkin.files import library
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import named
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import names
-from graphkin.say.centre_velocities import advantage_lines, centre_entries, explain_centres
-from graphkin.say.entry import Calculation, Sentence
+from graphkin.say.centre_velocities import advantage_lines, centre_entries
+from graphkin.say.entry import Calculation, Sentence, text_lines
 from graphkin.studies.centres import Centres, centres
+
+
+def explained(of: Centres, lang: Lang) -> list[str]:
+    return list(text_lines(centre_entries(of, lang), lang))
+
 
 GEARED_MOTOR = """
 [frame]
@@ -145,7 +150,7 @@ def test_every_velocity_asked_for_is_answered(name: str):
 @pytest.mark.parametrize("name", library.names())
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_every_centre_is_told_once_with_links_that_give_it(name: str, lang):
-    text = explain_centres(found(name), lang)
+    text = explained(found(name), lang)
     count = len(mechanism(name).links)
     assert any(f"= {count * (count - 1) // 2}" in line for line in text)
     for centre, links in found(name).centring.links.items():
@@ -160,7 +165,7 @@ def test_every_centre_is_told_once_with_links_that_give_it(name: str, lang):
 
 def test_figure_3_4_as_the_book_does_it():
     """omega_4 = omega_2 P12P24 / P14P24, v_E = omega_3 P13E mu_l."""
-    lines = explain_centres(found("fig3-4"), "en")
+    lines = explained(found("fig3-4"), "en")
     assert any(line.strip().startswith("ω4 = ω2 P12P24/P14P24 = 10 × ") for line in lines)
     assert any(line.strip().startswith("v_E = ω3 P13E μ_l = ") for line in lines)
 
@@ -168,7 +173,7 @@ def test_figure_3_4_as_the_book_does_it():
 def test_translations_and_relative_drivers_are_told():
     coupler = next(entry for entry in calculations("parallel") if entry.name == "v_2")
     assert coupler.value == pytest.approx(0.03 * np.pi, rel=1e-9)
-    assert any("parallel" in line for line in explain_centres(found("parallel"), "en"))
+    assert any("parallel" in line for line in explained(found("parallel"), "en"))
     first = calculations("geared motor")[0]
     assert first.formulas == ("ω_2′,1 P01 P1,2′/P0,2′ P01",)
 
@@ -176,7 +181,7 @@ def test_translations_and_relative_drivers_are_told():
 def test_nothing_is_said_of_speeds_where_no_driver_moves():
     method = plan(loading.loads(STILL, name="still"))
     still = centres(method, replay_all(method))
-    text = "\n".join(explain_centres(still, "en"))
+    text = "\n".join(explained(still, "en"))
     assert "No driver moves" in text
     assert len(still.centring.links) == 6
 
@@ -223,7 +228,7 @@ sketch = { B = [-19, 36], C = [45, 75], D = [107, 22] }
 def _told(text: str, lang) -> tuple[str, list[str]]:
     method = plan(loading.loads(text))
     of = centres(method, replay_all(method))
-    return "\n".join(explain_centres(of, lang)), list(advantage_lines(of, lang))
+    return "\n".join(explained(of, lang)), list(advantage_lines(of, lang))
 
 
 def test_of_several_drivers_each_is_given_and_a_pole_is_from_what_is_given():

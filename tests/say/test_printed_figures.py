@@ -23,8 +23,9 @@ from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import explain
 from graphkin.say.catalogue import phrase
-from graphkin.say.centre_velocities import explain_centres
-from graphkin.say.figures import Operand, figures, signed_sum, squared, written
+from graphkin.say.centre_velocities import centre_entries
+from graphkin.say.entry import text_lines
+from graphkin.say.figures import Operand, figures, joined_sum, squared, written
 from graphkin.say.linkages import lines as linkage_lines
 from graphkin.say.numbers import number
 from graphkin.sheet import scales_of
@@ -41,7 +42,7 @@ def explained(name: str, lang: str) -> list[str]:
 @cache
 def centred(name: str, lang: str) -> list[str]:
     method = plan(library.load(name))
-    return explain_centres(centres(method, replay_all(method)), lang)
+    return list(text_lines(centre_entries(centres(method, replay_all(method)), lang), lang))
 
 
 @pytest.mark.parametrize("name", library.names())
@@ -203,7 +204,7 @@ def test_brackets_stand_where_they_are_needed() -> None:
     assert (a * (c - d)).text() == "1 × (3 − 4)"
     assert (-(a / c)).text() == "−1/3"
     assert (squared(2.5) * a).text() == "2.5² × 1"
-    assert signed_sum([(-1, 0.49), (1, 2.0), (-1, -3.0)]).text() == "−0.49 + 2 − (−3)"
+    assert joined_sum([(-1, Operand(0.49)), (1, Operand(2.0)), (-1, Operand(-3.0))]).text() == "−0.49 + 2 − (−3)"
     assert calculated((-(a - c)).text()) == (-(a - c)).worth(4) == 2
 
 

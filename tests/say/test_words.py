@@ -460,8 +460,7 @@ def test_rows_stand_under_their_terms(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", library.names())
-def test_equations_close_in_millimetres(name: str) -> None:
-    """What the rows leave open is two scalars, and the arrows of both sides have lengths on paper."""
+def test_rows_of_equations_leave_two_scalars_open(name: str) -> None:
     if (found := solved(name)) is None:
         pytest.skip("not solved")
     for plane in ("velocity", "acceleration"):
@@ -469,8 +468,6 @@ def test_equations_close_in_millimetres(name: str) -> None:
             open_rows = sum((a.size == "?") + (a.direction == "?") for a in equation.arrows)
             assert open_rows == 2
             assert len(equation.arrows) == len(part.left + part.right)
-            for arrow in equation.arrows:
-                assert arrow.length_mm == pytest.approx(arrow.value / SCALES[plane])
 
 
 # --- figures ------------------------------------------------------------------------------------

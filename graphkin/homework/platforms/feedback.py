@@ -20,7 +20,7 @@ from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
 from graphkin.say.boards import fault_lines, line_name, step_line
 from graphkin.say.catalogue import say
-from graphkin.say.marks import departs, how_sure, joined, mistake_hint, mistake_kind, mistakes_together, verdict
+from graphkin.say.marks import departs, how_sure, joined, mistake_kind, mistakes_together, verdict
 from graphkin.say.numbers import number
 
 _NAMED = 4  # of what is to be done again not more quantities are named
@@ -247,8 +247,8 @@ def shown(value: float, unit: str) -> str:
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """The mistakes of the numbers, or, as a hint, where to look again; of numbers that no mistake explains, where they
     leave the right way; then mistakes that show in several problems."""
-    told = [line.text for line in result.lines if line.reversed or shifted_point(line)]  # by what it is off
-    if result.departure is not None and not result.suspicions and result.departure.text not in told:
+    plain = [line.text for line in result.lines if line.reversed or shifted_point(line)]  # their lines say how
+    if result.departure is not None and not result.suspicions and result.departure.text not in plain:
         text = say("feedback.stop", lang, text=departs(result.departure, lang, in_full=reveal != "hint"))
         yield as_on_sheets(result, text)
     steps = [] if result.step is None else [step_line(result.step, lang, in_full=reveal != "hint")]
@@ -278,7 +278,7 @@ def _hints(one: Explanation | Habit, lang: Lang) -> list[str]:
     ways = [(id, "") for id in one.ids] if isinstance(one, Habit) else [name[:2] for each in one.names for name in each]
     ids = ["omega-sense" if name == ("centre-ratio", "sense") else name[0] for name in ways]
     topics = dict.fromkeys(SLIP if id == SLIP else MISTAKES[id].topic for id in ids if id in (SLIP, *MISTAKES))
-    return [mistake_hint(topic, lang) for topic in topics]
+    return [say(f"mistakes.look {topic}", lang) for topic in topics]
 
 
 def _look(one: Explanation, lang: Lang) -> str:
