@@ -125,10 +125,7 @@ class NeedsSecondTilt(AboutLink):
         "{where}: block {link} has a direction of its own already, that of the line on link {other} along which it "
         "slides, too. Add tilt, the angle from this guide's line to that one: 90 or -90 where they cross at right angles."
     )
-    zh = (
-        "{where}：滑块 {link} 已有自身方向，即它在构件 {other} 上滑动的导路方向。请补充 tilt，即从本导路到该导路的角度："
-        "两导路垂直时为 90 或 -90。"
-    )
+    zh = "{where}：滑块 {link} 已有自身方向，即它在构件 {other} 上滑动的导路方向。请补充 tilt，即从本导路到该导路的角度：两导路垂直时为 90 或 -90。"
 
 
 class NeedsDirection(AboutLink):

@@ -230,10 +230,7 @@ class AmbiguousDirection(LocatedError):
         "{where}: two assemblies are possible, and no point of the file tells them apart: link {link} stands in one of "
         "two directions. Give it a second point, with a length, and say in [sketch] roughly where that is."
     )
-    zh = (
-        "{where}：有两种装配形式，而文件中没有任何点能区分它们：构件 {link} 可取两个方向。请给它加第二个点（写明长度），"
-        "并在 [sketch] 中写明该点的大致位置。"
-    )
+    zh = "{where}：有两种装配形式，而文件中没有任何点能区分它们：构件 {link} 可取两个方向。请给它加第二个点（写明长度），并在 [sketch] 中写明该点的大致位置。"
 
 
 class SingularPosition(LocatedError):

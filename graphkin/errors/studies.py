@@ -149,10 +149,7 @@ class NoQuickReturn(GraphkinError):
         "K = 1 is no quick return, and no condition: advance and return take the same time. A slider-crank does so with "
         "the offset e = 0 and any rod, its crank half the stroke; write such a file, or give a K above 1."
     )
-    zh = (
-        "K = 1 时进程与回程用时相同，没有急回，不构成设计条件。对心曲柄滑块机构（偏距 e = 0、曲柄为行程之半、连杆任意）即如此；"
-        "请直接写出机构文件，或给出大于 1 的 K。"
-    )
+    zh = "K = 1 时进程与回程用时相同，没有急回，不构成设计条件。对心曲柄滑块机构（偏距 e = 0、曲柄为行程之半、连杆任意）即如此；请直接写出机构文件，或给出大于 1 的 K。"
 
 
 class OneCondition(GraphkinError):

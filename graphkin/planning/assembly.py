@@ -82,9 +82,7 @@ def _size(plot: Plot, k: int) -> float:
     return max(abs(value - values[0]) for value in values) or 1.0
 
 
-def _ambiguous(
-    structure: Topology, plot: Plot, first: int, second: int
-) -> AmbiguousSketch | AmbiguousDirection:  # fmt: skip
+def _ambiguous(structure: Topology, plot: Plot, first: int, second: int) -> AmbiguousSketch | AmbiguousDirection:
     """The points that would tell the two assemblies apart, each with its two places; else the link."""
     mechanism, size = structure.mechanism, _size(plot, first)
     places = {point: (at(value, first), at(value, second)) for point, value in plot.position.items()

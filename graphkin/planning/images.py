@@ -144,5 +144,5 @@ def _gear_centre(method: Method, wheel: Wheel) -> str | None:
         return method.velocity.pole
     nodes = method.velocity.nodes.items()
     at_centre = [(name, node.site) for name, node in nodes if node.site and node.site.point == wheel.centre]
-    at_centre.sort(key=lambda entry: entry[1] is None or entry[1].link != wheel.link)
-    return next((name for name, site in at_centre if site is not None and site.link in owners), None)
+    at_centre.sort(key=lambda entry: entry[1].link != wheel.link)
+    return next((name for name, site in at_centre if site.link in owners), None)

@@ -229,9 +229,7 @@ def _leg(hypotenuse: Real, other: Real) -> Real:
     return leg(hypotenuse, other)
 
 
-COMPASS = Compass(
-    _leg, line_circle=partial(meet_line_circle, leg=_leg), circles=partial(meet_circles, leg=_leg)
-)
+COMPASS = Compass(_leg, line_circle=partial(meet_line_circle, leg=_leg), circles=partial(meet_circles, leg=_leg))
 
 
 # --- links that are fitted --------------------------------------------------------------------

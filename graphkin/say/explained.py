@@ -314,9 +314,7 @@ def _other_positions(method: Method, plot: Plot) -> list[tuple[float, ...]]:
     return [*driver_values(method)][1:] if all(value is first or value == first for value, first in own) else []
 
 
-def answers_elsewhere(
-    goal: SolutionGoal, method: Method, positions: Sequence[tuple[float, ...]]
-) -> Iterator[Entry]:
+def answers_elsewhere(goal: SolutionGoal, method: Method, positions: Sequence[tuple[float, ...]]) -> Iterator[Entry]:
     """The answers at further positions, which are solved in the same way; of one that is not reached, why.
 
     method  that moves the mechanism: of the one that the goal is told by the position may be drawn by a pose

@@ -231,9 +231,7 @@ def _inverted(values: dict[str, float]) -> Design:
 def _solution(construction: Drafting, board: Board, count: int, turned: tuple[Reason, ...] = ()) -> Solution:
     """The linkage on a board, judged by `count` positions; turned: links that are laid off backwards."""
     at = {name: geometry.place(place) for name, place in board.places.items()}
-    positions = tuple(
-        {"A": at["A"], "B": at[f"B{k}"], "C": at[f"C{k}"], "D": at["D"]} for k in range(1, count + 1)
-    )  # fmt: skip
+    positions = tuple({"A": at["A"], "B": at[f"B{k}"], "C": at[f"C{k}"], "D": at["D"]} for k in range(1, count + 1))
     whole, against, notes = passing(positions)
     why = (*turned, *against)
     a, b, c, d = (abs(number(board.numbers[name])) for name in "abcd")
