@@ -67,6 +67,11 @@ class Facts:
         """The links that hang on each base link, itself among them."""
         return grouped(self.turns)
 
+    def drivers_between(self, link: str, other: str) -> frozenset[int]:
+        """The drivers that turn one of two links of a group against the other."""
+        one, two = ({k for k, _ in self.turns[each].drivers} for each in (link, other))
+        return frozenset(one ^ two)
+
     def relative_angle(self, link: str) -> Real:
         """Angle of a link against its base link [rad]."""
         turn = self.turns[link]

@@ -23,6 +23,7 @@ from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Para
 from graphkin.homework.grading.keys import further_methods, key_drawn, paper_scales
 from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.consequences import combined
+from graphkin.marking.diagnosis import COMMON
 from graphkin.marking.key import Key, columns, upright
 from graphkin.marking.key_making import make_key
 from graphkin.marking.marker import Marker
@@ -300,15 +301,6 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: Mapping[int, s
             text = text.replace(each.name, next((f for f in each.formulas if f.startswith("aⁿ_")), each.name))
     given = say("common.and", problem.lang).join(shown)
     return lettered(say("handouts.gives", problem.lang, mistake=text, values=given), problem.points)
-
-
-COMMON = (
-    "coriolis-omitted", "coriolis-reversed", "normal-omitted", "image-mirrored", "image-wrong-point", "wrong-radius",
-    "absolute-for-relative", "normal-outward", "omega-sense", "coriolis-half", "wrong-length", "sliding-across",
-    "centre-ratio", "arm-ignored", "moves-as-centre", "velocity-along-link", "tangential-along", "driver-along-crank",
-    "conversion",
-)  # fmt: skip
-"""Mistakes of students, the most frequent first."""
 
 
 def untold_answers(mechanism: Mechanism, lang: Lang) -> Iterator[str]:

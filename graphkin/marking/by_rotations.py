@@ -12,8 +12,10 @@ from graphkin.model.quantities import Quantity, Rotation
 from graphkin.planning import Method
 from graphkin.planning.stages import Group, Mesh
 
-Rate = tuple[str, str]
-"""omega or alpha, and the link whose angle it is of, for all that keep theirs to it."""
+Turn = tuple[str, tuple[tuple[int, int], ...]]
+"""The link on whose angle that of others hangs, and the drivers that turn these against it; the others keep their angle
+to one another."""
+Rate = tuple[str, Turn]  # omega or alpha, and of which links
 
 
 @frozen
@@ -54,7 +56,8 @@ def own_rotations(
     contacts = [*_contacts(method, turns)] if rates else []
     for *others, (wheel, radius) in reversed(contacts) if backwards else contacts:  # one after another
         for word in ("omega", "alpha"):
-            parts = [(rates[word, base], r) for base, r in others if (word, base) in rates]
+            each = ((_rate_of(rates, (word, turn)), r) for turn, r in others)
+            parts = [(rate, r) for rate, r in each if rate is not None]
             if parts:
                 some = np.any([np.isfinite(rate.off) for rate, _ in parts], axis=0)
                 off = -np.sum([r * np.nan_to_num(rate.off) for rate, r in parts], axis=0) / radius
@@ -71,8 +74,8 @@ def by_contacts(
     """The rotations of wheels that follow: the number of the quantity, the values (students,), NaN where none follows,
     and the numbers of the own rotations."""
     for k, rate in rotations_of(plot, quantities):
-        if rate in own.wheels:
-            yield k, right[k] + own.wheels[rate].off, own.wheels[rate].sources
+        if (follows := _rate_of(own.wheels, rate)) is not None:
+            yield k, right[k] + follows.off, follows.sources
 
 
 def rotations_of(plot: Plot, quantities: Sequence[Quantity]) -> Iterator[tuple[int, Rate]]:
@@ -80,7 +83,16 @@ def rotations_of(plot: Plot, quantities: Sequence[Quantity]) -> Iterator[tuple[i
     turns = plot.facts.turns
     for k, quantity in enumerate(quantities):
         if isinstance(quantity, Rotation) and quantity.word != "theta" and quantity.link in turns:
-            yield k, (quantity.word, turns[quantity.link].base)
+            yield k, (quantity.word, (turns[quantity.link].base, turns[quantity.link].drivers))
+
+
+def _rate_of(rates: Mapping[Rate, OffRate], rate: Rate) -> OffRate | None:
+    """The rate of some links: their own, or that of the nearest against which drivers turn them."""
+    (word, (base, drivers)), found = rate, None
+    for count in range(len(drivers), -1, -1):
+        if (nearer := rates.get((word, (base, drivers[:count])))) is not None:
+            found = _either(found, nearer)
+    return found
 
 
 def _either(first: OffRate | None, second: OffRate) -> OffRate:
@@ -90,16 +102,18 @@ def _either(first: OffRate | None, second: OffRate) -> OffRate:
     return OffRate(np.where(np.isfinite(first.off), first.off, second.off), first.sources | second.sources)
 
 
-def _contacts(method: Method, turns: Mapping[str, TurnOf]) -> Iterator[list[tuple[str, float]]]:
-    """Bases and coefficients of each rolling contact that gives the rotation of a wheel, which comes last."""
+def _contacts(method: Method, turns: Mapping[str, TurnOf]) -> Iterator[list[tuple[Turn, float]]]:
+    """Coefficients of each rolling contact that gives the rotation of a wheel, which comes last."""
     for stage in method.stages:
         if not isinstance(stage, Mesh | Group):
             continue
         names = [stage.angle] if isinstance(stage, Mesh) else stage.angles
         unknown = {turns[name].base for name in names if name}
         for contact in (stage.contact,) if isinstance(stage, Mesh) else stage.contacts:
-            angles: dict[str, float] = {}
+            angles: dict[Turn, float] = {}
             for link, coefficient in contact.angles:
-                angles[turns[link].base] = angles.get(turns[link].base, 0.0) + coefficient
-            for wheel in (base for base in angles if base in unknown and angles[base]):
-                yield [*((base, c) for base, c in angles.items() if base != wheel), (wheel, angles[wheel])]
+                turn = turns[link].base, turns[link].drivers
+                angles[turn] = angles.get(turn, 0.0) + coefficient
+            for wheel in dict.fromkeys(base for base, _ in angles if base in unknown):
+                if radius := sum(c for (base, _), c in angles.items() if base == wheel):
+                    yield [*((turn, c) for turn, c in angles.items() if turn[0] != wheel), ((wheel, ()), radius)]

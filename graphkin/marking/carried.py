@@ -114,8 +114,27 @@ class CarriedProblem:
         return np.where(combined(self.method, self.plot, self.quantities, [()]).values[0] < 0, -1.0, 1.0)
 
     def usable(self, given: np.ndarray, of_any_size: bool = False) -> np.ndarray:
-        """The own values (students, n) that are carried on, as `usable` has it."""
-        return np.asarray(usable(self.key, self.table, given, of_any_size) & self._carries)
+        """The own values (students, n) that are carried on."""
+        return np.asarray(self.bounded(given, of_any_size) & self._carries)
+
+    def bounded(self, given: np.ndarray, of_any_size: bool = False) -> np.ndarray:
+        """Values (students, n) that others may follow from: nothing is gained by 0 or by a number of the problem."""
+        table = self.table
+        with np.errstate(invalid="ignore", divide="ignore"):
+            size, right = np.abs(given), np.abs(table.right)
+            bounded = (size >= right / _ANSWERABLE) & (size <= right * _ANSWERABLE) | of_any_size & (size > 0)
+        copied, units = np.zeros(given.shape, dtype=bool), np.array([entry.unit for entry in self.key.entries])
+        for number, unit in self._stated:
+            copied |= (np.abs(size - number) <= _SAME * number) & (units == unit)
+        angles = table.angle & np.isfinite(given)
+        return np.asarray(np.isfinite(given) & (angles | bounded & (right > 0)) & ~copied)
+
+    @cached_property
+    def _stated(self) -> list[tuple[float, str]]:
+        """The sizes of what the drivers do, with their units, SI."""
+        each = ((driver, "m" if driver.kind == "slide" else "rad") for driver in self.method.mechanism.drivers)
+        both = (((driver.rate, f"{unit}/s"), (driver.acceleration, f"{unit}/s^2")) for driver, unit in each)
+        return [(abs(number), unit) for pair in both for number, unit in pair if number]
 
     @cached_property
     def _carries(self) -> np.ndarray:
@@ -227,7 +246,9 @@ class CarriedProblem:
         if not some.size:
             return right
         own = self._rotations(given[some], used[some], backwards)
-        wheels = {(word, base): getattr(self.plot, word)[base] + rate.off for (word, base), rate in own.wheels.items()}
+        wheels = {
+            (word, base): getattr(self.plot, word)[base] + rate.off for (word, (base, _)), rate in own.wheels.items()
+        }
         given, used = given[some], used[some]
         followed = replay_with(self.method, self.plot, self.own(given, used), self.arrows, wheels, calculates)
         for j, quantity in enumerate(self.quantities):
@@ -279,15 +300,3 @@ class CarriedProblem:
         """True for values that differ by more than counts; false where they cannot be drawn."""
         with np.errstate(invalid="ignore"):
             return np.asarray(np.abs(values - others) > _MOVES * self.table.tolerance)
-
-
-def usable(key: Key, table: Columns, given: np.ndarray, of_any_size: bool = False) -> np.ndarray:
-    """The own values (students, n) that are carried on: nothing is gained by 0 or by a number of the problem."""
-    with np.errstate(invalid="ignore", divide="ignore"):
-        size, right = np.abs(given), np.abs(table.right)
-        bounded = (size >= right / _ANSWERABLE) & (size <= right * _ANSWERABLE) | of_any_size & (size > 0)
-    copied = np.zeros(given.shape, dtype=bool)
-    for number in key.given:
-        copied |= np.abs(size - abs(number)) <= _SAME * abs(number)
-    angles = table.angle & np.isfinite(given)
-    return np.asarray(np.isfinite(given) & (angles | bounded & (right > 0)) & ~copied)

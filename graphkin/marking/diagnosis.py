@@ -36,6 +36,18 @@ quantities that are handed in."""
 PairsOf = Callable[[Name | None], Hypotheses]
 """Makes the outcomes of two mistakes: of a first one with each other, or of any two."""
 SLIP = "slip"  # the id of a value that is off, with all after it as it follows
+COMMON = (
+    "coriolis-omitted", "coriolis-reversed", "relative-as-absolute", "normal-omitted", "image-mirrored",
+    "image-wrong-point", "wrong-radius", "absolute-for-relative", "normal-outward", "omega-sense", "coriolis-half",
+    "wrong-length", "sliding-across", "centre-ratio", "arm-ignored", "moves-as-centre", SLIP, "velocity-along-link",
+    "tangential-along", "driver-along-crank", "conversion",
+)  # fmt: skip
+"""Mistakes of students, the most frequent first."""
+
+
+def rarity(id: str) -> int:
+    """The place of a mistake among all, the most frequent first."""
+    return COMMON.index(id) if id in COMMON else len(COMMON)
 
 
 @frozen
@@ -320,19 +332,32 @@ def independent(key: Key, there: np.ndarray) -> int:
 
 
 def _explanations(explainer: Explainer, best: Best) -> Iterator[tuple[Explanation, ...]]:
-    """Of each student: one, its likeliest mistakes first, or none."""
+    """Of each student: one, its most frequent mistakes first, or none."""
     sizes, names = best.same.sum(axis=1), explainer.names
     for k, (end, size) in enumerate(zip(np.cumsum(sizes), sizes, strict=True)):
         if not best.given[k]:
             yield ()
             continue
         rows = np.flatnonzero(best.same[k])
-        order = np.argsort(-best.weights[k, rows], kind="stable")
+        rare = [max(rarity(name[0]) for name in names[row]) for row in rows]
+        order = np.lexsort((-best.weights[k, rows], rare))
         explains = next(some for some in best.follows[end - size : end][order] if some.any())
         yield (Explanation(
-            tuple(names[row] for row in rows[order]), float(best.probability[k]), float(best.margin[k]),
+            _plainest([names[row] for row in rows[order]]), float(best.probability[k]), float(best.margin[k]),
             tuple(explainer.texts[n] for n in np.flatnonzero(explains)),
         ),)  # fmt: skip
+
+
+def _plainest(names: Sequence[tuple[Name, ...]]) -> tuple[tuple[Name, ...], ...]:
+    """Without mistakes that are another of them at further places, too, or an arrow left out that was calculated."""
+    alone = [each[0] for each in names if len(each) == 1]
+    return tuple(each for each in names if len(each) > 1 or not any(_is_more(each[0], other) for other in alone))
+
+
+def _is_more(one: Name, other: Name) -> bool:
+    (id, way, of, form), (plain, *plain_way, place, plain_form) = one, other
+    same = plain in (id, id.replace("not-laid-off", "omitted")) and [way, form] == [*plain_way, plain_form]
+    return same and one != other and {*place.split(", ")} <= {*of.split(", ")}
 
 
 _SHOWS = np.log((0.8, 0.2))  # frequencies with which a habit shows in a problem, and does not, as logarithms

@@ -13,7 +13,7 @@ import numpy as np
 from graphkin.base.geometry import Value, place
 from graphkin.base.value import frozen
 from graphkin.marking.answers import drawn_answer
-from graphkin.marking.carried import CarriedProblem, usable
+from graphkin.marking.carried import CarriedProblem
 from graphkin.marking.follow_through import replay_with
 from graphkin.marking.hand import redraw
 from graphkin.marking.pencil import PencilHand
@@ -59,7 +59,7 @@ class WrittenDirections:
         given    values by the key's columns; carried: the wrong ones that others follow from, near: the sizes that do
         """
         problem = self.problem
-        bounded = usable(problem.key, problem.table, given[None])[0]
+        bounded = problem.bounded(given[None])[0]
         own: dict[Quantity, Value] = {}
         for n, (quantity, entry) in enumerate(zip(problem.quantities, problem.key.entries, strict=True)):
             number = work.numbers.get(entry.text)
@@ -89,8 +89,9 @@ class WrittenDirections:
 
         if not (points := off({}) <= within) and near and others and off(others) <= within:
             alone = [other for other, value in others.items() if off({other: value}) <= within]
-            return replace(number, points=True, follows=tuple(other.text for other in alone or others))
-        return replace(number, points=points, reversed=not points and math.pi - off({}) <= within)
+            follows = tuple(other.text for other in alone or others)
+            return replace(number, points=True, follows=follows, within=within)
+        return replace(number, points=points, reversed=not points and math.pi - off({}) <= within, within=within)
 
 
 def _vector(answer: Answer) -> Value:

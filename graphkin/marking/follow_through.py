@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -10,7 +10,6 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
 from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
-from graphkin.marking.by_rotations import Rate
 from graphkin.marking.hand import PolygonHand, Redrawing, redraw, turned_about
 from graphkin.model.quantities import Answer, Moving, Quantity, Rotation
 from graphkin.model.quantities.kinds import Component
@@ -40,7 +39,7 @@ class Followed:
 
 def replay_with(
     method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: ArrowPlaces | None = None,
-    wheels: Mapping[Rate, Value] | None = None, calculates: bool = False,
+    wheels: Mapping[tuple[str, str], Value] | None = None, calculates: bool = False,
 ) -> Followed:  # fmt: skip
     """Draw the polygons on from a student's own values, at the positions of the right plot.
 
@@ -61,7 +60,7 @@ class Own(PolygonHand):
     """Draws with own values in their place."""
 
     def __init__(
-        self, own: Mapping[Quantity, Value], arrows: ArrowPlaces, wheels: Mapping[Rate, Value] | None = None,
+        self, own: Mapping[Quantity, Value], arrows: ArrowPlaces, wheels: Mapping[tuple[str, str], Value] | None = None,
         calculates: bool = False,
     ) -> None:  # fmt: skip
         """wheels: omega and alpha of wheels that follow from own ones, which count where there is none of these;
@@ -145,26 +144,39 @@ class Own(PolygonHand):
         return right * np.abs(own) / np.abs(arrow)
 
     def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
-        """An own omega holds for the links that turn with its link too, unless these have their own."""
-        owned = [link for link in dict.fromkeys((of, *links)) if (quantity, link) in self.rotations]
-        if not owned:
+        """An own omega holds for the links that keep their angle to its link, unless these have their own; and links
+        that drivers turn against it, seen from the link it was read for, keep what the drivers give them."""
+        if not any((quantity, link) in self.rotations for link in links):
             return
+        self.turned.update((quantity, link) for link in links)
+        root = of or plot.facts.turns[links[0]].base
+        alike: dict[frozenset[int], list[str]] = {}
+        for link in dict.fromkeys((root, *links)):
+            alike.setdefault(plot.facts.drivers_between(root, link), []).append(link)
+        offs: dict[frozenset[int], Real] = {}
+        for drivers in sorted(alike, key=len):
+            before = max((nearer for nearer in offs if nearer < drivers), key=len, default=None)
+            offs[drivers] = self._turned(plot, quantity, alike[drivers], 0.0 if before is None else offs[before])
+
+    def _turned(self, plot: Redrawing, quantity: str, links: Sequence[str], before: Real) -> Real:
+        """By how much links that keep their angle to one another turn otherwise than is right; `before`: by how much
+        those do against which drivers turn them."""
         table: dict[str, Real] = getattr(plot, quantity)
         right = {link: table[link] for link in links}
         # the students of whose own values each link's is the first, and by how much that one is off
         leads: dict[str, np.ndarray] = {}
-        led, off = np.zeros((), dtype=bool), np.zeros(())
-        for link in owned:
-            own = self.rotations[quantity, link]
+        led, off = np.zeros((), dtype=bool), np.asarray(before)
+        for link in links:
+            own = self.rotations.get((quantity, link), np.nan)
             leads[link] = np.isfinite(own) & ~led
             off = np.where(leads[link], own - right[link], off)
             led = led | leads[link]
         more: Real = off[()]
-        self.turned.update((quantity, link) for link in links)
         for link in links:
-            plot.before[quantity, link] = right[link] + np.where(leads.get(link, False), 0.0, more)
+            plot.before[quantity, link] = right[link] + np.where(leads[link], before, more)
             own = self.rotations.get((quantity, link), np.nan)
             table[link] = _where_given(own, right[link] + more).real
+        return more
 
 
 def _where_given(own: Value, right: Value) -> Value:

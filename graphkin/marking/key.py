@@ -136,7 +136,6 @@ class Key:
     """A problem's key.
 
     text        the mechanism file; what follows from a student's own values is drawn anew from it
-    given       the numbers that the problem gives, SI: what is equal to one of them is no student's own value
     together    correlation of the quantities' scatters (n, n)
     further     keys of the further positions that the problem asks for, the second position's first
     """
@@ -146,7 +145,6 @@ class Key:
     coincident: str
     marking: Marking
     entries: tuple[KeyEntry, ...]
-    given: tuple[float, ...]
     together: np.ndarray
     singles: Hypotheses
     title: Mapping[str, str] = field(default_factory=dict)

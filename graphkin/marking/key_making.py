@@ -16,7 +16,7 @@ from graphkin.marking.key import MOST, Hypotheses, Key, KeyEntry, KeyStep, Marki
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import other_methods
 from graphkin.marking.tolerances import DRAWINGS, drawings_of, spread
-from graphkin.model.mechanism import Mechanism, Usual
+from graphkin.model.mechanism import Usual
 from graphkin.model.quantities import EDGE, Quantity
 from graphkin.planning import Method
 from graphkin.running import replay_all
@@ -64,7 +64,7 @@ def make_key(method: Method, marking: Marking, quantities: Sequence[Quantity] = 
     singles = [(one,) for one in rewrites(method, plot, every, marking.scales)]
     title = {str(lang): text for lang, text in mechanism.title.items()}
     return Key(
-        mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(mechanism),
+        mechanism.name, mechanism.text, method.structure.coincident, marking, entries,
         _together(drawn), hypotheses_of(method, plot, every, entries, marking if marks else None, singles), title,
         steps_of(method),
     )  # fmt: skip
@@ -116,14 +116,6 @@ def _naturals(method: Method, quantities: Sequence[Quantity], values: np.ndarray
         if np.isfinite(value):
             largest[quantity.unit] = max(largest.get(quantity.unit, 0.0), abs(float(value)))
     return {unit: size or method.mechanism.usual.size(unit) for unit, size in largest.items()}
-
-
-def _given(mechanism: Mechanism) -> tuple[float, ...]:
-    """The numbers of the problem, SI: lengths, and what the drivers do."""
-    shapes = [list(link.points.values()) for link in mechanism.links.values()]
-    lengths = {abs(z - w) for shape in shapes for z in shape for w in shape}
-    driven = {abs(number) for driver in mechanism.drivers for number in (driver.rate, driver.acceleration)}
-    return tuple(sorted(float(number) for number in lengths | driven if number > 0))
 
 
 # --- what may be off --------------------------------------------------------------------------

@@ -23,6 +23,7 @@ from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import SLIP, Diagnosis, Diagnostician
 from graphkin.marking.directions import WrittenDirections
 from graphkin.marking.drawing_order import DrawnAt, drawing_order
+from graphkin.marking.hand import redraw
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
 from graphkin.marking.key_making import by_other_methods, make_key, pairs_of, wider
 from graphkin.marking.read_off import OffDrawing, as_handed_in, pointing, read_off
@@ -257,6 +258,8 @@ class Marker:
             off = np.abs(given - carried.values)
             nearer = carried.agrees & (off > self.table.tolerance) & (np.abs(given - values) < off)
         both, explains = explains & nearer, explains & left
+        # an arrow of the right size that was found by lines only follows: it costs where nothing else does
+        costs = np.where(astray & ~wrong & ~self._laid, costs + costs.max(), costs)
         first = np.zeros_like(wrong)
         for k in named:
             for name in diagnosed[k].likeliest:
@@ -265,6 +268,13 @@ class Marker:
                     first[k, np.where(own, costs[k], np.inf).argmin()] = True
         explains |= both
         return AfterMistake(values, explains, explains & (given != 0) & ~first)  # nothing is gained by nought
+
+    @cached_property
+    def _laid(self) -> np.ndarray:
+        """The vectors that are laid off where they are drawn (n,), as booleans."""
+        laid = redraw(self.method, self.plot).laid
+        arrows = (self.problem.arrows.of(q) if isinstance(q, Moving) else None for q in self.quantities)
+        return np.array([arrow is not None and arrow[0] in laid for arrow in arrows], dtype=bool)
 
     @cached_property
     def _moved_by(self) -> dict[Name, np.ndarray]:
@@ -310,8 +320,8 @@ class Marker:
 
     def _as_handed_in(self, work: StudentWork, diagnosis: Diagnosis) -> Diagnosis:
         each = zip(self.key.entries, self.quantities, strict=True)
-        numbers = {q: work.numbers[entry.text] for entry, q in each if entry.text in work.numbers}
-        telling = {q: one for q, one in numbers.items()
+        numbers = {entry.text: (q, work.numbers[entry.text]) for entry, q in each if entry.text in work.numbers}
+        telling = {text: (q, one) for text, (q, one) in numbers.items()
                    if one.worded or one.points is False or (one.points and one.vector is not None)}  # fmt: skip
         if not telling or not diagnosis.explanations:
             return diagnosis

@@ -166,28 +166,34 @@ class OwnPoints:
 
 
 def as_handed_in(
-    diagnosis: Diagnosis, numbers: Mapping[Quantity, HandedNumber], method: Method, plot: Plot,
+    diagnosis: Diagnosis, handed_in: Mapping[str, tuple[Quantity, HandedNumber]], method: Method, plot: Plot,
     known: Mapping[Name, Rewrite],
 ) -> Diagnosis:  # fmt: skip
     """Of each set of mistakes those that turn most of the arrows astray, and no arrow otherwise than it was handed in.
 
     Sizes and rotations alone may go with an omega misread and with a driver drawn the other way round; only the second
-    turns the driver's arrow. Drawn arrows that point as they should say nothing: they may by own values before them.
-    No sense is missing that is said in words. `known`: rewrites by name.
+    turns the driver's arrow. An arrow that a mistake explains may point just the other way, where it is astray. Drawn
+    arrows that point as they should say nothing: they may by own values before them. No sense is missing that is said
+    in words. `handed_in`: by the key's texts; `known`: rewrites by name.
     """
-    follows = np.array([bool(one.follows) for one in numbers.values()])
-    astray = np.array([one.points is False for one in numbers.values()]) | follows
-    given = np.array([np.nan if one.vector is None else one.vector for one in numbers.values()], dtype=complex)
-    worded = {quantity.text for quantity, one in numbers.items() if one.worded}
+    quantities, numbers = zip(*handed_in.values(), strict=True)
+    follows = np.array([bool(one.follows) for one in numbers])
+    astray = np.array([one.points is False for one in numbers])
+    given = np.array([np.nan if one.vector is None else one.vector for one in numbers], dtype=complex)
+    within = np.array([max(ASTRAY, one.within) for one in numbers])
+    worded = {quantity.text for quantity, one in handed_in.values() if one.worded}
     explanations = []
     for one in diagnosis.explanations:
         columns = [(), *(tuple(known[name] for name in names if name in known) for names in one.names)]
-        vectors = combined(method, plot, tuple(numbers), columns).vectors
-        turned = np.abs(np.angle(vectors[1:] * vectors[0].conj())) > ASTRAY
-        other = np.abs(np.angle(given * vectors[1:].conj())) > [max(ASTRAY, each.within) for each in numbers.values()]
+        vectors = combined(method, plot, quantities, columns).vectors
+        turned, off = (np.abs(np.angle(vectors[1:] * arrow.conj())) for arrow in (vectors[0], given))
+        turned, other = turned > ASTRAY, (off > within) & ~follows & ~(astray & (off > np.pi - within))
+        drawn = np.array([all(name in known for name in names) for names in one.names], dtype=bool)
+        explained = np.array([text in one.explains for text in handed_in], dtype=bool) & drawn[:, None]
         said = [any(id == "sense-not-given" and worded & {*of.split(", ")} for id, _, of, _ in names)
                 for names in one.names]  # fmt: skip
-        count = np.where((turned & other & ~follows).any(axis=1) | said, -1, (turned & astray & ~other).sum(axis=1))
+        against = (other & (turned | explained)).any(axis=1) | said
+        count = np.where(against, -1, (turned & (astray | follows) & (off <= within)).sum(axis=1))
         if (most := count.max()) >= 0:
             names = tuple(names for names, n in zip(one.names, count, strict=True) if n == most)
             explanations.append(replace(one, names=names))

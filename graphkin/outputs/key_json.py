@@ -41,7 +41,7 @@ def key_data(key: Key) -> Json:
     mistakes = zip(singles.names, singles.values, singles.scatters, tables, strict=True)
     return {
         "kind": KIND, "format": FORMAT, "name": key.name, "title": dict(key.title), "coincident": key.coincident,
-        "mechanism": key.text, "marking": plain(key.marking), "given": list(key.given),
+        "mechanism": key.text, "marking": plain(key.marking),
         "quantities": [
             {name: value for name, value in plain(entry).items() if name != "doubt" or value} for entry in key.entries
         ],
@@ -98,7 +98,7 @@ def _key(data: Read) -> Key:
     _require(known and min(sizes) >= 0 and marking.sigmas > 0 and 0 <= marking.follows <= 1, "marking")
     name, text, coincident = (built(str, data[part]) for part in ("name", "mechanism", "coincident"))
     return Key(
-        name, text, coincident, marking, entries, built(tuple[float, ...], data["given"]), together,
+        name, text, coincident, marking, entries, together,
         _mistakes(data["mistakes"], count), built(Mapping[str, str], data["title"]),
         built(tuple[KeyStep, ...], data["steps"]), tuple(map(_key, data.get("positions", ()))),
     )  # fmt: skip

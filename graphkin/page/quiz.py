@@ -28,10 +28,10 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Drawn, LayOff, Meet, Plane, Plot, Ray, Step
 from graphkin.errors import Lang
 from graphkin.files.values import DIMENSIONS, UNITS
-from graphkin.handouts.problem import COMMON
 from graphkin.homework.grading.keys import marking_of
 from graphkin.marking.answers import arrows_of, readable
 from graphkin.marking.consequences import rewrites
+from graphkin.marking.diagnosis import rarity
 from graphkin.marking.drawing_order import drawing_order
 from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.key import Key, KeyEntry, Name, columns, upright
@@ -259,7 +259,7 @@ class _Questions:
 
         def unlikely(k: int) -> tuple[bool, int]:
             id, _, of, _ = made[k]
-            return of != asked, COMMON.index(id) if id in COMMON else len(COMMON)
+            return of != asked, rarity(id)
 
         by_value: dict[float, dict[int, None]] = {}
         for k in sorted(values, key=unlikely):

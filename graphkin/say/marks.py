@@ -9,13 +9,13 @@ from graphkin.marking.key import Name
 from graphkin.marking.records import Departure, Graded, Judged, Marked
 from graphkin.model.quantities import EDGE
 from graphkin.say.boards import fault_lines, line_name, step_line
-from graphkin.say.catalogue import close, is_phrase, say
+from graphkin.say.catalogue import close, in_list, is_phrase, say
 from graphkin.say.names import in_signs
 from graphkin.say.numbers import number
 from graphkin.say.reading import capitalized
 from graphkin.say.text_table import aligned, unbraced
 
-_SETS = 4  # mistakes of one set that are written out; of more the number is said
+_SETS = 3  # mistakes of one set that are written out; of more the number is said
 
 
 def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
@@ -61,7 +61,8 @@ def _carried(marked: Marked, lang: Lang) -> Iterator[str]:
             own = between.join(f"{text} = {edge_value(value, units[text])}" for text, value in one.own.items())
             wrong, follows = one.verdict != "carried", edge_value(one.carried, one.unit)
             yield say("marks.judged with", lang, which=wrong, own=own, quantity=one.text, value=follows)
-    refused = dict.fromkeys(text for one in marked.judged if one.verdict == "wrong" for text in one.refused)
+    unused = {one.text: one.refused for one in marked.judged if one.verdict == "wrong"}
+    refused = dict.fromkeys(text for texts in unused.values() for text in texts if text in unused)
     if refused:
         yield say("marks.not carried", lang, own=between.join(refused))
     if followed := [one.text + ("" if one.carried is None else f" = {edge_value(one.carried, one.unit)}")
@@ -141,12 +142,13 @@ def verdict(one: Judged, lang: Lang) -> str:
 def mistake(name: Name, lang: Lang) -> str:
     """A mistake as it was made, a noun phrase; one that is not known here by its id."""
     id, way, listed, other = name
-    of = say("common.list", lang).join(listed.split(", "))
+    *others, last = listed.split(", ")
+    several, of = len(others) > 0, say("common.last", lang).join(filter(None, (in_list(others, lang), last)))
     form = say(f"mistakes.image {other}", lang) if id.startswith("image-") else other
     if is_phrase(own := f"mistakes.made {id} {way}".rstrip()):
-        return say(own, lang, of=of, form=form)
+        return say(own, lang, of=of, form=form, which=several)
     made = f"mistakes.made {_LIKE.get(id, id)}"
-    text = say(made, lang, of=of, form=form) if is_phrase(made) else id
+    text = say(made, lang, of=of, form=form, which=several) if is_phrase(made) else id
     return say(f"mistakes.way {way}", lang, made=text) if is_phrase(f"mistakes.way {way}") else text
 
 

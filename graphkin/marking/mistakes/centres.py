@@ -186,8 +186,9 @@ def _turned(plane: Plane, node: str, arm: tuple[str, str], link: str, rate: Chan
 def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
     """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns. At one
     contact, or at all; the wheels after it turn as their own contacts then have it. A wheel that rolls on what is fixed
-    turns as it does on the arm. Where wheels and arm are found together, this law is put into the equations."""
-    alone = {}
+    turns as it does on the arm, or as if the axes were fixed, with the arm's rotation for that of what is fixed. Where
+    wheels and arm are found together, this law is put into the equations."""
+    alone: dict[str, list[Rewrite]] = {"": [], "fixed": []}
     for contacts, bases in scene.rolling:
         # those with a driven wheel last, which alone give the other one
         for contact in sorted(contacts, key=lambda one: any(w != FRAME and scene.driven(w) for w in one.wheels)):
@@ -195,12 +196,14 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
             if not arm or not wheels or any(scene.turns_with(wheel, arm) for wheel in wheels):
                 continue
             law = {link: c for link, c in contact.angles if link != arm}
-            law |= {arm: -law.pop(FRAME)} if FRAME in law else {}
-            own = [scene.plot.facts.turns[wheel].base for wheel in wheels]
-            edits, name = _by_law(scene, (contact,), own, contact, law), ", ".join(wheels.values())
-            if edits and (scene.plot.omega[arm] or scene.plot.alpha[arm]):
-                alone[name] = Rewrite(name, edits=tuple(edits))
-    yield from each_and_all([*alone.values()])
+            rolls_on = law.pop(FRAME, 0.0)
+            own, name = [scene.plot.facts.turns[wheel].base for wheel in wheels], ", ".join(wheels.values())
+            for way, share in {"": -rolls_on, "fixed": rolls_on}.items() if rolls_on else (("", 0.0),):
+                edits = _by_law(scene, (contact,), own, contact, law | ({arm: share} if share else {}))
+                if edits and (scene.plot.omega[arm] or scene.plot.alpha[arm]):
+                    alone[way].append(Rewrite(name, edits=tuple(edits), way=way))
+    for each in alone.values():
+        yield from each_and_all(each)
 
 
 @mistake("moves-as-centre", "wheels", "11-2")

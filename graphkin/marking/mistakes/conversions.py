@@ -20,6 +20,7 @@ TURNS = {"30/π": 30 / pi, "60": 60.0, "1/60": 1 / 60, "2π": 2 * pi, "1/2π": 1
 DEGREES = {"180/π": 180 / pi, "π/180": pi / 180}
 PLACES = {"10": 10.0, "1/10": 0.1}
 THOUSANDS = {"10³": 1e3, "10⁻³": 1e-3}
+HUNDREDS = {"100": 100.0, "1/100": 0.01}
 GIVEN = {"30/π": 30 / pi, "60": 60.0, "1/2π": 1 / (2 * pi)}
 """Turns per minute taken for rad/s; made into rad with the minute left; turns per second taken for rad/s."""
 
@@ -68,11 +69,11 @@ def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
 
 
 def _lengths(scene: Scene) -> dict[str, float]:
-    """A thousand times, and the units of the file's lengths for m: inches, cm."""
+    """mm and cm for m, or m for these, and the units of the file's lengths."""
     given = (one for one in scene.method.mechanism.given.values() if one.dimension == "length")
-    written = {str(one.written).lstrip("+-.0123456789eE ") for one in given} - {"m", "mm"}
+    written = {str(one.written).lstrip("+-.0123456789eE ") for one in given} - {"m", "mm", "cm"}
     own = (below / above for unit, (above, below) in UNITS["length"].items() if unit in written)
-    return THOUSANDS | {f"{factor:.4g}": factor for factor in own}
+    return THOUSANDS | HUNDREDS | {f"{factor:.4g}": factor for factor in own}
 
 
 def _times(of: Mapping[tuple[str, ...], str], times: Mapping[str, float], way: str = "") -> Iterator[Rewrite]:

@@ -54,17 +54,24 @@ for _id, _factor in {"driver-acceleration-dropped": 0.0, "driver-acceleration-re
 
 @mistake("relative-as-absolute", "driver", "3-2.1 (3-3)")
 def relative_as_absolute(scene: Scene) -> Iterator[Rewrite]:
-    """The rotation of a link against a moving one taken for its rotation."""
+    """The rotation of a link against a moving one taken for its rotation, or that of the moving one subtracted from it,
+    not added; links that turn against these follow."""
+    facts = scene.plot.facts
     for k, driver in enumerate(scene.method.drivers):
         if driver.kind != "angle" or driver.from_link == FRAME:
             continue
-        edits = tuple(Edit(("settled", word, driver.link), _alone(word, k)) for word in ("omega", "alpha"))
-        yield Rewrite(driver.name, edits=edits)
+        beyond = [link for link in facts.groups[facts.turns[driver.link].base]
+                  if k in facts.drivers_between(link, driver.from_link)]  # fmt: skip
+        for way, times in {"": 1.0, "difference": 2.0}.items() if facts.frame not in beyond else ():
+            if not way or scene.driven(driver.link):
+                edits = (Edit(("settled", word, link), _without(word, driver.from_link, times))
+                         for word in ("omega", "alpha") for link in beyond)  # fmt: skip
+                yield Rewrite(driver.name, edits=tuple(edits), way=way)
 
 
-def _alone(word: str, k: int) -> Change:
-    """The rate that a driver alone gives its link."""
-    return lambda plot, right: (plot.facts.rates if word == "omega" else plot.facts.accelerations)[k]
+def _without(word: str, link: str, times: float) -> Change:
+    """A rate less so many times that of a link."""
+    return lambda plot, right: right - times * getattr(plot, word)[link]
 
 
 # --- where the mechanism stands ---------------------------------------------------------------

@@ -15,6 +15,7 @@ from graphkin.marking.mistakes.driving import driven_velocities
 from graphkin.marking.mistakes.readings import image_edit, measured, reading
 from graphkin.marking.rewrite import Change, Edit, Rewrite, Times, each_and_all, in_sense_of
 from graphkin.marking.scene import Scene, drawn_by, mistake
+from graphkin.model.quantities import Rotation
 
 PLANES: tuple[Plane, Plane] = ("velocity", "acceleration")
 RULE_OF_IMAGES = "3-2.1"
@@ -95,6 +96,16 @@ def _each(scene: Scene, change: Change | None) -> Iterator[Rewrite]:
 _CHANGES = {"omitted": Times(0.0), "outward": Times(-1.0), "doubled": Times(2.0), "not-laid-off": None}
 for _id, _change in _CHANGES.items():
     mistake(f"normal-{_id}", "normal", RULE_OF_NORMALS)(partial(_each, change=_change))
+
+
+@mistake("tangential-omitted", "acceleration", RULE_OF_NORMALS)
+def tangential_omitted(scene: Scene) -> Iterator[Rewrite]:
+    """alpha l of a known rotation left out; a driver's, where that is not all that its acceleration enters."""
+    known = scene.sized("acceleration", Tangential)
+    asked = any(isinstance(q, Rotation) and q.word == "alpha" and scene.driven(q.link) for q in scene.quantities)
+    for size, name in known.items():
+        if asked or scene.rolling or not scene.driven(size.link) or sum(scene.driven(each.link) for each in known) > 1:
+            yield scene.term(size, name or f"a^t_{size.head}{size.tail}", Times(0.0))
 
 
 @mistake("normal-size", "normal", RULE_OF_NORMALS)

@@ -29,6 +29,7 @@ PHRASES: Phrases = {
     "common.and": (", ", "，"),
     "common.broken off": ("Aborted!", "已中断。"),
     "common.list": (", ", "、"),
+    "common.last": (" and ", "、"),
     "common.semicolon": ("; ", "；"),
     "common.colon": (": ", "："),
     "common.way round": ("{way} {sense}", "{way} {sense}"),

@@ -108,9 +108,10 @@ PHRASES: Phrases = {
     "tolerances.steep": ("; near a dead point: not in proportion to the errors", "；接近死点，与作图误差不成比例"),
     "tolerances.asked": ("* is asked for; the others are on the way.", "* 为所求量，其余为中间量。"),
     "tolerances.untold": ("{quantity} may be off by {part} of it, more than {most}: `graphkin problems` asks no such "
-                          "value, and `graphkin grade` does not count one that is off by between both. {advice}",
-                          "{quantity} 的允差达其值的 {part}，超过 {most}，graphkin problems 不考查这样的量，误差在两者之间的"
-                          "答案 graphkin grade 不计分。{advice}"),
+                          "value, and `graphkin grade` calls an answer that is off by more than {most}, but by less "
+                          "than {part}, neither right nor wrong. {advice}",
+                          "{quantity} 的允差达其值的 {part}，超过 {most}，graphkin problems 不考查这样的量；误差在两者之间的"
+                          "答案，graphkin grade 既不判对也不判错。{advice}"),
     "tolerances.larger": ("Drawn larger it would be told: {scales}.", "图作大些即可：{scales}。"),
     "tolerances.no larger": ("No larger drawing helps enough: ask for another value or another position, or take a "
                              "finer pencil.",
@@ -223,15 +224,16 @@ PHRASES: Phrases = {
                                              "{form} {of} 的两端点互换"),
     "mistakes.made image-wrong-point": ("the {form} of {of} drawn on the coincident point of the other link",
                                         "{form} {of} 作在另一构件的重合点上"),
-    "mistakes.made normal-omitted": ("the normal acceleration {of} left out", "漏掉法向加速度 {of}"),
-    "mistakes.made normal-outward": ("the normal acceleration {of} laid off outward", "法向加速度 {of} 画成背离转动中心"),
-    "mistakes.made normal-doubled": ("the normal acceleration {of} twice as large", "法向加速度 {of} 大了一倍"),
-    "mistakes.made normal-not-laid-off": ("the normal acceleration {of} calculated, but not laid off", "法向加速度 {of} 已算出但未画入"),
+    "mistakes.made normal-omitted": ("the normal [acceleration|accelerations] {of} left out", "漏掉法向加速度 {of}"),
+    "mistakes.made normal-outward": ("the normal [acceleration|accelerations] {of} laid off outward", "法向加速度 {of} 画成背离转动中心"),
+    "mistakes.made normal-doubled": ("the normal [acceleration|accelerations] {of} twice as large", "法向加速度 {of} 大了一倍"),
+    "mistakes.made normal-not-laid-off": ("the normal [acceleration|accelerations] {of} calculated, but not laid off", "法向加速度 {of} 已算出但未画入"),
+    "mistakes.made tangential-omitted": ("the tangential acceleration {of} left out", "漏掉切向加速度 {of}"),
     "mistakes.made diameter-for-radius": ("{of} with {form} (diameter for radius, or half a length)", "求 {of} 用了 {form}（直径与半径混淆）"),
-    "mistakes.made coriolis-omitted": ("the Coriolis acceleration {of} left out", "漏掉科氏加速度 {of}"),
-    "mistakes.made coriolis-reversed": ("the Coriolis acceleration {of} pointing the other way", "科氏加速度 {of} 的指向反了"),
-    "mistakes.made coriolis-half": ("the factor 2 missing in the Coriolis acceleration {of}", "科氏加速度 {of} 漏乘系数 2"),
-    "mistakes.made coriolis-not-laid-off": ("the Coriolis acceleration {of} calculated, but not laid off", "科氏加速度 {of} 已算出但未画入"),
+    "mistakes.made coriolis-omitted": ("the Coriolis [acceleration|accelerations] {of} left out", "漏掉科氏加速度 {of}"),
+    "mistakes.made coriolis-reversed": ("the Coriolis [acceleration|accelerations] {of} pointing the other way", "科氏加速度 {of} 的指向反了"),
+    "mistakes.made coriolis-half": ("the factor 2 missing in the Coriolis [acceleration|accelerations] {of}", "科氏加速度 {of} 漏乘系数 2"),
+    "mistakes.made coriolis-not-laid-off": ("the Coriolis [acceleration|accelerations] {of} calculated, but not laid off", "科氏加速度 {of} 已算出但未画入"),
     "mistakes.made coriolis-crank-omega": ("the Coriolis acceleration {of} with the driver's angular velocity {form}",
                                            "科氏加速度 {of} 误用原动件的角速度 {form}"),
     "mistakes.made coriolis-crank-omega sense": ("the Coriolis acceleration {of} with the size of the driver's angular "
@@ -240,7 +242,7 @@ PHRASES: Phrases = {
     "mistakes.made coriolis-absolute-velocity": ("the Coriolis acceleration {of} with the absolute velocity {form} "
                                                  "instead of that of sliding",
                                                  "科氏加速度 {of} 误用绝对速度 {form}"),
-    "mistakes.made coriolis-not-turned": ("the Coriolis acceleration {of} along the velocity of sliding, not turned "
+    "mistakes.made coriolis-not-turned": ("the Coriolis [acceleration|accelerations] {of} along the velocity of sliding, not turned "
                                           "by 90°",
                                           "科氏加速度 {of} 沿相对速度方向画出，未转 90°"),
     "mistakes.made normal-size": ("the size of the normal acceleration {of} taken as {form}",
@@ -281,12 +283,18 @@ PHRASES: Phrases = {
                                                "求 {of} 时把速度瞬心 {form} 的加速度也当作零"),
     "mistakes.made centre-acceleration-zero point": ("{of} taken as zero because that point has no velocity",
                                                      "速度为零的点，其加速度 {of} 也被当作零"),
+    "mistakes.made arm-ignored fixed": ("{of} from the ratio of the wheels as if their axes were fixed, with the "
+                                        "rotation of the arm for that of the fixed wheel",
+                                        "把行星轮系当作定轴轮系求 {of}，以系杆（转臂）的转速代替固定轮的转速"),
     "mistakes.made arm-ignored": ("{of} from the ratio of the wheels without the rotation of the arm",
                                   "求 {of} 时在传动比中未计系杆（转臂）的转动"),
     "mistakes.made moves-as-centre": ("link {of} taken to move as the centre of the wheel {form} does",
                                       "把构件 {of} 的运动当作与轮 {form} 的轮心相同"),
     "mistakes.made relative-as-absolute": ("the relative rotation of the driver {of} taken as absolute",
                                            "把原动件 {of} 的相对角速度当作绝对角速度"),
+    "mistakes.made relative-as-absolute difference": (
+        "the rotation of the link that carries {of} subtracted from the relative one, not added",
+        "求 {of} 的绝对角速度时与牵连角速度相减（应相加）"),
     "mistakes.made driver-acceleration-dropped": ("the acceleration of the driver {of} left out", "漏掉原动件 {of} 的加速度"),
     "mistakes.made slider-normal-term": ("a normal term ω²l of {form} added at the slider for {of}, as if it turned "
                                          "about the crank's pivot",
