@@ -277,8 +277,8 @@ def _likely(key: Key) -> np.ndarray:
 
 
 def _occurs(of: str, text: str, problem: HandoutProblem) -> bool:
-    """True where all that a mistake is made in stands in a text: arrows, rotations, triangles."""
-    signs = (in_signs(each, problem.goal.texts) for each in of.split(", ") if each)
+    """True where all that a mistake is made in stands in a text: arrows, rotations, triangles, parts of `BC/AB`."""
+    signs = (in_signs(each, problem.goal.texts) for each in re.split(", |/", of) if each)
     return all(re.search(rf"(?<!\w){re.escape(sign)}(?![\w′])", text) for sign in signs)
 
 

@@ -15,7 +15,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Coriolis, Equation, Normal, Plane, Plot, Site, Size, Step, Term, kinds
 from graphkin.marking.answers import ArrowPlaces, arrows_of
 from graphkin.marking.hand import Redrawing, redraw
-from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times
+from graphkin.marking.rewrite import Change, Edit, Mistaken, Rewrite, RewrittenValue, Times
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import Seen, in_order, spelled
@@ -150,6 +150,22 @@ class Scene:
             if link in self.plot.facts.turns and self.driven(link) and self.plot.facts.turns[link].drivers
             and np.any(self.plot.omega[link])
         )  # fmt: skip
+
+    def cranks_beside(self, link: str) -> tuple[str, ...]:
+        """The other cranks whose rotation has a ratio to a link's whatever the drivers do: instant centres give it."""
+        right, without = self.motions.omega, self._without_driver.omega
+        least = 1e-9 * max(float(np.max(np.abs(omega))) for omega in right.values()) ** 2
+        return tuple(
+            crank for crank in self.cranks
+            if crank != link and np.all(np.abs(without[link] * right[crank] - without[crank] * right[link]) <= least)
+        )  # fmt: skip
+
+    @cached_property
+    def _without_driver(self) -> Redrawing:
+        """The velocities without each of the drivers (drivers,)."""
+        still = [[Rewrite("", edits=(Edit(("rate", k), Times(0.0)),))] for k in range(len(self.method.drivers))]
+        hand = Mistaken(still)
+        return redraw(self.method, self.plot, hand, hand.shape)
 
     def turns_with(self, link: str, other: str) -> bool:
         turns = self.plot.facts.turns

@@ -40,11 +40,13 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
             fastest = max(abs(float(omega)) for omega in scene.motions.omega.values())
             if abs(value) <= REST * fastest:
                 continue
-            for crank in (link for link in scene.cranks if link != quantity.link):
+            cranks = scene.cranks_beside(quantity.link)
+            for crank in cranks:
                 driven = float(scene.motions.omega[crank])
                 text = scene.omega_sign(crank)
                 yield _ratio(quantity.text, text, RewrittenValue(quantity.text, instead=driven**2 / value))
-            yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
+            if cranks:
+                yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
     yield from _ratios_of_radii(scene)
 
 

@@ -64,8 +64,9 @@ def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
         if len(kind) > 1:
             yield from _times({tuple(kind): unit}, times, "kind")
         yield from _times({(text,): text for text in kind}, times)
-    alphas = [quantity.text for quantity in asked if isinstance(quantity, Rotation) and quantity.word == "alpha"]
-    yield from _times({(text,): text for text in alphas}, {"": -1.0}, "sense")
+    turning = [quantity for quantity in asked if isinstance(quantity, Rotation)]
+    alone = [q.text for q in turning if q.word == "alpha" or not scene.cranks_beside(q.link)]  # not by centres
+    yield from _times({(text,): text for text in alone}, {"": -1.0}, "sense")
 
 
 def _lengths(scene: Scene) -> dict[str, float]:
