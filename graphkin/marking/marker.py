@@ -259,7 +259,7 @@ class Marker:
             nearer = carried.agrees & (off > self.table.tolerance) & (np.abs(given - values) < off)
         both, explains = explains & nearer, explains & left
         # an arrow of the right size that was found by lines only follows: it costs where nothing else does
-        costs = np.where(astray & ~wrong & ~self._laid, costs + costs.max(), costs)
+        costs = np.where(astray & ~wrong & ~self._laid, costs + costs.max(initial=0.0), costs)
         first = np.zeros_like(wrong)
         for k in named:
             for name in diagnosed[k].likeliest:

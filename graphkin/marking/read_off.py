@@ -172,7 +172,7 @@ def as_handed_in(
     """Of each set of mistakes those that turn most of the arrows astray, and no arrow otherwise than it was handed in.
 
     Sizes and rotations alone may go with an omega misread and with a driver drawn the other way round; only the second
-    turns the driver's arrow. An arrow that a mistake explains may point just the other way, where it is astray. Drawn
+    turns the driver's arrow. An arrow that a mistake explains and does not turn may point just the other way. Drawn
     arrows that point as they should say nothing: they may by own values before them. No sense is missing that is said
     in words. `handed_in`: by the key's texts; `known`: rewrites by name.
     """
@@ -187,13 +187,13 @@ def as_handed_in(
         columns = [(), *(tuple(known[name] for name in names if name in known) for names in one.names)]
         vectors = combined(method, plot, quantities, columns).vectors
         turned, off = (np.abs(np.angle(vectors[1:] * arrow.conj())) for arrow in (vectors[0], given))
-        turned, other = turned > ASTRAY, (off > within) & ~follows & ~(astray & (off > np.pi - within))
+        turned, other, reverse = turned > ASTRAY, off > within, astray & (off > np.pi - within)
         drawn = np.array([all(name in known for name in names) for names in one.names], dtype=bool)
         explained = np.array([text in one.explains for text in handed_in], dtype=bool) & drawn[:, None]
         said = [any(id == "sense-not-given" and worded & {*of.split(", ")} for id, _, of, _ in names)
                 for names in one.names]  # fmt: skip
-        against = (other & (turned | explained)).any(axis=1) | said
-        count = np.where(against, -1, (turned & (astray | follows) & (off <= within)).sum(axis=1))
+        against = (other & ~follows & (turned | explained & ~reverse)).any(axis=1) | said
+        count = np.where(against, -1, (turned & (astray | follows) & ~other).sum(axis=1))
         if (most := count.max()) >= 0:
             names = tuple(names for names, n in zip(one.names, count, strict=True) if n == most)
             explanations.append(replace(one, names=names))

@@ -375,7 +375,7 @@ def test_a_changed_key_counts():
 def broken_keys() -> list[str]:
     whole = key_data(marker().key)
     changes: list[dict[str, object]] = [
-        {"kind": "x"}, {"format": 2}, {"quantities": []}, {"quantities": [{}]}, {"together": [[1.0]]}, {"given": ["a"]},
+        {"kind": "x"}, {"format": 2}, {"quantities": []}, {"quantities": [{}]}, {"together": [[1.0]]},
         {"mistakes": [{"names": [["a"]], "values": [], "scatters": []}]}, {"mistakes": 3}, {"marking": {}}, {"mechanism": 7},
         {"title": []}, {"steps": None}, {"together": None},
     ]  # fmt: skip

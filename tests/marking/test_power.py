@@ -72,7 +72,7 @@ def made_up(*rows: tuple[float, ...], together: float = 0.0, known: bool = True)
     own = np.stack([common] * len(rows)) if known else None
     singles = Hypotheses(names, values, np.ones_like(values), own)
     marking = Marking({"position": 1.0, "velocity": 1.0, "acceleration": 1.0}, 0.0)
-    marker = Marker(Key("made up", "", "", marking, entries, (), np.eye(count), singles))
+    marker = Marker(Key("made up", "", "", marking, entries, np.eye(count), singles))
     marker.other_methods = Hypotheses((), np.empty((0, count)), np.empty((0, count)))  # there is nothing to draw
     nothing = np.full((1, count, count), np.nan)  # and nothing follows from anything
     marker.problem = SimpleNamespace(slips=lambda given, wrong, there: SlipOutcomes(nothing, nothing))  # type: ignore[assignment]

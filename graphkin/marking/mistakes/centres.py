@@ -190,7 +190,7 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
     contact, or at all; the wheels after it turn as their own contacts then have it. A wheel that rolls on what is fixed
     turns as it does on the arm, or as if the axes were fixed, with the arm's rotation for that of what is fixed. Where
     wheels and arm are found together, this law is put into the equations."""
-    alone: dict[str, list[Rewrite]] = {"": [], "fixed": []}
+    alone: dict[str, dict[str, Rewrite]] = {"": {}, "fixed": {}}
     for contacts, bases in scene.rolling:
         # those with a driven wheel last, which alone give the other one
         for contact in sorted(contacts, key=lambda one: any(w != FRAME and scene.driven(w) for w in one.wheels)):
@@ -200,12 +200,13 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
             law = {link: c for link, c in contact.angles if link != arm}
             rolls_on = law.pop(FRAME, 0.0)
             own, name = [scene.plot.facts.turns[wheel].base for wheel in wheels], ", ".join(wheels.values())
+            alone["fixed"].pop(name, None)
             for way, share in {"": -rolls_on, "fixed": rolls_on}.items() if rolls_on else (("", 0.0),):
                 edits = _by_law(scene, (contact,), own, contact, law | ({arm: share} if share else {}))
                 if edits and (scene.plot.omega[arm] or scene.plot.alpha[arm]):
-                    alone[way].append(Rewrite(name, edits=tuple(edits), way=way))
+                    alone[way][name] = Rewrite(name, edits=tuple(edits), way=way)
     for each in alone.values():
-        yield from each_and_all(each)
+        yield from each_and_all([*each.values()])
 
 
 @mistake("moves-as-centre", "wheels", "11-2")
