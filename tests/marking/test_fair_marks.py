@@ -13,9 +13,12 @@ import pytest
 
 from graphkin.files import library, loads
 from graphkin.homework.grading import key_for
+from graphkin.marking.consequences import combined
+from graphkin.marking.diagnosis import rarity
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import HandedNumber, Marked, StudentWork
 from graphkin.model.mechanism import Mechanism
+from graphkin.say.marks import mistake
 
 EVERY = ("v B3B2", "omega 3", "a_n B3D", "a_k B3B2", "a_r B3B2", "alpha 3")
 
@@ -311,3 +314,85 @@ def test_a_mistake_that_turns_an_arrow_otherwise_than_it_was_handed_in_is_none()
     assert not found[0]
     assert not found[180]
     assert found[90] != found[-90]
+
+
+def with_mistake(one: Marker, *name: str) -> tuple[str, dict[str, HandedNumber]]:
+    """All that is asked as a mistake has it, with directions; and of which arrow or rotation it is."""
+    (made,) = [rewrite for known, rewrite in one.known.items() if known[: len(name)] == name]
+    found = combined(one.method, one.plot, one.quantities, [(made,)])
+    each = zip(one.key.entries, found.values[0], found.vectors[0], strict=True)
+    numbers = {entry.text: HandedNumber(abs(size), vector=vector) if cmath.isfinite(vector) else HandedNumber(size)
+               for entry, size, vector in each if entry.points}  # fmt: skip
+    return made.of, numbers
+
+
+@pytest.mark.parametrize(("turn", "named"), [(0, True), (10, True), (40, False), (130, False), (180, True)])
+def test_a_direction_that_contradicts_a_mistake(turn: float, named: bool):
+    """Of the acceleration of E in example 3-5 the size is as with a^n_CD outward; the sense alone may be another."""
+    one = marker("ex3-5", "omega 2", "omega 3", "a E")
+    _, numbers = with_mistake(one, "normal-outward", "", "a^n_CD")
+    turned = (numbers["a E"].vector or 0) * cmath.exp(1j * math.radians(turn))
+    found = one.mark([StudentWork("s", {**numbers, "a E": replace(numbers["a E"], vector=turned)})])[0]
+    assert ("normal-outward" in ids(found)) == named
+
+
+COLLAR = """
+ask = ["omega 3", "alpha 3", "v B3B2", "a_k B3B2", "a_r B3B2"]
+frame = { A = [0, 0], D = [0, 400] }
+links = { 1 = { AB = "0.5656854249492381 m" }, 2 = { points = ["B"] }, 3 = { DE = 700 } }
+slide = [{ block = "2", point = "B", guide = "3", through = "D", toward = "E" }]
+driver = [{ vector = "AB", angle = 45, omega = -3, alpha = -4 }]
+sketch = { E = [700, 400] }
+"""
+
+
+def test_an_arrow_that_a_mistake_reverses_follows_from_it():
+    """-3.6 = -5.2 + a^r with alpha 1 the other way round: a^r = 1.6 to the right, as large as the right one."""
+    one = Marker(key_for(loads(COLLAR, name="collar")))
+    _, numbers = with_mistake(one, "driver-acceleration-reversed")
+    assert numbers["a_r B3B2"].vector == pytest.approx(1.6)
+    found = one.mark([StudentWork("s", numbers)])[0]
+    assert ids(found) == ("driver-acceleration-reversed",)
+    (a_r,) = [each for each in found.judged if each.text == "a_r B3B2"]
+    assert (a_r.verdict, a_r.credit, a_r.reversed) == ("carried", 1.0, False)
+    assert [text for text, verdict in verdicts(found).items() if verdict == "wrong"] == ["alpha 3"]
+
+
+INCHES = """
+ask = ["omega 3", "v B", "alpha 3", "a B"]
+frame = { name = "1", O = [0, 0] }
+links = { 2 = { OA = "1.4 in" }, 3 = { AB = "4 in" }, 4 = { points = ["B"] } }
+slide = [{ block = "4", point = "B", guide = "frame", through = [0, "1 in"], angle = 0 }]
+driver = [{ vector = "OA", angle = 45, omega = 10 }]
+sketch = { B = ["5 in", "1 in"] }
+"""
+
+
+@pytest.mark.parametrize(("factor", "form"), [(100, "100"), (1000, "10³"), (1 / 0.0254, "39.37")])
+def test_lengths_in_another_unit(factor: float, form: str):
+    """As cm, mm or inches written for m, in a file of inches."""
+    one = Marker(key_for(loads(INCHES, name="inches")))
+    right = {entry.text: entry.right for entry in one.key.entries if entry.points}
+    off = {text: value * (factor if text[1] == " " else 1) for text, value in right.items()}
+    found = marked(one, **off)
+    assert found.diagnosis.explanations[0].names == ((("conversion", "lengths", "m/s, m/s^2", form),),)
+    assert verdicts(found) == {"omega 3": "right", "v B": "wrong", "alpha 3": "right", "a B": "carried"}
+
+
+def test_the_usual_mistakes_come_first_and_each_once():
+    """Of an acceleration alone much may be wrong: a normal one left out first, not again as one calculated and not laid
+    off, nor with another one that changes nothing."""
+    one = marker("ex3-5", "omega 2", "omega 3", "a E")
+    of, numbers = with_mistake(one, "normal-omitted", "", "a^n_CD")
+    (explanation,) = one.mark([StudentWork("s", {text: replace(each, vector=None) for text, each in numbers.items()})])[0].diagnosis.explanations
+    assert explanation.names[0] == (("normal-omitted", "", of, ""),)
+    assert "normal-not-laid-off" not in explanation.ids
+    places = [rarity(names[0][0]) for names in explanation.names]
+    assert places == sorted(places)
+
+
+def test_several_arrows_in_words():
+    several = mistake(("normal-omitted", "", "a^n_CB, a^n_CD", ""), "en")
+    assert several == "the normal accelerations a^n_CB and a^n_CD left out"
+    assert mistake(("normal-omitted", "", "a^n_CB", ""), "en") == "the normal acceleration a^n_CB left out"
+    assert mistake(("coriolis-omitted", "", "a^k_CB, a^k_DE", ""), "zh") == "漏掉科氏加速度 a^k_CB、a^k_DE"
