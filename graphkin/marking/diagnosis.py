@@ -37,10 +37,11 @@ PairsOf = Callable[[Name | None], Hypotheses]
 """Makes the outcomes of two mistakes: of a first one with each other, or of any two."""
 SLIP = "slip"  # the id of a value that is off, with all after it as it follows
 COMMON = (
-    "coriolis-omitted", "coriolis-reversed", "relative-as-absolute", "normal-omitted", "image-mirrored",
+    "coriolis-omitted", "coriolis-reversed", "relative-as-absolute", "arm-ignored", "normal-omitted", "image-mirrored",
     "image-wrong-point", "wrong-radius", "absolute-for-relative", "normal-outward", "omega-sense", "coriolis-half",
-    "wrong-length", "sliding-across", "centre-ratio", "arm-ignored", "moves-as-centre", SLIP, "velocity-along-link",
-    "tangential-along", "driver-along-crank", "conversion",
+    "wrong-length", "sliding-across", "centre-ratio", "moves-as-centre", "driver-acceleration-dropped",
+    "tangential-omitted", "driver-acceleration-reversed", "driver-reversed", "driver-reversed-one", SLIP,
+    "velocity-along-link", "tangential-along", "driver-along-crank", "conversion",
 )  # fmt: skip
 """Mistakes of students, the most frequent first."""
 

@@ -82,10 +82,13 @@ class WrittenDirections:
         within = max(allowed, number.within)
 
         def off(used: Mapping[Quantity, Value]) -> float:
-            problem = self.problem
-            followed = replay_with(problem.method, problem.plot, used, problem.arrows).value(quantity) if used else None
-            one = vector if followed is None else place(_vector(followed))
-            return abs(cmath.phase((number.vector or 1.0) / one)) if one and cmath.isfinite(one) else math.pi
+            problem, expected = self.problem, [vector]
+            if used:  # drawn on from them, or calculated by own rotations
+                each = (replay_with(problem.method, problem.plot, used, problem.arrows, None, calculates)
+                        for calculates in (False, True))  # fmt: skip
+                expected = [place(_vector(followed.value(quantity))) for followed in each]
+            angles = (abs(cmath.phase((number.vector or 1.0) / one)) for one in expected if one and cmath.isfinite(one))
+            return min(angles, default=math.pi)
 
         if not (points := off({}) <= within) and near and others and off(others) <= within:
             alone = [other for other, value in others.items() if off({other: value}) <= within]

@@ -250,7 +250,7 @@ class Marker:
         drawn = [k for k in named if all(name in self.known for name in diagnosed[k].likeliest)]
         if drawn:
             columns = [tuple(self.known[name] for name in diagnosed[k].likeliest) for k in drawn]
-            outcomes = aftermath(self.problem, columns, given[drawn], wrong[drawn])
+            outcomes = aftermath(self.problem, columns, given[drawn], wrong[drawn] & ~explains[drawn])
             values[drawn] = outcomes.values
             explains[drawn] |= self.problem.near(given[drawn], outcomes.values) & wrong[drawn]
             explains[drawn] |= outcomes.turned & astray[drawn]

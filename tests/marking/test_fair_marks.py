@@ -373,8 +373,9 @@ def test_lengths_in_another_unit(factor: float, form: str):
     """As cm, mm or inches written for m, in a file of inches."""
     one = Marker(key_for(loads(INCHES, name="inches")))
     right = {entry.text: entry.right for entry in one.key.entries if entry.points}
-    off = {text: value * (factor if text[1] == " " else 1) for text, value in right.items()}
+    off = {text: float(f"{value * (factor if text[1] == ' ' else 1):.4g}") for text, value in right.items()}
     found = marked(one, **off)
+    assert all(each.carried == pytest.approx(each.given, rel=1e-3) for each in found.judged if each.verdict == "carried")
     assert found.diagnosis.explanations[0].names == ((("conversion", "lengths", "m/s, m/s^2", form),),)
     assert verdicts(found) == {"omega 3": "right", "v B": "wrong", "alpha 3": "right", "a B": "carried"}
 
@@ -396,3 +397,42 @@ def test_several_arrows_in_words():
     assert several == "the normal accelerations a^n_CB and a^n_CD left out"
     assert mistake(("normal-omitted", "", "a^n_CB", ""), "en") == "the normal acceleration a^n_CB left out"
     assert mistake(("coriolis-omitted", "", "a^k_CB, a^k_DE", ""), "zh") == "漏掉科氏加速度 a^k_CB、a^k_DE"
+
+
+ROLLING = """
+ask = ["omega 2", "v B", "omega 3", "a B", "alpha 3"]
+frame = { O = [0, 0] }
+links = { 1 = { OA = 40 }, 2 = { AB = 130 }, 3 = { points = ["B"] } }
+roll = [{ wheel = "3", centre = "B", radius = 25, on = "frame", through = [0, -25], angle = 0, side = "left" }]
+driver = [{ vector = "OA", angle = 60, omega = 5 }]
+sketch = { B = [150, 0] }
+"""
+
+
+def test_a_diameter_for_the_radius_of_a_wheel_is_one_mistake():
+    """omega 3 = v_B / 50 mm, alpha 3 = a_B / 50 mm."""
+    one = Marker(key_for(loads(ROLLING, name="rolling")))
+    right = {entry.text: entry.right for entry in one.key.entries if entry.points}
+    found = marked(one, **{text: value / 2 if text.endswith("a 3") else value for text, value in right.items()})
+    assert ids(found) == ("diameter-for-radius",)
+    assert verdicts(found) == {**dict.fromkeys(right, "right"), "omega 3": "wrong", "alpha 3": "carried"}
+
+
+EPICYCLIC = """
+ask = ["omega 2", "omega H", "v P"]
+frame = { name = "3", O = [0, 0] }
+links = { 1 = { points = ["O"] }, 2 = { points = ["P"] }, H = { OP = 36 } }
+gear = [{ links = ["1", "2"], centres = ["O", "P"], radii = [20, 16] },
+        { links = ["2", "frame"], centres = ["P", "O"], radii = [16, 52], internal = true }]
+driver = [{ link = "1", omega = 10 }]
+pose = [{ vector = "OP", angle = 40 }]
+"""
+
+
+def test_a_direction_that_is_calculated_from_an_own_rotation():
+    """A train as if its axes were fixed: omega H = -12.5 * 16 / 52, and v_P = omega H l_OP points as that has it."""
+    one, omega = Marker(key_for(loads(EPICYCLIC, name="train"))), -12.5 * 16 / 52
+    v = 1j * omega * 0.036 * cmath.exp(1j * math.radians(40))
+    numbers = {"omega 2": HandedNumber(-12.5), "omega H": HandedNumber(omega), "v P": HandedNumber(abs(v), vector=v)}
+    found = one.mark([StudentWork("s", numbers)])[0]
+    assert verdicts(found) == {"omega 2": "wrong", "omega H": "carried", "v P": "carried"}

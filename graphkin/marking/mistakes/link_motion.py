@@ -150,12 +150,16 @@ def _squared(tail: str, head: str, length: float) -> Change:
 
 @mistake("diameter-for-radius", "length", "3-2.1")
 def diameter_for_radius(scene: Scene) -> Iterator[Rewrite]:
-    """One length twice or half as long: in omega = v / l or alpha = a^t / l, carried on; in the velocity of a crank's
-    point, alone or with its acceleration; in one normal acceleration."""
+    """One length twice or half as long: in omega = v / l, in alpha = a^t / l or both, carried on; in the velocity of a
+    crank's point, alone or with its acceleration; in one normal acceleration."""
+    made: dict[tuple[str, ...], list[Rewrite]] = {}
     for plane in PLANES:
         for step, name in measured(scene, plane):
             for form, times in _twice_or_half(scene, *step.lever):
-                yield Rewrite(name, form, reading(plane, step, Times(1 / times)))
+                one = Rewrite(name, form, reading(plane, step, Times(1 / times)))
+                made.setdefault((step.of, *step.lever, form), []).append(one)
+    for both in made.values():
+        yield from each_and_all(both)
     own: dict[Normal | Tangential | Relative, str] = {**scene.sized("acceleration", Tangential), **dict(normals(scene))}
     for crank, name in driven_velocities(scene):
         same = {size: called for size, called in own.items()
