@@ -30,7 +30,7 @@ _EDGE, _GRID = 2.0, 2.0
 _SLICE = 1.0  # between places of a line, and of slices of turned letters [mm]
 _STEPS = 0.5  # the steps in which a line is shortened [mm]
 _CRUMB = 2.0  # shorter pieces of a line that letters break are left out [mm]
-_AT_ONCE = 10  # ways that are tried together; then twice as many, and so on
+_AT_ONCE = 4  # ways that are tried together; then twice as many, and so on
 _Way = TypeVar("_Way")
 
 
