@@ -5,8 +5,12 @@ from __future__ import annotations
 import gc
 import os
 from collections import Counter
+from collections.abc import Iterator
 
 import pytest
+from library_sheets import loaded
+
+from graphkin.files import library
 
 PART = 3  # of the cases of a test that is marked `many` one of so many runs; of `many(8)` one of eight
 
@@ -37,3 +41,12 @@ def pytest_collection_finish() -> None:
     gc.collect()
     gc.freeze()
     gc.set_threshold(20_000, 20, 50)
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _library_once() -> Iterator[None]:
+    """A process loads each mechanism of the library once: tests and commands that ask for it one after another are answered
+    from what is kept of its plan, its motion and its sheet, as a user is who asks again."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(library, "load", loaded)
+        yield

@@ -147,6 +147,16 @@ def differences(old: str, new: str) -> Iterator[str]:
                     yield f"{one.tag} {key}={value!r} is now {two.attrib[key]!r}"
 
 
+def changed(path: Path, text: str) -> str:
+    """What differs from a file of the gallery; it is written beside it then."""
+    old = FIGURES / path
+    if not (found := list(differences(old.read_text("utf-8"), text))):
+        return ""
+    new = old.with_suffix(".new.svg")
+    new.write_text(text, encoding="utf-8", newline="\n")
+    return f"{new} differs from {old.name}: {found[:3]}; rebuild with tests/gallery.py if it is right"
+
+
 def same(old: str, new: str) -> bool:
     """Equal but for numbers that lie within 0.02 of each other."""
     if old == new:

@@ -18,3 +18,8 @@ def _one_core() -> Iterator[None]:
     os.sched_setaffinity(0, {max(cores)})
     yield
     os.sched_setaffinity(0, cores)
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _library_once() -> None:
+    """What is timed is loaded anew."""
