@@ -143,9 +143,9 @@ def test_a_number_of_nobody_is_said(folder: Path, tmp_path: Path):
 def test_a_page_that_is_there_twice_counts_once(folder: Path, records, tmp_path: Path):
     own = [path for path in (folder / "in").iterdir() if path.name.startswith(("a-101", "b-101", "a-102", "b-102"))]
     (tmp_path / "in").mkdir()
-    for k, path in enumerate([*own, *own]):
+    for k, path in enumerate([*own, own[0]]):
         (tmp_path / "in" / f"{k}.jpg").write_bytes(path.read_bytes())
     ran("grade", folder / "hw", tmp_path / "in", "-o", tmp_path / "m.json", "--sheets", folder / "paper.sheets.json")
     (record,) = json.loads((tmp_path / "m.json").read_text("utf-8"))["results"]
     assert record["score"] == records["one"]["score"]
-    assert sum("#10" in one["text"] for one in record["remarks"]) == 2
+    assert sum("#10" in one["text"] for one in record["remarks"]) == 1

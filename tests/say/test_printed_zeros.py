@@ -26,7 +26,7 @@ COMMANDS = (
     "handout @ --stage solution -o +.html", "draw @ -o +.svg",
 )  # fmt: skip
 ALL = "GRAPHKIN_RANDOM" in os.environ
-NAMES = library.names()[:: 1 if ALL else 3]
+NAMES = library.names()[:: 1 if ALL else 5]
 EVERY = 14
 """Every command of every mechanism; else of some mechanisms, of each so many apart, in turns."""
 TURNED = ("solve @ --json", "explain @ --all")

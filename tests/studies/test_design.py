@@ -26,7 +26,7 @@ from graphkin.studies.design import angle_pairs, coupler_positions, guide_bar, h
 from graphkin.studies.linkages import FourBar, SliderCrank, report
 
 RANDOM = np.random.default_rng(23)
-COUNT = 60 if "GRAPHKIN_RANDOM" in os.environ else 25
+COUNT = 60 if "GRAPHKIN_RANDOM" in os.environ else 12
 WELL_POSED = rad(2)
 """Nearer to a change point, lengths do not tell angles to nine figures: an arc cosine near 1."""
 

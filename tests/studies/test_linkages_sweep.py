@@ -167,6 +167,7 @@ def ratio(row, bar, found, positions):
         assert after < before or found.theta < 0.02, row
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("chunk", range(4))
 def test_sliders(chunk):
     kinds = set()
@@ -203,6 +204,7 @@ def found_reach(found):
     return sorted(end.output for end in found.limits)
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("chunk", range(4))
 def test_guide_bars(chunk):
     kinds = set()
