@@ -43,10 +43,14 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(20_000, 20, 50)
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _library_once() -> Iterator[None]:
+@pytest.fixture(autouse=True)
+def _library_once(request: pytest.FixtureRequest) -> Iterator[None]:
     """A process loads each mechanism of the library once: tests and commands that ask for it one after another are answered
-    from what is kept of its plan, its motion and its sheet, as a user is who asks again."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(library, "load", loaded)
+    from what is kept of its plan, its motion and its sheet, as a user is who asks again. A test that changes what the
+    package does loads its own."""
+    if "monkeypatch" in request.fixturenames:
         yield
+        return
+    own, library.load = library.load, loaded
+    yield
+    library.load = own

@@ -20,6 +20,6 @@ def _one_core() -> Iterator[None]:
     os.sched_setaffinity(0, cores)
 
 
-@pytest.fixture(autouse=True, scope="module")
+@pytest.fixture(autouse=True)
 def _library_once() -> None:
     """What is timed is loaded anew."""

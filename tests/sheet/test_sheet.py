@@ -505,7 +505,7 @@ def arranged(monkeypatch: pytest.MonkeyPatch) -> list[SheetContents]:
 
 def test_one_drawing_is_arranged_once(arranged: list[SheetContents]):
     """For its solution, its sheet in both languages and step by step, though it be drawn twice."""
-    mechanism = loads(library.text("ex3-1"))
+    mechanism = library.load("ex3-1")
     first = Drawing.of(mechanism)
     first.explain("zh")
     whole = [first.sheet(lang=lang).svg() for lang in ("zh", "en")]
@@ -513,7 +513,7 @@ def test_one_drawing_is_arranged_once(arranged: list[SheetContents]):
     assert len(arranged) == 1
     assert [Drawing.of(mechanism).sheet(lang=lang).svg() for lang in ("zh", "en")] == whole
     assert len(arranged) == 1
-    assert [Drawing.of(loads(library.text("ex3-1"))).sheet(lang=lang).svg() for lang in ("zh", "en")] == whole
+    assert [Drawing.of(library.load("ex3-1")).sheet(lang=lang).svg() for lang in ("zh", "en")] == whole
 
 
 def test_few_sheets_are_kept(monkeypatch: pytest.MonkeyPatch):
