@@ -11,6 +11,7 @@ from pathlib import Path
 from statistics import median
 from xml.etree.ElementTree import Element
 
+import browsing
 import pytest
 from defusedxml.ElementTree import fromstring
 from library_sheets import plain_text
@@ -173,7 +174,7 @@ def _inkscape(path: Path, image: Path) -> None:
 
 def _chromium(path: Path, image: Path) -> None:
     """A picture of the window, in which a page of A4 lies at its corner."""
-    browser = next(filter(shutil.which, ("chromium", "chromium-browser", "google-chrome")), "chromium")
+    browser = next(filter(shutil.which, browsing.NAMES), "chromium")
     page = ("--window-size=794,1123", f"--force-device-scale-factor={127 / 96}", "--hide-scrollbars", f"file://{path}")
     own = ("--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={path.parent / 'browser'}")
     _run(browser, *own, f"--screenshot={image}", *page)
