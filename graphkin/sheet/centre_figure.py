@@ -217,8 +217,8 @@ def bare_mechanism(found: Centres, window: Window) -> Figure:
     return mechanism_figure(skeleton, found.method, bare=True).numbered(None)
 
 
-def centre_figure(paper: OnPaper) -> Figure:
-    """Lines first, the mechanism over them, then the marks of the centres and the arrows to those that have none."""
+def centre_figure(paper: OnPaper, whole: bool = True) -> Figure:
+    """Lines first, the mechanism over them, then the centres and, of a whole one, the arrows to those off the paper."""
     lines, machine = centre_lines(paper), bare_mechanism(paper.found, paper.window)
     hinges = [paper.window(place) for place in mechanism_places(paper.found.method, paper.found.plot)]
     marks: list[Mark] = []
@@ -229,6 +229,6 @@ def centre_figure(paper: OnPaper) -> Figure:
         marks.append(PointMark("centres", spot.name, spot.name, at, _DOT, step=step))
     drawn, shown = [*lines.marks, *machine.marks, *marks], filter(paper.shown, paper.spots)
     names = (LabelRequest(centre_label(s.name), paper.at(s), gap=HINGE, step=s.number) for s in shown)
-    arrows = centre_arrows(paper, drawn)
+    arrows = centre_arrows(paper, drawn) if whole else Figure()
     wanted = [*machine.wanted, *together(names), *arrows.wanted, *lines.wanted]
     return Figure([*drawn, *arrows.marks], wanted)

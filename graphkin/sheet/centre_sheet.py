@@ -20,6 +20,7 @@ from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.sheet.centre_figure import OnPaper, Spot, bare_mechanism, centre_figure, centre_label, coordinates, spots
+from graphkin.sheet.detail import detailed
 from graphkin.sheet.layout import HEAD, Layout, division
 from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
@@ -65,8 +66,9 @@ def _page(found: Centres, layout: Layout, window: Window, table: TableBlock, lan
     base = [*table.marks(complex(strip.left + 3, strip.top + 1.5))]
     base += circle_diagram(found, layout.rooms["velocity"], lang)
     base += heading(say("sheet.centres", lang), "position", window.printed, whole)
-    room = whole.inset(2, HEAD, 2)
-    panel = Panel(centre_figure(OnPaper(found, window, room)), window, room, tuple(base))
+    drawn = OnPaper(found, window, whole.inset(2, HEAD, 2))
+    panel = Panel(centre_figure(drawn), window, drawn.room, tuple(base))
+    panel = detailed(panel, lambda larger: centre_figure(replace(drawn, window=larger), False), "position")
     below = Strip(least=table.size.imag)
     return Page(layout.paper, [panel], found.method.mechanism, found.plot.facts.values, lang, below)
 

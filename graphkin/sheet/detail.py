@@ -212,6 +212,8 @@ def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
                 yield Stroke(piece, pen, step=step)
         case Stroke(places=places, closed=closed):
             yield from _pieces((*places, places[0]) if closed else places, mark, circle)
+        case Disc(centre=centre, radius=radius) if abs(centre - circle.centre) + radius <= circle.radius:
+            yield mark
         case Disc() | ArcMark():
             arc = mark if isinstance(mark, ArcMark) else ArcMark(mark.centre, mark.radius, 0.0, cmath.tau)
             fine = 1 + math.sqrt(abs(arc.radius))  # pieces of a magnified arc show no corner

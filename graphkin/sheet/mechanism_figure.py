@@ -25,6 +25,7 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window
 
+_ASIDE = 7.0  # so far from a joint of others a number is its own link's [mm]
 _JOINED = 4.8  # lines that cross so near to a joint meet there: a break would leave a crumb [mm]
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
@@ -230,15 +231,18 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
         return  # it stands at the wheel
     if slide is not None and len(places) < 2:
         at, rod = skeleton.at(slide.point), wheels.follower(skeleton, slide)
-        if skeleton.is_cylinder(slide):
-            yield LabelRequest(label, _tube_end(skeleton, slide), at, gap=1.2, step=step)
-        elif rod is not None:
-            yield LabelRequest(label, rod[0].places[0], rod[0].places[1], gap=1.2, step=step)
+        if skeleton.is_cylinder(slide) or rod is not None:
+            start, end = (_tube_end(skeleton, slide), at) if rod is None else rod[0].places[:2]
+            yield LabelRequest(label, start, end, gap=1.2, step=step)
         else:
             yield LabelRequest(label, at, gap=math.hypot(2.4, 2.8), away=skeleton.direction(slide.line) * 1j, step=step)
     elif len(places) > 1 and in_line(places) is None:
         corners = [places[k] for k in hull(places)]
-        yield LabelRequest(label, sum(corners) / len(corners), gap=-2.6, step=step)
+        middle = sum(corners) / len(corners)  # or half-way to a corner, where a joint of others lies there
+        others = [at for at, _, links in skeleton.joints if link not in links]
+        inside = [middle, *((middle + corner) / 2 for corner in corners)]
+        at = max(inside, key=lambda at: min([_ASIDE, *(abs(at - other) for other in others)]))
+        yield LabelRequest(label, at, gap=-2.6, step=step)
     elif bars := [*skeleton.bars(link)]:
         tube = guide if guide is not None and skeleton.is_cylinder(guide) else None
         start, end = max(bars, key=lambda bar: abs(bar[1] - bar[0]))

@@ -1,8 +1,7 @@
 """The sheet of a mechanism: its figure and its polygons, laid out and lettered.
 
-It is the cheapest of several arrangements, each a paper and its division into rooms: it costs labels that find no
-place, those at the end of a leader, and what stands in the strip off its figure. They are composed one after the other
-where that may mend a fault of the best so far: on the smallest paper that holds all, with details, on larger ones.
+It is the cheapest of several arrangements, each a paper divided into rooms: it costs labels that find no place, those
+on leaders, and what stands in the strip off its figure. Larger papers are tried where that may mend a fault of one.
 """
 
 from __future__ import annotations

@@ -163,7 +163,6 @@ LARGEST: dict[Plane, complex] = {"position": 140 + 190j, "velocity": 151 + 111j,
 """The largest figures of a sheet, but for given scales and papers: a handout's page has room for them [mm]."""
 
 
-
 def papers_for(name: str | None) -> list[Paper]:
     """The paper asked for, or the usual ones."""
     if name is not None and name not in PAPERS:
