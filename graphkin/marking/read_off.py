@@ -172,7 +172,7 @@ def as_handed_in(
     """Of each set of mistakes those that turn most of the arrows astray, and no arrow otherwise than it was handed in.
 
     Sizes and rotations alone may go with an omega misread and with a driver drawn the other way round; only the second
-    turns the driver's arrow. An arrow that a mistake explains and does not turn may point just the other way. Drawn
+    turns the driver's arrow. One that is astray and whose size a mistake explains may point just the other way. Drawn
     arrows that point as they should say nothing: they may by own values before them. No sense is missing that is said
     in words. `handed_in`: by the key's texts; `known`: rewrites by name.
     """
@@ -192,7 +192,7 @@ def as_handed_in(
         explained = np.array([text in one.explains for text in handed_in], dtype=bool) & drawn[:, None]
         said = [any(id == "sense-not-given" and worded & {*of.split(", ")} for id, _, of, _ in names)
                 for names in one.names]  # fmt: skip
-        against = (other & ~follows & (turned | explained & ~reverse)).any(axis=1) | said
+        against = (other & ~follows & np.where(explained, ~reverse, turned)).any(axis=1) | said
         count = np.where(against, -1, (turned & (astray | follows) & ~other).sum(axis=1))
         if (most := count.max()) >= 0:
             names = tuple(names for names, n in zip(one.names, count, strict=True) if n == most)

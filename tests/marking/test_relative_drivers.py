@@ -89,3 +89,10 @@ def test_centres_give_no_ratio_of_rotations_that_two_drivers_change():
     key = key_for(loading.loads(MANIPULATOR, name="it"))
     assert "centre-ratio" not in {row[0][0] for row in key.singles.names}
     assert ("conversion", "sense", "omega 2", "") in {row[0] for row in key.singles.names}
+
+
+@pytest.mark.parametrize(("angle", "named"), [(188.0, True), (20.0, True), (214.2, False), (95.0, False)])
+def test_an_arrow_points_as_a_mistake_has_it_or_just_the_other_way(angle: float, named: bool):
+    """With omega 1² l_BC for omega 1² l_AB the acceleration of C is 1.821 at 188°."""
+    values = {**handed_in(-1.0, 3.0), "a C": 1.821 * cmath.exp(1j * math.radians(angle))}
+    assert (("normal-size", "") in names(marked(MANIPULATOR, values))) == named
