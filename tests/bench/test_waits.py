@@ -19,7 +19,7 @@ from graphkin.marking.key_making import make_key
 from graphkin.marking.tolerances import tolerances
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.say.centre_velocities import explain_centres
+from graphkin.say.centre_velocities import centre_lines
 from graphkin.sheet import scales_of
 from graphkin.sheet.paper import KEYS
 from graphkin.studies.centres import centres
@@ -52,7 +52,7 @@ def test_centres_grow_with_their_number(capsys: pytest.CaptureFixture[str]) -> N
         method = plan(machine)
         plot = replay_all(method)
         planned[count] = seconds(lambda machine=machine: replay_all(plan(replace(machine))))
-        took[count] = seconds(lambda method=method, plot=plot: explain_centres(centres(method, plot), "en"))
+        took[count] = seconds(lambda method=method, plot=plot: [*centre_lines(centres(method, plot), "en")])
     power = {count: math.log2(took[count] / took[count // 2]) for count in (32, 64)}
     with capsys.disabled():
         print("\ncentres of 16, 32, 64 dyads, ms: " + ", ".join(f"{1e3 * each:.0f}" for each in took.values()))
