@@ -36,8 +36,8 @@ Where a new thing goes, and the test that guides it:
 - a step: a class of `construction/kinds` and its place in the union `Step`; mypy names every reader.
 - a mistake: a function under `@mistake(id, topic, section)` in the file of `marking/mistakes` for its subject; in
   `say/phrases/marking.py` the lines `mistakes.made ID` and `mistakes.kind ID` (and `look TOPIC` of a new topic); a row
-  of `TABLE` in tests/marking/test_mistakes.py, with the numbers that a student gets. If it is common, `_COMMON` in
-  `handouts/problem.py`. `graphkin tolerance MECHANISM --power` tells how well it is found.
+  of `TABLE` in tests/marking/test_mistakes.py, with the numbers that a student gets. If it is common, `COMMON` in
+  `marking/diagnosis.py`. `graphkin tolerance MECHANISM --power` tells how well it is found.
 - an output format: a file of `outputs`, its ending in `DRAWN` of `outputs/drawings.py` and a case of `content` there:
   the commands offer it. `say/manual.md` names the endings in the line of `draw`; tests/outputs/test_exports.py,
   test_readme.py.

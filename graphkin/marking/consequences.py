@@ -58,7 +58,6 @@ class Consequences:
         return np.asarray(~same.all(axis=1))
 
 
-
 def _equal(one: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     """Values that equal others but for rounding; what is not judged equals what is not."""
     with np.errstate(invalid="ignore"):

@@ -44,6 +44,8 @@ COMMON = (
     "velocity-along-link", "tangential-along", "driver-along-crank", "conversion",
 )  # fmt: skip
 """Mistakes of students, the most frequent first."""
+_PLAINER = {"coriolis-not-laid-off": "coriolis-omitted", "normal-not-laid-off": "normal-omitted"}
+"""Of two that give the same numbers the one that a teacher names."""
 
 
 def rarity(id: str) -> int:
@@ -357,7 +359,7 @@ def _plainest(names: Sequence[tuple[Name, ...]]) -> tuple[tuple[Name, ...], ...]
 
 def _is_more(one: Name, other: Name) -> bool:
     (id, way, of, form), (plain, *plain_way, place, plain_form) = one, other
-    same = plain in (id, id.replace("not-laid-off", "omitted")) and [way, form] == [*plain_way, plain_form]
+    same = plain in (id, _PLAINER.get(id)) and [way, form] == [*plain_way, plain_form]
     return same and one != other and {*place.split(", ")} <= {*of.split(", ")}
 
 
