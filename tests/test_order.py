@@ -123,6 +123,14 @@ def test_public_names():
         assert getattr(graphkin, name) is not None
 
 
+def test_docstrings_name_their_thing():
+    """They are no questions; those under constants count, too."""
+    texts = [(path.name, node.value.value) for path in FILES for node in ast.walk(ast.parse(path.read_text("utf-8")))
+             if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)]  # fmt: skip
+    assert len(texts) > 1000
+    assert [(name, text) for name, text in texts if text.split()[0] in ("What", "Whether", "How", "Who")] == []
+
+
 def test_packages_are_loaded_plainly():
     """No module is faked, replaced or loaded past its package."""
     assert [path.name for path in FILES if "sys.modules" in path.read_text("utf-8")] == []

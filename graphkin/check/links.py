@@ -137,10 +137,10 @@ Places = Callable[[np.ndarray], np.ndarray]
 _LOOK, _SOUGHT = 361, 4
 """Positions of the first look, and how often the end of what is reached is sought between two."""
 _FINE, _HALVED = 0.002, 4
-"""How far chords of the curve may stand off it [mm], and how often they are halved at most."""
+"""Distance of chords from their curve [mm], and the number of halvings, at most."""
 _GONE = 0.2
-"""What is farther from all that is drawn is missing: chords stand off, and a curve ends a little before dead points
-[mm]."""
+"""A place farther from all that is drawn is missing [mm]: chords stand off, and a curve ends a little before dead
+points."""
 _SLID = 2.001
 """A slide is followed so many lengths of the longest link to either side, or as far as the curve is wide and high."""
 _NEAR = 3.0  # sizes of the mechanism within which a curve is drawn, from where its point is; farther off it may end

@@ -27,7 +27,7 @@ _HARMLESS = re.compile(
     r"|(shape|text|color|image)-rendering|color-interpolation.*|paint-order|(fill|clip)-rule|enable-background"
     r"|stroke-(linejoin|linecap|miterlimit|dashoffset)|stop-.*|solid-.*|(dominant|alignment)-baseline|baseline-shift"
 )
-"""What moves and hides nothing but letters."""
+"""Properties that move and hide nothing but letters."""
 _TYPE_ALONE = re.compile(r"font-(family|style|weight|variant)|text-rendering|shape-rendering")
 _REFUSED = (
     "clip-path", "mask", "filter", "clip", "transform-origin", "transform-box", "mix-blend-mode",

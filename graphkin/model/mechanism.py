@@ -29,7 +29,7 @@ FRAME = "frame"  # the fixed link's own name in every mapping by link; `Mechanis
 EQUATIONS: Mapping[Literal["velocity", "acceleration"], str] = {
     "velocity": "equations velocity", "acceleration": "equations acceleration",
 }  # fmt: skip
-"""What the vector equations of a plane are called where points are given for them."""
+"""Names of a plane's vector equations where points are given for them."""
 
 _Kind = TypeVar("_Kind", bound=Pair)
 
@@ -278,7 +278,7 @@ class Mechanism:
         return _spoken(self.source, lang)
 
     def story(self, lang: Lang) -> str:
-        """What stands before what is given, in this language, else in the other."""
+        """The text before the data, in this language, else in the other."""
         return _spoken(self.stories, lang)
 
     @cached_property

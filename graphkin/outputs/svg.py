@@ -246,4 +246,4 @@ def _pointed(mark: VectorMark) -> str:
 
 
 _WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0.0), "right": (0.0, 0.6)}
-"""How far such a head opens to the left and to the right, with the line around it as far as others do [mm]."""
+"""Half widths of such a head to the left and to the right, with the line around it those of others [mm]."""

@@ -17,7 +17,7 @@ from graphkin.sheet.paper import PENS, PenName
 
 MARK = b"% graphkin sheet"
 LIBRARIES = (r"\usepackage{xcolor}", r"\usepackage{tikz}", r"\usetikzlibrary{arrows.meta}")
-"""What a document needs that holds a picture."""
+"""The preamble of a document that holds a picture."""
 _POINT = 72.27 / 25.4  # teX's points in a millimetre
 _FILLS: dict[Fill, str] = {
     "none": "", "paper": "fill=white", "ink": "fill=.", "grey": "fill=black!13", "tint": "fill=., fill opacity=0.1",

@@ -33,8 +33,8 @@ def asked_parts(
 
 
 def all_motions(mechanism: Mechanism, planes: Sequence[Plane]) -> tuple[Quantity, ...]:
-    """What is asked where a file asks for nothing: how every link turns that is not driven or idle, and how every point
-    moves that is no aid."""
+    """Questions where a file asks for nothing: the rotation of each link that is neither driven nor idle, the motion of
+    each point that is no aid."""
     links = [link for link in mechanism.moving if link not in (*mechanism.driven, *mechanism.idle)]
     words: dict[Plane, Literal["omega", "alpha"]] = {"velocity": "omega", "acceleration": "alpha"}
     rotations = [Rotation(words[plane], mechanism.called(link), link) for plane in planes for link in links]

@@ -15,7 +15,7 @@ _GREEK = {"omega": "ω", "alpha": "α"}
 
 
 def line_name(text: str, lang: Lang) -> str:
-    """What a line of marks is called: a quantity as it is read, the equations of a plane in words."""
+    """The name of a line of marks: a quantity as it is read, the equations of a plane in words."""
     plane = next((plane for plane, own in EQUATIONS.items() if own == text), None)
     return text if plane is None else say(f"marks.equations {plane}", lang)
 

@@ -153,7 +153,7 @@ def curve_lines(curves: Centrodes, lang: Lang) -> Iterator[str]:
 
 
 def _reach(curves: Centrodes, link: str, places: np.ndarray, lang: Lang, shown: Callable[[float], str]) -> str:
-    """How far a curve goes; what is smaller than curves are looked at is none."""
+    """The extent of a curve; one that is smaller than curves are looked at is none."""
     sides, least, called = list[str](), LEAST * curves.found.board.size, curves.found.method.mechanism.called(link)
     if float(np.abs(places).max()) > FAR * curves.found.board.size / 2:
         return catalogue.say("about.endless", lang, link=called)

@@ -145,7 +145,7 @@ def _corner(reading: Reading, slide: Slide) -> str:
 
 
 def guide_sizes(reading: Reading) -> Iterator[Size]:
-    """How lines lie in their links: `e_B = 20 mm` from the first fixed point, `γ = 100°`; tilts of blocks."""
+    """Places of lines in their links: `e_B = 20 mm` from the first fixed point, `γ = 100°`; tilts of blocks."""
     yield from _eccentricities(reading)
     machine, taken = reading.mechanism, set[str]()
     for pair in (pair for pair in machine.pairs if getattr(pair, "stands_for", None) is None):

@@ -166,7 +166,7 @@ class AnswerLines:
                 assert_never(quantity)
 
     def _solved_as(self, quantity: Moving) -> _OtherName | None:
-        """What the solution has worked out in place of a motion seen from a point: `aᵏ_A4A3` of `a_k A4A2`, where
+        """The motion worked out in place of one seen from a point: `aᵏ_A4A3` of `a_k A4A2`, where
         another link bears the same pin; `v_C2C3` of `v B2B3`, where the two links slide without turning; and where the
         motion seen from the other point is the opposite, that: `v_B3B2` of `v B2B3`."""
         if quantity.seen_from is None or self.goal.symbol(quantity) in self.calculated:
@@ -195,13 +195,13 @@ class AnswerLines:
         yield from sliding
 
     def _borne(self, one: Site, other: Seen) -> bool:
-        """Whether two sites at one pin move as one: their links bear it, or one stands for it in its slot."""
+        """Two sites at one pin move as one: their links bear it, or one stands for it in its slot."""
         owners = self.reading.mechanism.owners.get(one.point, ())
         bears = one.link in owners or self.reading.method.structure.is_pin(one.link)
         return one.link == other.link or (bears and other.link in owners)
 
     def _slides(self, quantity: Moving) -> bool:
-        """Whether it is of coincident points of two links that slide without turning against each other."""
+        """It is of coincident points of two links that slide without turning against each other."""
         links = {site.link for site in quantity.sites}
         return _coincide(quantity.sites) and any({s.guide, s.block} == links for s in self.reading.mechanism.slides)
 
@@ -214,7 +214,7 @@ class AnswerLines:
             yield self.reading.say("solution.opposite", name=solved.name)
 
     def _worked(self, quantity: Moving) -> tuple[tuple[str, ...], Formula | str]:
-        """How a motion is found that the solution has not worked out by its own name."""
+        """The way to a motion that the solution has not worked out by its own name."""
         if (solved := self._solved_as(quantity)) and not solved.opposite:
             return (solved.name,), ""
         if quantity.part != "k" or quantity.seen_from is None:
@@ -338,7 +338,7 @@ def answers_elsewhere(goal: SolutionGoal, method: Method, positions: Sequence[tu
 
 
 def drawn_acts(goal: SolutionGoal, as_planned: bool = False) -> list[Entry]:
-    """What is drawn: the position, then instant centres where they are asked for, and the polygons that are needed."""
+    """The drawing: the position, then instant centres where they are asked for, and the polygons that are needed."""
     reading = goal.reading
     posed = by_pose(reading.method, reading.plot)
     drawn = reading if posed is None else Reading(*posed, reading.scales, reading.lang, reading.ruler)

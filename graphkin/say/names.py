@@ -44,7 +44,7 @@ def point(name: str) -> str:
 
 
 def auxiliary(name: str) -> bool:
-    """Whether it is a point that the mechanism has not (`*1`)."""
+    """It is a point that the mechanism has not (`*1`)."""
     return name.startswith("*")
 
 

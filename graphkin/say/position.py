@@ -162,7 +162,7 @@ class PositionReader(Tangents):
         return reading.say("derivation.lay off link", **words) + self._stand_in(step)
 
     def _stand_in(self, step: kinds.LayOff) -> str:
-        """What a point is that the mechanism has not, as `W is where Q is when N lies at O`: its link is drawn from
+        """A point that the mechanism has not, in words, as `W is where Q is when N lies at O`: its link is drawn from
         where one of its points may lie; "" of others."""
         start, end = (step.term.head, step.term.tail) if step.backwards else (step.term.tail, step.term.head)
         known = self.reading.named(step.start) and "*" not in start + end

@@ -104,7 +104,7 @@ class SolutionGoal:
             yield Sentence(say("solution.find all" if "acceleration" in self.parts else "solution.find velocities"))
 
     def _listed(self, asked: Sequence[tuple[Quantity | None, str]]) -> Iterator[str]:
-        """What is asked, symbol by symbol; of centres in a row the word once."""
+        """The questions, symbol by symbol; of centres in a row the word once."""
         for centres, some in groupby(asked, key=lambda each: isinstance(each[0], Centre)):
             if centres:
                 first, *others = (names.point(text) for _, text in some)

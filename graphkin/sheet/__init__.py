@@ -47,7 +47,7 @@ _CALLED = {"sheet": "mechanism_sheet", "step_sheets": "mechanism_step_sheets"}
 
 
 def __getattr__(name: str) -> Any:
-    """What letters a formula needs of a sheet is not all that draws one: public names are imported when first used."""
+    """Public names are imported when first used: whoever letters a formula needs little of what draws a sheet."""
     if name in __all__:
         home = import_module(f"graphkin.{_HOMES.get(name, 'sheet.mechanism_sheet')}")
         return getattr(home, _CALLED.get(name, name))

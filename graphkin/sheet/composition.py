@@ -114,7 +114,7 @@ class Planes:
 
     @cached_property
     def sizes(self) -> list[Size]:
-        """What is given of the mechanism; drivers that stand elsewhere than the problem says have no value."""
+        """The mechanism's data; drivers that stand elsewhere than the problem says have no value."""
         reading = self.reading({})
         every = sizes(reading)
         if self.style != "given":
@@ -142,7 +142,7 @@ class Planes:
         )  # fmt: skip
 
     def last(self, plane: Plane, window: Window, scales: Mapping[Plane, float], rings: Rings | None) -> Last | None:
-        """What is drawn last on a figure; rings: of its equations."""
+        """The last marks of a figure; rings: of its equations."""
         reading = self.reading(scales)
         if plane == "position" and self.style != "result":  # annotations, of what is used for the polygons too
             polygons = self.planes if self.style == "construction" else ()
@@ -226,7 +226,7 @@ class SheetContents:
 
     @cached_property
     def blocks(self) -> dict[Plane, dict[BlockName, Sequence[Block]]]:
-        """What stands with each figure, in all its shapes."""
+        """Titles, ladders and tables of each figure, in all their shapes."""
         blocks = dict[Plane, dict[BlockName, Sequence[Block]]]()
         for plane in self.drawing.planes:
             own = None if self.drawing.told else self.drawing.ladders.get(plane)
@@ -272,7 +272,7 @@ class SheetContents:
 
     @property
     def notes(self) -> list[Label]:
-        """How that was found which ruler and compass do not give; what the paper has no room for."""
+        """Sentences on what ruler and compass do not give, and on what the paper has no room for."""
         told, drawing, lang = list[str](), self.drawing, self.drawing.lang
         for plane in drawing.planes if drawing.style != "given" else ():
             steps = drawing.method.construction(plane).steps

@@ -101,7 +101,7 @@ class PolygonConstruction:
                         yield _DirectionLine(foot, meeting, along if ahead else -along, text, act.page)
 
     def _shown(self, meet: Meet) -> bool:
-        """Whether there is anything to see: not where both lines meet in the point from which they start."""
+        """There is something to see: not where both lines meet in the point from which they start."""
         points, at = self.polygon.points, self.polygon.points.get(meet.point)
         feet = [points.get(line.through) for line in (meet.first, meet.second) if isinstance(line, Ray)]
         apart = (at is not None and (foot is None or abs(foot - at) > _NOTHING) for foot in feet)

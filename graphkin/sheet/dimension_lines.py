@@ -241,11 +241,11 @@ class _Arm(NamedTuple):
     short: bool
 
     def goes_on(self, radius: float) -> bool:
-        """Whether it is drawn as far as past an arc."""
+        """It is drawn past an arc of that radius."""
         return not self.reach or (self.short and self.reach < radius)
 
     def clear(self, radius: float) -> float:
-        """How far an arc is off the end of its bar [mm]: better on a bar, if there is room, than beyond it."""
+        """Distance of an arc from the end of its bar [mm]: better on a bar, if there is room, than beyond it."""
         return min(_LIKED, radius - self.reach - HINGE) if self.goes_on(radius) else self.reach - radius - HINGE
 
 

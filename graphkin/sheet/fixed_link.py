@@ -26,8 +26,8 @@ from graphkin.sheet.wheels import circles, follower
 from graphkin.sheet.window import Figure
 
 _REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0
-"""How far a fixed guide is drawn to each side of its block; away from a bar over it, and where it ends unseen under the
-block [mm]."""
+"""Reach of a fixed guide to each side of its block; away from a bar over it, and where it ends unseen under the block
+[mm]."""
 _OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its block under a smaller angle
 _CROSSING = (14, 22), (31, 40)  # where a crank's arc, which crosses it, begins before it [deg]
 _ASIDE = 1.5 * symbols.SWEEP  # from the middle of an arc to that of another behind it

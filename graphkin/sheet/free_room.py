@@ -85,7 +85,7 @@ class FreeRoom:
 
     @cached_property
     def _sums(self) -> Array:
-        """How much lies above and to the left of each corner of the squares of a grid."""
+        """Numbers of marks above and to the left of each corner of a grid's squares."""
         room, ((x, y), _) = self.room, places(self.marks)
         edges = [np.arange(low, high + 1e-9, _GRID) for low, high in ((room.top, room.bottom), (room.left, room.right))]
         return np.pad(np.histogram2d(y, x, edges)[0].cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))

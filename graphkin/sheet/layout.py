@@ -53,7 +53,7 @@ class Layout:
         return stands.window(own, free, self.paper.times), stands.corners(free)
 
     def holds(self, extents: Mapping[Plane, Extent], strip: float) -> bool:
-        """Whether figures stand in its rooms at its scales, over a strip of that height [mm]."""
+        """Its figures stand in its rooms at its scales, over a strip of that height [mm]."""
         every = (self._standing(plane, extent)[-1] for plane, extent in extents.items())
         return strip <= self.strip.size.imag and all(np.isfinite(stands.scales[0]) for stands in every)
 

@@ -156,7 +156,7 @@ class MechanismNotes:
         return sum(map(self.skeleton.at, points)) / len(points)
 
     def _alone(self, points: Sequence[str], radius: float, arm: complex) -> bool:
-        """Whether no point is near where an arc crosses its link: it would look as if it turned about that."""
+        """No point is near where an arc crosses its link: it would look as if it turned about that."""
         crossing = self._middle(points) + radius * arm / abs(arm)
         return all(abs(self.skeleton.at(point) - crossing) > _OTHER for point in self.skeleton.points)
 

@@ -80,7 +80,7 @@ def mechanism_step_sheets(
 
 
 def _contents(drawing: Planes, tight: bool = False) -> SheetContents:
-    """What is given and nothing else, or all that is found."""
+    """The data and nothing else, or all results."""
     if drawing.style == "given":
         return SheetContents(drawing, {}, [] if tight else given_tables(drawing.reading({})), tight)
     found = {} if tight else tables(drawing.method, drawing.plot, drawing.lang)

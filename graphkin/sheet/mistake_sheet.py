@@ -1,4 +1,4 @@
-"""What mistakes make of a drawing, or a student's own drawing, laid over the right one; a small figure a sheet.
+"""Drawings with a mistake in them, or a student's own, laid over the right one; a small figure a sheet.
 
     versions (`Version`) of a plane --> a Picture each --> Page on a paper cut to it
 
@@ -176,7 +176,7 @@ class Version:
         return {name: value for name, value in laid.items() if value in near}
 
     def _over(self, window: Window) -> Figure:
-        """What is laid over, bold; letters in brackets where its points lie elsewhere."""
+        """The drawing laid over, bold; letters in brackets where its points lie elsewhere."""
         plot = Plot(self.plot.facts)
         plot.points(self.plane).update(self._own)
         polygon = self._polygon(plot, window)

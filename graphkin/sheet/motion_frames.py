@@ -90,7 +90,7 @@ def motion_frames(
 
 
 def _running_values(moved: Course, times: Sequence[float]) -> dict[Plane, list[list[Label]]]:
-    """What is asked for, and the driver's place: by plane a row a quantity, in it a label a position."""
+    """Values of what is asked, and of the driver: by plane a row a quantity, in it a label a position."""
     machine, driver = moved.method.mechanism, moved.driver
     turns = driver.kind == "angle" and driver.from_vector is None
     names = [f"theta {driver.link}"] if turns else []
@@ -171,7 +171,7 @@ class MotionFigure:
 
     @cached_property
     def smaller(self) -> dict[int, int]:
-        """How many times smaller than usual it is drawn at each position at which it is not endless."""
+        """The divisor of its scale at each position at which it is not endless."""
         sizes = {k: self._reach(plot) for k, plot in enumerate(self.plots) if self.fits(plot)}
         usual = np.inf if self.plane == "position" else max(_USUAL * float(np.median([*sizes.values()])), sizes[0])
         return {k: next((times for times in _SMALLER if size <= times * usual), _SMALLER[-1])

@@ -68,7 +68,7 @@ class _PlaneTables:
         return {self.key(quantity): quantity for quantity in quantities if quantity is not None}
 
     def key(self, quantity: asked.Quantity) -> _Key:
-        """What it is of, however it is written: a link, a slide, or the points of the velocity polygon."""
+        """The subject, however it is written: a link, a slide, or points of the velocity polygon."""
         match quantity:
             case asked.Rotation():
                 return quantity.word, frozenset((quantity.link,))
@@ -84,7 +84,7 @@ class _PlaneTables:
                 assert_never(quantity)
 
     def cell(self, label: Label, of: Iterable[str], *words: str) -> Label:
-        """What tells of these quantities, in bold where one of them is asked for."""
+        """A label of these quantities, in bold where one of them is asked for."""
         keys = {(word, frozenset(of)) for word in words}
         self.shown.update(keys)
         return bold(label) if keys & self.questions.keys() else label
@@ -156,7 +156,7 @@ class _PlaneTables:
         return Table(((), _column(*columns[self.plane])), tuple(rows))
 
     def answers(self) -> Table:
-        """What is asked for and stands in no other table."""
+        """The answers that stand in no other table."""
         reading = Reading(self.method, self.plot, dict.fromkeys(KEYS.values(), 1.0), self.lang)
         lines = AnswerLines(solution_goal(reading), {})
         rows = list[tuple[Label, ...]]()

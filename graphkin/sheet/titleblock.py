@@ -160,7 +160,7 @@ _RULER, _NAME = 100.0, "graphkin"
 
 @frozen
 class Strip:
-    """What stands at the foot of a sheet over title, source and scales: tables that were found, sentences under them,
+    """The foot of a sheet over title, source and scales: tables of results, sentences under them,
     equations that have no room with their polygons, notes beside the scales, further scales that no figure tells.
     least: room for all that stands over the footer, at least [mm]."""
 
@@ -172,7 +172,7 @@ class Strip:
     least: float = 0.0
 
     def blocks(self, paper: Paper) -> list[TableBlock | WrittenLines | Ladder]:
-        """What stands over the footer, one under the other."""
+        """All that stands over the footer, one under the other."""
         wide = tables_room(paper)
         words = WrittenLines.sentences(self.told, wide, LABEL)
         return [arranged(self.found, wide), words, *(each.within(wide) for each in self.equations)]

@@ -39,7 +39,7 @@ class Window:
         return self.scale / self.times
 
     def value(self, place: Place) -> complex:
-        """What is seen at a place [SI]."""
+        """The value that is drawn at a place [SI]."""
         return ((place - self.origin) * self.scale).conjugate()
 
     @staticmethod

@@ -365,7 +365,7 @@ _REWRITTEN: tuple[tuple[str, str | Callable[[re.Match[str]], str], Collection[st
      lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", _EVERY),
     ("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$", "", _EVERY),
 )  # fmt: skip
-"""What is written otherwise before it is read: a pattern, what stands in its place, and of which SI units."""
+"""Rewritings before a text is read: a pattern, the text in its place, and the SI units it holds for."""
 
 
 def simple(text: str) -> Number | None:

@@ -94,7 +94,7 @@ def power(
     relative: float | None = None, *, asked: bool = False, trials: int = 200, values: api.drawing.Values = None,
     key: Key | None = None,
 ) -> powers.Power:  # fmt: skip
-    """How often each mistake is told by the numbers that are handed in: so many students of each are drawn up.
+    """Rates at which each mistake is told by the numbers that are handed in: so many students of each are drawn up.
 
     asked   they hand in what is asked, and nothing on the way; the rest is as `tolerance` has it
     key     where there is one, for marks

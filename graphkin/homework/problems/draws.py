@@ -46,7 +46,7 @@ _SAMPLE, _TOLD, _SAMPLE_TRIES = 24, 9, 150
 """So many problems show how accurate a template's answers are, and so many of those that are alike how well mistakes
 can be told apart; of so many draws at most."""
 _LIKE = math.log(3) / 2
-"""What may be off of answers to one question, as parts of them, differs by a smaller logarithm from the usual part, so
+"""The tolerance of answers to one question, as a part of them, differs by a smaller logarithm from the usual part, so
 that for two students it differs by less than a factor of 3."""
 _PRINTED = 0.01  # a smaller part is that of three printed digits, and is like any other
 _AHEAD = 64  # students who are drawn for before it is their turn
