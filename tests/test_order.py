@@ -131,6 +131,12 @@ def test_docstrings_name_their_thing():
     assert [(name, text) for name, text in texts if text.split()[0] in ("What", "Whether", "How", "Who")] == []
 
 
+def test_a_class_name_stands_for_one_thing():
+    names = [node.name for path in FILES for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.ClassDef) and not node.name.startswith("_")]  # fmt: skip
+    assert len(names) > 500
+    assert {name for name in names if names.count(name) > 1} == set()
+
+
 def test_packages_are_loaded_plainly():
     """No module is faked, replaced or loaded past its package."""
     assert [path.name for path in FILES if "sys.modules" in path.read_text("utf-8")] == []

@@ -23,7 +23,7 @@ SAME = 1e-6  # of directions that are parallel, of parts by which sizes are equa
 
 
 @frozen
-class Choice:
+class RowChoice:
     """An entry of the row of directions or of magnitudes.
 
     token   as a file has it: `perpendicular AB`, `B to A`, `parallel guide C`, `2*omega_3*v_B3B2`, `?`, `given`, `0`
@@ -82,16 +82,16 @@ class ChoiceRows:
         return sorted(pair for pair in apart if mechanism.unnamed.isdisjoint(pair))
 
     @cached_property
-    def directions(self) -> Mapping[Choice, np.ndarray | None]:
+    def directions(self) -> Mapping[RowChoice, np.ndarray | None]:
         """Choices of direction; those without a value are the words."""
-        choices: dict[Choice, np.ndarray | None] = {Choice(UNKNOWN, "?"): None, Choice(KNOWN, "given"): None}
+        choices: dict[RowChoice, np.ndarray | None] = {RowChoice(UNKNOWN, "?"): None, RowChoice(KNOWN, "given"): None}
         for pair in self.pairs:
             letters, line = "".join(pair), self._line(*pair)
-            choices[Choice(f"parallel {letters}", "parallel", pair)] = line
-            choices[Choice(f"perpendicular {letters}", "perpendicular", pair)] = 1j * line
+            choices[RowChoice(f"parallel {letters}", "parallel", pair)] = line
+            choices[RowChoice(f"perpendicular {letters}", "perpendicular", pair)] = 1j * line
             for tail, head in permutations(pair):
-                choices[Choice(f"{tail} to {head}", "towards", (tail, head))] = self._line(tail, head)
-        axes = {Choice(f"parallel {axis}", "guide", (axis,)): np.full(len(self.plots), along)
+                choices[RowChoice(f"{tail} to {head}", "towards", (tail, head))] = self._line(tail, head)
+        axes = {RowChoice(f"parallel {axis}", "guide", (axis,)): np.full(len(self.plots), along)
                 for axis, along in zip(AXES, (1 + 0j, 1j))}  # fmt: skip
         choices |= axes
         lines = [*(self._line(*pair) for pair in self.pairs), *axes.values()]
@@ -100,19 +100,19 @@ class ChoiceRows:
             if not any(self.same_line(guide, line) for line in lines):
                 named = [choice for choice in choices if choice.kind == "guide" and choice.points == (slide.point,)]
                 guided = f"guide {slide.name if named else slide.point}"
-                choices[Choice(f"parallel {guided}", "guide", (slide.point,))] = guide
-                choices[Choice(f"perpendicular {guided}", "across guide", (slide.point,))] = 1j * guide
+                choices[RowChoice(f"parallel {guided}", "guide", (slide.point,))] = guide
+                choices[RowChoice(f"perpendicular {guided}", "across guide", (slide.point,))] = 1j * guide
                 lines.append(guide)
         return choices
 
     @cached_property
-    def magnitudes(self) -> Mapping[Choice, np.ndarray | None]:
+    def magnitudes(self) -> Mapping[RowChoice, np.ndarray | None]:
         """Choices of magnitude; those without a value are the words."""
-        choices: dict[Choice, np.ndarray | None] = {
-            Choice(UNKNOWN, "?"): None, Choice(KNOWN, "given"): None, Choice(NOTHING, "0"): None
+        choices: dict[RowChoice, np.ndarray | None] = {
+            RowChoice(UNKNOWN, "?"): None, RowChoice(KNOWN, "given"): None, RowChoice(NOTHING, "0"): None
         }  # fmt: skip
         for factors, value in self._products():
-            choices.setdefault(Choice("*".join(factors), "product", factors=factors), value)
+            choices.setdefault(RowChoice("*".join(factors), "product", factors=factors), value)
         return choices
 
     def _products(self) -> Iterator[tuple[tuple[str, ...], np.ndarray]]:

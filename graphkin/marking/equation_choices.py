@@ -17,7 +17,7 @@ from graphkin.base.geometry import dot, unit
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Equation, LayOff, Plane, Plot, Term, replay, slide_key, terms
 from graphkin.errors import GraphkinError
-from graphkin.marking.choice_rows import AXES, KNOWN, NOTHING, SAME, UNKNOWN, Choice, ChoiceRows
+from graphkin.marking.choice_rows import AXES, KNOWN, NOTHING, SAME, UNKNOWN, ChoiceRows, RowChoice
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import in_order
 from graphkin.model.quantities.reading import read
@@ -57,8 +57,8 @@ class EquationChoices:
     number: int
     front: str
     sides: tuple[tuple[TermChoices, ...], ...]
-    directions: tuple[Choice, ...]
-    magnitudes: tuple[Choice, ...]
+    directions: tuple[RowChoice, ...]
+    magnitudes: tuple[RowChoice, ...]
 
     @property
     def terms(self) -> tuple[TermChoices, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from graphkin.base.plain import Plain
 from graphkin.handouts.problem import HandoutProblem
-from graphkin.marking.choice_rows import Choice
+from graphkin.marking.choice_rows import RowChoice
 from graphkin.marking.equation_choices import EquationChoices
 from graphkin.model.quantities import EDGE, Centre, Moving, Quantity, Rotation, Track, at_position
 from graphkin.outputs.typesetting import html_words
@@ -52,7 +52,7 @@ def _name(vector: str) -> str:
     return element("span", {"class": "name"}, html_words(formula(names.vector(vector))))
 
 
-def _choices(one: EquationChoices, term: str, row: str, choices: Iterable[Choice]) -> str:
+def _choices(one: EquationChoices, term: str, row: str, choices: Iterable[RowChoice]) -> str:
     """The field of a term's direction, or of its magnitude; it is named by its data."""
     data: Attributes = {f"data-{row}": term, "data-term": term, "data-of-plane": one.plane, "data-number": one.number,
                         "data-word-label": f"{row} of"}  # fmt: skip
@@ -62,7 +62,7 @@ def _choices(one: EquationChoices, term: str, row: str, choices: Iterable[Choice
 _PRINTED = {"given": "√", "?": "?", "0": "0"}
 
 
-def _shown(choice: Choice) -> str:
+def _shown(choice: RowChoice) -> str:
     """A choice as a list shows it: `⊥AB`, `B→A`, `ω3²·l_BC`."""
     match choice.kind:
         case "towards":

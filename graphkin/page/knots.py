@@ -17,7 +17,7 @@ from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plane, Plot
 from graphkin.page.figures import PageFigures
 from graphkin.page.reach import Reach
-from graphkin.page.rows import Row, rows
+from graphkin.page.rows import MarkTrack, rows
 from graphkin.page.tracks import OF_GRID
 from graphkin.sheet.window import PLANES, Figure
 
@@ -168,7 +168,7 @@ def _failures(
         known = drawn[plane]
         known |= {u: figures.figure(plane, plots[u] if u in plots else tried[u]) for u in every if u not in known}
         frames = [known[u].marks for u in every]
-        groups: dict[bytes, list[Row]] = {}
+        groups: dict[bytes, list[MarkTrack]] = {}
         for row in (row for row in rows(frames) if row.is_known):
             groups.setdefault(row.there.tobytes(), []).append(row)
         for group in groups.values():

@@ -53,7 +53,7 @@ class CentreTrack(TypedDict):
     mask: NotRequired[int]
 
 
-class Curve(TypedDict):
+class CurveTrack(TypedDict):
     name: str
     label: str
     pieces: list[str]
@@ -70,9 +70,9 @@ class CentrodeTrack(TypedDict):
     sin: Tracked
 
 
-class Layers(TypedDict):
+class MovingLayers(TypedDict):
     centres: list[CentreTrack]
-    curves: list[Curve]
+    curves: list[CurveTrack]
     centrodes: list[CentrodeTrack]
 
 
@@ -81,7 +81,7 @@ def moving(track: CentreTrack | CentrodeTrack) -> dict[str, object]:
     return {key: value for key, value in track.items() if key in ("x", "y", "w", "cos", "sin", "mask")}
 
 
-def layers(course: Course, t: Array, window: Window, room: Room, tracks: PageTracks) -> Layers:
+def layers(course: Course, t: Array, window: Window, room: Room, tracks: PageTracks) -> MovingLayers:
     """All layers, as data of a page.
 
     t       of the knots on the course (n,)
@@ -130,7 +130,7 @@ class _Layers:
 
     # --- curves of points ---------------------------------------------------------------------
 
-    def curves(self) -> Iterator[Curve]:
+    def curves(self) -> Iterator[CurveTrack]:
         """The paths of the points that go on no circle about a fixed point and on no line."""
         method = self.course.method
         t = self.t[0] + np.radians(range(361)) if self.course.full_turn else self.t

@@ -31,12 +31,21 @@ from graphkin.page.diagrams import Frame, diagram, frame
 from graphkin.page.elements import signs_of
 from graphkin.page.figures import layer_of
 from graphkin.page.knots import PageKnots, cells_shown, knots_along, page_knots
-from graphkin.page.layers import Layers, layers, moving
+from graphkin.page.layers import MovingLayers, layers, moving
 from graphkin.page.quiz import quiz
 from graphkin.page.reach import Reach
-from graphkin.page.rows import Row, rows
+from graphkin.page.rows import MarkTrack, rows
 from graphkin.page.spoken import StepWords, spoken_steps, unfolded
-from graphkin.page.stage import Stage, driver, figure, kind_of, mark_element, overlay_drawing, page_head, result
+from graphkin.page.stage import (
+    PlayerElements,
+    driver,
+    figure,
+    kind_of,
+    mark_element,
+    overlay_drawing,
+    page_head,
+    result,
+)
 from graphkin.page.tracks import OF_GRID, QUANTUM, Tracks
 from graphkin.planning import Method
 from graphkin.planning.needed import without_aids
@@ -75,7 +84,7 @@ def played(method: Method, values: Sequence[float] | None = None) -> Data:
     knots = page_knots(Reach.of(method))
     start = [float(value) for value in method.facts(None).values] if values is None else [*values]
     tracks = Tracks([], [], QUANTUM if len(knots.axes) == 1 else OF_GRID)
-    return _Played(knots, tracks, start, Stage([], [], [], [], [])).data()
+    return _Played(knots, tracks, start, PlayerElements([], [], [], [], [])).data()
 
 
 @bulky
@@ -83,7 +92,7 @@ class _Played:
     knots: PageKnots
     tracks: Tracks
     start: Sequence[float]
-    stage: Stage
+    stage: PlayerElements
 
     @property
     def method(self) -> Method:
@@ -104,7 +113,7 @@ class _Played:
             "stage": self.stage.html(overlays, questions), "tracks": self.tracks.texts, "masks": self.tracks.masks,
         }  # fmt: skip
 
-    def _overlays(self) -> Layers | None:
+    def _overlays(self) -> MovingLayers | None:
         """The layers over the motion of one driver."""
         reach, figures = self.knots.reach, self.knots.figures
         if len(reach.axes) > 1:
@@ -145,7 +154,7 @@ class _Played:
 
     # --- figures ----------------------------------------------------------------------------------
 
-    def _plane(self, plane: Plane, overlays: Layers | None) -> Data:
+    def _plane(self, plane: Plane, overlays: MovingLayers | None) -> Data:
         figures, knots, colours = self.knots.figures, self.knots, Colours("accent", False)
         window, room, layer = figures.window(plane), figures.room(plane), Layer("mechanism", (), plane)
         in_a_row = len(knots.axes) == 1
@@ -163,7 +172,7 @@ class _Played:
             data["cells"] = self.tracks.mask(cells_shown(knots, plane))
         return data | ({"mask": mask} if (mask := self.tracks.mask(knots.shown[plane])) is not None else {})
 
-    def _row(self, row: Row) -> Data:
+    def _row(self, row: MarkTrack) -> Data:
         mark = row.mark
         data: Data = {"kind": kind_of(row), "numbers": [self.tracks.place(column) for column in row.numbers.T]}
         more = {"step": mark.step, "mask": self.tracks.mask(row.there)}

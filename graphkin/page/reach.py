@@ -30,7 +30,7 @@ _BESIDE = 1e-9  # beside the drawn position, which is told as its file has it, a
 
 
 @frozen
-class Axis:
+class DriverRange:
     """A driver's way from `low` to `high` [rad, m]; `round`: high is low again, all positions alike."""
 
     driver: Driver
@@ -109,7 +109,7 @@ class Reach:
         return cls(method, tuple(courses))
 
     @cached_property
-    def axes(self) -> tuple[Axis, ...]:
+    def axes(self) -> tuple[DriverRange, ...]:
         return tuple(map(self._axis, self.courses))
 
     @cached_property
@@ -118,9 +118,9 @@ class Reach:
         values = self.method.facts(None).values
         return tuple(axis.u_at(float(value)) for axis, value in zip(self.axes, values, strict=True))
 
-    def _axis(self, one: Course) -> Axis:
+    def _axis(self, one: Course) -> DriverRange:
         if one.full_turn:
-            return Axis(one.driver, 0.0, _TURN, "line", self._comes_round(one))
+            return DriverRange(one.driver, 0.0, _TURN, "line", self._comes_round(one))
         low, high = one.reach
         stops = [float(one.value(stop.at).real) for stop in one.stops]
         dead = low in stops, high in stops
@@ -128,7 +128,7 @@ class Reach:
             start, size = one.path.start[one.swept], self.method.size
             low, high = low if dead[0] else max(low, start - size / 2), high if dead[1] else min(high, start + size / 2)
         ends: Ends = "both" if all(dead) else "low" if dead[0] else "high" if dead[1] else "line"
-        return Axis(one.driver, low, high, ends)
+        return DriverRange(one.driver, low, high, ends)
 
     def _comes_round(self, one: Course) -> bool:
         """True if all points are after a turn where they were."""

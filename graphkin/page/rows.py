@@ -26,7 +26,7 @@ _FORM = 2e-4  # so far its corners may be off then [mm]
 
 
 @bulky
-class Row:
+class MarkTrack:
     """A mark through all positions: as it is where it is first there, its numbers (n, m), NaN where it is not there.
 
     form   of a stroke that moves as one thing, its corners as first drawn; its numbers are the ends of one line in it,
@@ -68,12 +68,12 @@ def numbers(mark: Mark) -> list[float]:
             assert_never(mark)
 
 
-def rows(frames: Sequence[Sequence[Mark]], leaps: bool = True) -> list[Row]:
+def rows(frames: Sequence[Sequence[Mark]], leaps: bool = True) -> list[MarkTrack]:
     """The marks of all positions in their order of painting; `leaps`: the positions lie in a row, and are looked at."""
     return [row for marks in matched(frames, by_step=True) for row in _in_parts(_row(marks, leaps), leaps)]
 
 
-def _row(marks: list[Mark | None], in_a_row: bool) -> Row:
+def _row(marks: list[Mark | None], in_a_row: bool) -> MarkTrack:
     """The corners of a nameless stroke are counted from where they were before: its start may be drawn elsewhere."""
     first = next(mark for mark in marks if mark is not None)
     table = np.full((len(marks), len(numbers(first))), np.nan)
@@ -85,10 +85,10 @@ def _row(marks: list[Mark | None], in_a_row: bool) -> Row:
             before = mark
         if mark is not None:
             table[k] = numbers(mark)
-    return Row(first, table)
+    return MarkTrack(first, table)
 
 
-def _in_parts(row: Row, leaps: bool) -> Iterator[Row]:
+def _in_parts(row: MarkTrack, leaps: bool) -> Iterator[MarkTrack]:
     row = _rigid(row)
     nameless = leaps and isinstance(row.mark, Stroke | Disc | ArcMark)
     cuts = [0, *(_leaps(row.numbers) if nameless else ()), len(row.numbers)]
@@ -109,7 +109,7 @@ def _leaps(table: np.ndarray) -> list[int]:
     return [int(k) + 1 for k in np.flatnonzero(steps > np.maximum(_LEAP * most, _LEAST))]
 
 
-def _rigid(row: Row) -> Row:
+def _rigid(row: MarkTrack) -> MarkTrack:
     """A stroke of many corners by two of them, where it keeps its form."""
     if not isinstance(row.mark, Stroke) or len(row.mark.places) <= _RIGID:
         return row

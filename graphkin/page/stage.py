@@ -19,8 +19,8 @@ from graphkin.outputs.stated import stated
 from graphkin.outputs.typesetting import html_words, mm, runs, short, signs
 from graphkin.page.elements import Attributes, element, in_languages, tick_box, worded
 from graphkin.page.figures import OWN, layer_of
-from graphkin.page.layers import CentreTrack, Layers
-from graphkin.page.rows import Row
+from graphkin.page.layers import CentreTrack, MovingLayers
+from graphkin.page.rows import MarkTrack
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.sheet.lettering import Label, vector_label
 from graphkin.sheet.marks import ArcMark, Disc, PointMark, Stroke, Text, VectorMark
@@ -39,7 +39,7 @@ def page_head(titles: Mapping[str, Mapping[Lang, str]]) -> str:
 
 
 @filled
-class Stage:
+class PlayerElements:
     """The elements of one mechanism, which are added while its data are made."""
 
     figures: list[str]
@@ -48,7 +48,7 @@ class Stage:
     diagrams: list[str]
     switched: list[str]
 
-    def html(self, layers: Layers | None, quiz: Mapping[str, Plain]) -> str:
+    def html(self, layers: MovingLayers | None, quiz: Mapping[str, Plain]) -> str:
         """The whole, with what lies over the mechanism and the quiz."""
         position, *polygons = self.figures
         together = element("div", {"class": "polygons", "tabindex": 0, "role": "group"}, *polygons)
@@ -57,7 +57,7 @@ class Stage:
         return element("div", {"class": "player"}, element("div", {"class": "figures"}, *figures),
                        element("div", {"class": "panels"}, *self._panels(layers, quiz)), self._driving())  # fmt: skip
 
-    def _panels(self, layers: Layers | None, quiz: Mapping[str, Plain]) -> Iterator[str]:
+    def _panels(self, layers: MovingLayers | None, quiz: Mapping[str, Plain]) -> Iterator[str]:
         yield _steps()
         yield element("p", {"class": "told", "role": "status"})
         yield _panel("results", "page.values", element("table", {}, element("tbody", {}, *self.results)))
@@ -107,7 +107,7 @@ def figure(plane: Plane, scale: float, size: complex, written: Label, marks: Ite
     return element("section", {"class": f"figure {plane}"}, header, drawing, *notes)
 
 
-def kind_of(row: Row) -> str:
+def kind_of(row: MarkTrack) -> str:
     """The kind of element that a row is."""
     match row.mark:
         case Stroke(closed=closed):
@@ -129,7 +129,7 @@ def kind_of(row: Row) -> str:
 _ELEMENTS = {"line": "path", "arc": "path", "segment": "line", "circle": "circle"}
 
 
-def mark_element(row: Row, paint: Mapping[str, str]) -> str:
+def mark_element(row: MarkTrack, paint: Mapping[str, str]) -> str:
     """A mark that the page moves: what it says of itself, as in drawing files."""
     mark, kind = row.mark, kind_of(row)
     own: Attributes = {"data-step": mark.step, "data-layer": layer_of(mark) or None}
@@ -194,7 +194,7 @@ def result(name: str, label: Label) -> str:
 # --- what is switched on and off
 
 
-def _overlay_switches(layers: Layers | None, diagrams: bool) -> Iterator[str]:
+def _overlay_switches(layers: MovingLayers | None, diagrams: bool) -> Iterator[str]:
     """The switches of what lies over the mechanism, and of the diagrams beside it."""
     every = [("centres", "", "")] if layers and layers["centres"] else []
     if layers:
@@ -206,7 +206,7 @@ def _overlay_switches(layers: Layers | None, diagrams: bool) -> Iterator[str]:
         yield tick_box({"data-toggle": kind, "data-of": of or None}, in_languages(words))
 
 
-def overlay_drawing(layers: Layers) -> str:
+def overlay_drawing(layers: MovingLayers) -> str:
     """The drawing over the mechanism, hidden at first."""
     centres = _shown("centres", "", *(_centre(one) for one in layers["centres"]))
     curves = (_shown("curve", one["name"], *_paths(one["pieces"])) for one in layers["curves"])

@@ -14,8 +14,8 @@ import numpy as np
 from graphkin.base.geometry import unit
 from graphkin.base.value import frozen
 from graphkin.photo.ink import STEP, Ink
-from graphkin.photo.lines import WIDER, Line, free_end, line_near
-from graphkin.photo.predicted import Stroke
+from graphkin.photo.lines import WIDER, SeenLine, free_end, line_near
+from graphkin.photo.predicted import PredictedStroke
 from graphkin.photo.searching import Candidate, drawn_strokes
 
 _REACHES = (2.0, 1.2, 0.8)  # a line is sought so far from where it is expected, closer each time [mm]
@@ -43,7 +43,7 @@ class _Row:
     off: float
 
 
-class Fit:
+class FittedCandidate:
     """A candidate with its lines refined.
 
     lines    by stroke; at: corners by number; off: how well each is known [mm]
@@ -59,7 +59,7 @@ class Fit:
         self.ink, self.candidate, self.way = ink, candidate, candidate.way
         self.pole = self.way.pole
         self.at = candidate.corners.copy()
-        self.lines: dict[Stroke, Line] = {}
+        self.lines: dict[PredictedStroke, SeenLine] = {}
         self.ends, self.odd = set[int](), set[int]()
         self.hand = self.way.spread(candidate.column, candidate.factors)
         for reach in _REACHES:
@@ -75,7 +75,7 @@ class Fit:
             ends = self.at[[stroke.tail, stroke.head]]
             line = line_near(self.ink, ends, reach, spread, stroke.goes_on)
             if line.covered < COVERED and self.ink.is_printed(ends).all():
-                line = Line.printed(ends, self.ink.printed)
+                line = SeenLine.printed(ends, self.ink.printed)
             astray = max(abs(line.beside(end)) for end in ends) > reach / 2 + _ASTRAY
             if stroke.needed or (line.covered > 0.95 and not astray):
                 self.lines[stroke] = line
@@ -101,7 +101,7 @@ class Fit:
             if aside.size * STEP**2 / self.ink.pencil > _LEFT / 2:
                 self.lines[stroke] = line.known(float(np.hypot(line.off, np.median(aside))))
 
-    def _beside_others(self, stroke: Stroke) -> float:
+    def _beside_others(self, stroke: PredictedStroke) -> float:
         """The part of a stroke along which another one runs, so that the ink of both is one."""
         tail, head = self.at[[stroke.tail, stroke.head]]
         places, most = tail + np.linspace(0.1, 0.9, 17) * (head - tail), 0.0
@@ -113,9 +113,9 @@ class Fit:
                 most = max(most, float(there.mean()))
         return most
 
-    def _apart(self, strokes: Sequence[Stroke]) -> list[Stroke]:
+    def _apart(self, strokes: Sequence[PredictedStroke]) -> list[PredictedStroke]:
         """Without those that lie on another one, needed ones first."""
-        found: list[Stroke] = []
+        found: list[PredictedStroke] = []
         for one in sorted(strokes, key=lambda each: not each.needed):
             ends = self.at[[one.tail, one.head]]
             others = (self.at[[other.tail, other.head]] for other in found)
@@ -154,7 +154,7 @@ class Fit:
         spread[np.ix_(both, both)] = cover * np.outer(more, more)
         return off, spread
 
-    def _beside(self, stroke: Stroke, line: Line) -> Iterator[_Row]:
+    def _beside(self, stroke: PredictedStroke, line: SeenLine) -> Iterator[_Row]:
         """Both ends of a line lie on it, as well as it is known: off alike, and by its turn times their distance."""
         numbers = (stroke.tail, stroke.head)
         s = np.array([line.beyond(self.at[k]) for k in numbers])

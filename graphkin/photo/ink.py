@@ -27,7 +27,7 @@ _FAINT = 0.4  # of the usual darkness of strokes; what is fainter was rubbed out
 _LEAST = 0.06  # fainter strokes are none at all
 
 
-class Page(Protocol):
+class MeasuredPaper(Protocol):
     """A sheet on a picture that is measured in millimetres, from the left upper corner of its paper, y down."""
 
     @property
@@ -47,7 +47,7 @@ class Ink:
     seen   the part of the room that is on the picture; printed: along the line through the pole, of length 1
     """
 
-    def __init__(self, page: Page, room: SheetRoom) -> None:
+    def __init__(self, page: MeasuredPaper, room: SheetRoom) -> None:
         self.pole, self.low, self.printed = room.pole, room.low, cmath.rect(1.0, room.direction)
         size = room.high - room.low
         x = (np.arange(round(size.real / STEP)) + 0.5) * STEP

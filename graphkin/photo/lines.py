@@ -29,7 +29,7 @@ _TILT = (0.2, 0.08)  # its ends may be apart by so much [mm], and by this part o
 
 
 @frozen
-class Line:
+class SeenLine:
     """A line as it was drawn.
 
     middle, along  a place on it and its direction, of length 1; length: so much of it was seen [mm]
@@ -48,19 +48,19 @@ class Line:
     covered: float
 
     @classmethod
-    def printed(cls, ends: np.ndarray, along: complex) -> Line:
+    def printed(cls, ends: np.ndarray, along: complex) -> SeenLine:
         """One that is hidden by the printed line through the pole."""
         length = float(abs(ends[1] - ends[0]))
         there = along * (ends.mean() * along.conjugate()).real
         return cls(complex(there), along, length, _HIDDEN, _HIDDEN * np.sqrt(12) / length, 0.0, 0.0, 1.0)
 
-    def drawn_by(self, wobble: float, beside: float) -> Line:
+    def drawn_by(self, wobble: float, beside: float) -> SeenLine:
         """As it is known when the hand wobbles by so much [mm], which tilts a short line unseen, and when another one
         runs beside this part of it."""
         tilted = wobble / np.sqrt(max(1.0, self.length / _WOBBLES))
         return self.known(max(self.off, tilted, _LEAST * (1 + _SPOILT * beside)))
 
-    def known(self, off: float) -> Line:
+    def known(self, off: float) -> SeenLine:
         """With another standard deviation, and what follows for its direction [mm]."""
         return replace(self, off=off, turned=off * np.sqrt(12) / self.length)
 
@@ -73,7 +73,7 @@ class Line:
         return ((place - self.middle) * self.along.conjugate()).imag
 
 
-def line_near(ink: Ink, ends: np.ndarray, reach: float, spread: float = np.inf, goes_on: bool = False) -> Line:
+def line_near(ink: Ink, ends: np.ndarray, reach: float, spread: float = np.inf, goes_on: bool = False) -> SeenLine:
     """The line with most ink whose ends are no farther than `reach` mm from two places.
 
     spread   of usual strokes: where it is wider another one runs beside it, and nothing is measured
@@ -107,7 +107,7 @@ def _steps(strip: np.ndarray, part: np.ndarray, offsets: np.ndarray, length: flo
     return float(offsets[best[0]]), float(offsets[best[1]])
 
 
-def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float, goes_on: bool) -> Line:
+def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float, goes_on: bool) -> SeenLine:
     """A line by the middles of its profiles, those of other lines left out."""
     half = max(0.4, _FULL * ink.pencil + 0.3)
     across = np.arange(-round(half / 0.05), round(half / 0.05) + 1) * 0.05
@@ -131,7 +131,7 @@ def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float,
         alone = good & (wide < WIDER * spread)
         good = alone if alone.sum() > 3 else good
         if good.sum() < 3:
-            return Line((start + end) / 2, along, length, 1.0, 1.0, 0.0, 1.0, covered)
+            return SeenLine((start + end) / 2, along, length, 1.0, 1.0, 0.0, 1.0, covered)
         usual_wide = float(np.median(wide[good]))
         slope, there, scatter, kept = _straight(t[good] - length / 2, middles[good])
         count = max(2.0, kept * _EVERY / _INDEPENDENT)
@@ -141,7 +141,7 @@ def _centred(ink: Ink, start: complex, end: complex, trim: float, spread: float,
     if usual_wide > WIDER * spread:  # it is one of several, somewhere among them
         off = np.sqrt(off**2 + usual_wide**2 - (WIDER * spread) ** 2)
     along, turned = (end - start) / abs(end - start), off * np.sqrt(12) / max(length, 1.0)
-    return Line((start + end) / 2, along, length, float(off), float(turned), scatter, usual_wide, covered)
+    return SeenLine((start + end) / 2, along, length, float(off), float(turned), scatter, usual_wide, covered)
 
 
 def _goes_on(ink: Ink, end: complex, start: complex) -> complex:
@@ -178,7 +178,7 @@ def _straight(x: np.ndarray, y: np.ndarray) -> tuple[float, float, float, float]
     return slope, there, scatter, float(weight.sum())
 
 
-def free_end(ink: Ink, line: Line, near: complex, inwards: complex) -> complex | None:
+def free_end(ink: Ink, line: SeenLine, near: complex, inwards: complex) -> complex | None:
     """The end of a line that no other crosses there; ink is as wide as the pencil beyond it. `inwards`: where the line
     comes from. None: it ends nowhere near."""
     at = line.middle + line.along * ((near - line.middle) * line.along.conjugate()).real

@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.photo.fitting import COVERED, ONE, Fit
-from graphkin.photo.ink import STRANGE, Ink, Page
+from graphkin.photo.fitting import COVERED, ONE, FittedCandidate
+from graphkin.photo.ink import STRANGE, Ink, MeasuredPaper
 from graphkin.photo.predicted import Way
 from graphkin.photo.searching import MISSING, SLIP, Candidate, candidates
 from graphkin.photo.sheets import SheetRoom, Unsure
@@ -45,7 +45,7 @@ class PageReading:
     shifts: tuple[Mapping[str, complex], ...] = ()
 
 
-def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
+def measured(page: MeasuredPaper, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
     """The corners of what was drawn in a room, by one of some ways; their letters are those of the first."""
     ink = Ink(page, room)
     if ink.length < _BLANK:
@@ -69,7 +69,7 @@ def measured(page: Page, room: SheetRoom, ways: Sequence[Way]) -> PageReading:
     return PageReading(vertices, error, tuple(unsure), (*best.shifts(rivals, known),))
 
 
-class _Fit(Fit):
+class _Fit(FittedCandidate):
     """With its score, its corners by the letters of the key's method, and what is not sure of it."""
 
     def __init__(self, ink: Ink, candidate: Candidate, key: Way) -> None:

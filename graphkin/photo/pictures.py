@@ -37,7 +37,7 @@ _STAMP = 0.1  # part of a page up to which a picture is none of the page
 
 
 @bulky
-class Picture:
+class GreyPicture:
     """Grey pixels, 0 black, as they are looked at upright; where: file, and page of a PDF."""
 
     where: Where
@@ -71,13 +71,13 @@ def _is_sheet(grey: Pixels) -> bool:
     return ids is not None and bool(np.sum(ids < CORNERS) > 1)
 
 
-def pictures_in(name: str, content: bytes, where: Where) -> Iterator[Picture]:
+def pictures_in(name: str, content: bytes, where: Where) -> Iterator[GreyPicture]:
     """The pictures of a file, one after another. Raises WantsExtra, PictureKind, BrokenSubmission, TooMuch."""
     kind = _kind(content)
     if _PDF in content[:_GLANCE]:
         yield from _rendered(content, where)
     elif kind in ("JPEG", "PNG"):
-        yield Picture(where, _decoded(content, kind, where))
+        yield GreyPicture(where, _decoded(content, kind, where))
     elif kind:
         raise PictureKind(where, kind)
     else:
@@ -156,13 +156,13 @@ def _glance(page: Any, where: Where) -> tuple[float, int]:
     return fine, letters
 
 
-def _rendered(content: bytes, where: Where) -> Iterator[Picture]:
+def _rendered(content: bytes, where: Where) -> Iterator[GreyPicture]:
     """Each page as fine as the pictures on it are."""
     for number, (page, fine, _) in enumerate(_pages(content, where), 1):
         with foreign(where, "PDF", _EXTRA):
             scale = min(fine or _DRAWN, math.sqrt(_PLENTY / math.prod(page.get_size())))
             grey = _grey(page, scale)
-        yield Picture(Where(where.file, where.line, f"p. {number}"), grey)
+        yield GreyPicture(Where(where.file, where.line, f"p. {number}"), grey)
 
 
 def _grey(page: Any, scale: float) -> Pixels:

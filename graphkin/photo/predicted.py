@@ -33,7 +33,7 @@ _TOLD = 0.6  # own corners that are known worse do not tell what follows from th
 
 
 @frozen
-class Corner:
+class PredictedCorner:
     """A place [mm from the pole, y up]; off: its standard deviation, in the direction in which it is known worst. SI
     where it is a student's own."""
 
@@ -42,7 +42,7 @@ class Corner:
 
 
 @frozen
-class Stroke:
+class PredictedStroke:
     """A line between two corners, by their numbers.
 
     needed   an arrow without which no equation closes; others, to points of a link and of its figure, may be drawn
@@ -69,9 +69,9 @@ class Way:
     construction: Construction
     scale: float
     letters: tuple[str, ...]
-    strokes: tuple[Stroke, ...]
+    strokes: tuple[PredictedStroke, ...]
     columns: tuple[tuple[Rewrite, ...], ...]
-    own: Mapping[str, Corner]
+    own: Mapping[str, PredictedCorner]
 
     @cached_property
     def corners(self) -> np.ndarray:
@@ -146,7 +146,7 @@ class Way:
 
 
 def predicted(
-    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, Corner] | None = None
+    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, PredictedCorner] | None = None
 ) -> tuple[Way, ...]:  # fmt: skip
     """All that may have been drawn in a room: the method of the key first, then other right ones.
 
@@ -161,17 +161,17 @@ def predicted(
     return tuple(ways)
 
 
-def own_velocities(room: RoomReading) -> dict[str, Corner]:
+def own_velocities(room: RoomReading) -> dict[str, PredictedCorner]:
     """The corners of a velocity polygon that are known well enough to tell what follows from them, SI; those that are
     sure are better known than a hand reads them."""
     drawing, scale = room.drawing(NOWHERE), room.room.scale
     every = dict.fromkeys(drawing.points, 0.0) | drawing.off
-    return {letter: Corner(drawing.points[plane, letter] * scale, off * scale)
+    return {letter: PredictedCorner(drawing.points[plane, letter] * scale, off * scale)
             for (plane, letter), off in every.items() if off < _TOLD}  # fmt: skip
 
 
 def _way(
-    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, Corner], mistakes: Iterable[Rewrite]
+    method: Method, plot: Plot, room: SheetRoom, velocity: Mapping[str, PredictedCorner], mistakes: Iterable[Rewrite]
 ) -> Way:  # fmt: skip
     construction = method.velocity if room.plane == "velocity" else method.acceleration
     resting = {name for step in construction.steps if isinstance(step, Given) for name in step.also}
@@ -183,26 +183,26 @@ def _way(
     return Way(method, plot, construction, room.scale, letters, strokes, columns, own)
 
 
-def _own(construction: Construction, velocity: Mapping[str, Corner]) -> dict[str, Corner]:
+def _own(construction: Construction, velocity: Mapping[str, PredictedCorner]) -> dict[str, PredictedCorner]:
     """Own corners as far as a construction has them, from where it begins: not at the pole where that is found last."""
     found = {step.point for step in construction.steps if isinstance(step, Meet)}
     begins = (step.point for step in construction.steps if isinstance(step, Given) and step.point not in found)
     start = next(begins, construction.pole)
-    known = {**velocity, construction.pole: Corner(0j, 0.0)}  # it is printed
+    known = {**velocity, construction.pole: PredictedCorner(0j, 0.0)}  # it is printed
     if start not in known:
         return {}
     of_it = {*construction.nodes, construction.pole}
     first = known[start]
-    return {name: Corner(one.at - first.at, float(np.hypot(one.off, first.off)))
+    return {name: PredictedCorner(one.at - first.at, float(np.hypot(one.off, first.off)))
             for name, one in known.items() if name in of_it}  # fmt: skip
 
 
-def _strokes(construction: Construction, letters: Sequence[str], resting: set[str]) -> Iterator[Stroke]:
+def _strokes(construction: Construction, letters: Sequence[str], resting: set[str]) -> Iterator[PredictedStroke]:
     """Arrows of equations first; then what else may be drawn: from the pole to points, and between those of a link."""
     number = {name: k for k, name in enumerate(letters)}
     pole = number[construction.pole]
     number.update(dict.fromkeys(resting, pole))
-    found: dict[frozenset[int], Stroke] = {}
+    found: dict[frozenset[int], PredictedStroke] = {}
     laid = [step.term for step in construction.steps if isinstance(step, LayOff)]
     terms = construction.vectors().values()
     unknown = {frozenset((number.get(term.tail), number.get(term.head))) for term in terms if term.size is None}
@@ -213,7 +213,7 @@ def _strokes(construction: Construction, letters: Sequence[str], resting: set[st
     for tail, head, needed in sorted(arrows, key=lambda each: not each[2]):
         if tail in number and head in number and number[tail] != number[head]:
             ends = frozenset((number[tail], number[head]))
-            found.setdefault(ends, Stroke(number[tail], number[head], needed, ends in unknown))
+            found.setdefault(ends, PredictedStroke(number[tail], number[head], needed, ends in unknown))
     yield from found.values()
 
 
@@ -224,7 +224,7 @@ class _Own(Mistaken):
     """
 
     factors: Mapping[Spot, np.ndarray | complex] = {}
-    own: Mapping[str, Corner] = {}
+    own: Mapping[str, PredictedCorner] = {}
 
     def drawn(self, method: Method, plot: Plot) -> Redrawing:
         with np.errstate(invalid="ignore", divide="ignore"):

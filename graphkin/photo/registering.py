@@ -17,7 +17,7 @@ from graphkin.errors import GraphkinError, PhotographAgain
 from graphkin.photo.dot_finding import fitted
 from graphkin.photo.markers import CORNERS, SIZE, corners, edges, number_of
 from graphkin.photo.page_map import Homography, PageMap, sampled
-from graphkin.photo.pictures import Picture, Pixels
+from graphkin.photo.pictures import GreyPicture, Pixels
 
 _COARSE = 8.0  # pixels a mm, of which there are to be no fewer
 _OFF = 0.3  # places that are off by more are not measured [mm]
@@ -129,7 +129,7 @@ class SeenSheet:
 
 
 def registered(
-    picture: Picture, sizes: Collection[tuple[float, float]] = (_A4,)
+    picture: GreyPicture, sizes: Collection[tuple[float, float]] = (_A4,)
 ) -> Iterator[RegisteredPage | GraphkinError]:
     """Every sheet on a picture, or why it cannot be measured; sizes: of the paper that was printed on [mm]."""
     markers = _markers(picture.grey)
@@ -175,7 +175,7 @@ def _together(first: SeenMarker, others: Sequence[SeenMarker], size: tuple[float
     return group
 
 
-def _registered(picture: Picture, sheet: SeenSheet) -> RegisteredPage | GraphkinError:
+def _registered(picture: GreyPicture, sheet: SeenSheet) -> RegisteredPage | GraphkinError:
     """A sheet whose number and three corners are seen, fine enough, with dots enough."""
     missing = [k for k in range(len(sheet.at)) if k not in sheet.markers]
     lost, ends = tuple(k for k in missing if k < CORNERS), [k for k in missing if k >= CORNERS]

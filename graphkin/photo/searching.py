@@ -15,7 +15,7 @@ import numpy as np
 from graphkin.base.value import bulky
 from graphkin.marking.rewrite import Spot
 from graphkin.photo.ink import NEAR, STRANGE, Ink
-from graphkin.photo.predicted import Stroke, Way
+from graphkin.photo.predicted import PredictedStroke, Way
 
 _SHORT = 0.15  # what is shorter is a point [mm]
 _EACH = 1.0  # strokes are looked at every so many mm
@@ -46,7 +46,7 @@ class Candidate:
     factors: Mapping[Spot, complex] = field(default_factory=dict)
 
 
-def drawn_strokes(way: Way, corners: np.ndarray) -> list[Stroke]:
+def drawn_strokes(way: Way, corners: np.ndarray) -> list[PredictedStroke]:
     """The strokes of a way that are any length."""
     return [stroke for stroke in way.strokes if abs(corners[stroke.head] - corners[stroke.tail]) > _SHORT]
 

@@ -20,7 +20,7 @@ from graphkin.planning.position import contact_letters
 from graphkin.say import names
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading, aside
-from graphkin.say.sizes import Corner, Size, Span, in_unit, length_unit, sized
+from graphkin.say.sizes import DrawnAngle, DrawnLength, Size, in_unit, length_unit, sized
 
 
 def beside(reading: Reading, link: str) -> Iterator[tuple[tuple[str, str, str], bool]]:
@@ -56,7 +56,8 @@ def link_sizes(reading: Reading, link: str) -> Iterator[Size]:
     for one, corner, other in triples:
         angle = phase(shape.arm(corner, other) / shape.arm(corner, one))
         at = (one, corner, other)
-        drawn = Corner(reading.at(corner), _unit(reading.arm(corner, one)), angle, at) if _placed(reading, at) else None
+        placed = _placed(reading, at)
+        drawn = DrawnAngle(reading.at(corner), _unit(reading.arm(corner, one)), angle, at) if placed else None
         symbol = "∠" + "".join(map(names.point, at))
         yield sized(reading, symbol, abs(angle), "angle", ("links", link, "".join(at)), shape=drawn)
 
@@ -69,7 +70,7 @@ def _unit(arm: complex) -> complex:
     return arm / abs(arm)
 
 
-def _bar(reading: Reading, link: str, ends: tuple[str, str]) -> Span | None:
+def _bar(reading: Reading, link: str, ends: tuple[str, str]) -> DrawnLength | None:
     """The stretch of a link between two of its points; beside it, where others lie on it."""
     if not _placed(reading, ends) or abs(reading.arm(*ends)) <= reading.noise:
         return None
@@ -78,7 +79,7 @@ def _bar(reading: Reading, link: str, ends: tuple[str, str]) -> Span | None:
     others = (point for point in reading.mechanism.named(link) if point not in ends and _placed(reading, (point,)))
     offs = [(reading.at(point) - start) / along for point in others]
     between = any(abs(off.imag) < 0.02 * abs(end - start) and 0 < off.real < abs(end - start) for off in offs)
-    return Span(start, end, along, ends, "apart" if between else "bar")
+    return DrawnLength(start, end, along, ends, "apart" if between else "bar")
 
 
 def frame_sizes(reading: Reading) -> Iterator[Size]:
@@ -94,7 +95,7 @@ def frame_sizes(reading: Reading) -> Iterator[Size]:
             lone = len(parts) == 1
             called = names.pair(first, other) if lone or shape[first] else names.point(other)
             symbol, places = (f"l_{called}" if lone else f"{sign}_{called}"), _coordinates(("frame", other), first)
-            span = Span(start, shape[other], axis, (first, other))
+            span = DrawnLength(start, shape[other], axis, (first, other))
             yield sized(reading, symbol, abs(part) if lone else part, "length", *places, shape=span)
 
 
@@ -158,7 +159,7 @@ def guide_sizes(reading: Reading) -> Iterator[Size]:
                     yield replace(size, symbol=other) if size.symbol in taken else size
                     taken.add(size.symbol)
         if isinstance(pair, Slide) and round(degrees(pair.tilt), 6) % 90:
-            shape = Corner(reading.at(pair.point), reading.guide(pair.name), pair.tilt, (pair.point,))
+            shape = DrawnAngle(reading.at(pair.point), reading.guide(pair.name), pair.tilt, (pair.point,))
             path = (*machine.path(pair), "tilt")
             yield sized(reading, f"δ_{names.point(pair.point)}", pair.tilt, "angle", path, shape=shape)
 
@@ -178,7 +179,7 @@ def _eccentricities(reading: Reading) -> list[Size]:
         points = machine.named(FRAME) or [one.origin for _, one, *_ in lines if aside(along, one.direction) < 1e-9][:1]
         if all(aside(along, place - fixed[other]) > reading.noise for other in points):
             end = place + along * float(dot(along, reading.at(point) - place))
-            span = Span(fixed[points[0]], end, 1j * along, (points[0], point))
+            span = DrawnLength(fixed[points[0]], end, 1j * along, (points[0], point))
             path = (*machine.path(pair), "through")
             places = [*_coordinates(path, points[0]), *_coordinates(("frame", line.origin), points[0])]
             off, symbol = aside(along, place - fixed[points[0]]), f"e_{names.point(name)}"
@@ -201,7 +202,7 @@ def _start(
     """The coordinates of where a fixed line begins, from the first place on."""
     corner, place = (reading.plot.facts.shapes[FRAME][point] for point in (first, line.origin))
     for axis in axes:
-        part, span = float(dot(axis, place - corner)), Span(corner, place, axis, (first, line.origin))
+        part, span = float(dot(axis, place - corner)), DrawnLength(corner, place, axis, (first, line.origin))
         if abs(part) > reading.noise:
             symbol = f"{'x' if axis.real else 'y'}_{names.point(name)},0"  # where its displacement is 0
             yield sized(reading, symbol, part, "length", *_coordinates(path, first), shape=span)
@@ -228,7 +229,7 @@ def _inclination(reading: Reading, pair: Pair, line: Line, path: KeyPath) -> Ite
     if isinstance(pair, Slide) and (of := guide_angle(reading, pair)) is not None and of.symbol:
         symbol = of.symbol
     at = line.origin if line.named or not isinstance(pair, Slide) else pair.point
-    shape = Corner(reading.at(at), _unit(start), angle, (at,)) if at in reading.plot.position else None
+    shape = DrawnAngle(reading.at(at), _unit(start), angle, (at,)) if at in reading.plot.position else None
     yield sized(reading, symbol, angle, "angle", (*path, "angle"), shape=shape)
 
 
@@ -257,7 +258,7 @@ def _radius(reading: Reading, pair: Pair, link: str, centre: str, size: float, p
     at = reading.at(centre) if centre in reading.plot.position else None
     end = reading.at(pair.point) if isinstance(pair, CircularSlot) else (at or 0j) + size
     points = (centre, pair.point) if isinstance(pair, CircularSlot) else (centre,)
-    shape = None if at is None else Span(at, end, _unit(end - at), points, "radius")
+    shape = None if at is None else DrawnLength(at, end, _unit(end - at), points, "radius")
     return sized(reading, symbol, size, "length", path, shape=shape)
 
 
@@ -299,19 +300,19 @@ def drawn_value(reading: Reading, driver: Driver | Pose, value: float, path: Key
     if driver.kind == "slide":
         slot = reading.method.structure.slides[driver.link]
         point, start = slot.point, reading.at(slot.line.origin)
-        span = Span(start, reading.at(point), reading.guide(driver.link), (point,))
+        span = DrawnLength(start, reading.at(point), reading.guide(driver.link), (point,))
         return sized(reading, names.of_slide("s", driver.link), value, "length", (*path, "at"), shape=span)
     corner = None
     if driver.vector is not None:
         start = reading.arm(*driver.from_vector) if driver.from_vector is not None else 1 + 0j
-        corner = Corner(reading.at(driver.vector[0]), _unit(start), fmod(value, tau), driver.vector)
+        corner = DrawnAngle(reading.at(driver.vector[0]), _unit(start), fmod(value, tau), driver.vector)
     return sized(reading, reading.against(driver, "φ"), value, "angle", (*path, "angle"), shape=corner)
 
 
 def _pose(reading: Reading, pose: Pose, path: KeyPath) -> Size:
     """A condition of the drawn position; at another one as the angle that is seen there, by its symbol alone."""
     size = drawn_value(reading, pose, pose.value, path)
-    if isinstance(corner := size.shape, Corner) and pose.vector is not None:
+    if isinstance(corner := size.shape, DrawnAngle) and pose.vector is not None:
         seen = phase(reading.arm(*pose.vector) / corner.start)
         if abs(rect(1, seen) - rect(1, corner.turn)) > 1e-6:
             return replace(size, moved=True, shape=replace(corner, turn=seen))
@@ -338,13 +339,13 @@ def sizes(reading: Reading) -> list[Size]:
             values = ", ".join(size.figure for size in also)  # which a sheet has little room for
             every.append(replace(also[0], value=1.0, written=values))
         every += [rate if rate.symbol.startswith(SIGNED) else rate.bare for rate in rates if rate.value]
-    seen = (size for size in every if size.value or isinstance(size.shape, Corner))
+    seen = (size for size in every if size.value or isinstance(size.shape, DrawnAngle))
     return [*{size.text: size for size in seen if not _straight(size)}.values()]
 
 
 def _straight(size: Size) -> bool:
     """The angle of a point between two others on one line, which a drawing shows."""
-    return isinstance(size.shape, Corner) and len(size.shape.points) > 2 and abs(abs(size.shape.turn) - pi) < 1e-9
+    return isinstance(size.shape, DrawnAngle) and len(size.shape.points) > 2 and abs(abs(size.shape.turn) - pi) < 1e-9
 
 
 def _racks(reading: Reading) -> Iterator[str]:
@@ -387,7 +388,7 @@ def length_size(reading: Reading, one: str, other: str) -> Size:
     """`l_BD = 69.2 mm`, of the mechanism itself, as it is measured."""
     length, unit = reading.distance(one, other), length_unit(reading.mechanism)
     start, end = reading.at(one), reading.at(other)
-    span = Span(start, end, _unit(end - start), (one, other), "measured")
+    span = DrawnLength(start, end, _unit(end - start), (one, other), "measured")
     written = f"{number(in_unit(length, unit, 'length'))} {unit}"
     return Size(f"l_{names.pair(one, other)}", length * 1000, "mm", written, shape=span, derived=True)
 

@@ -23,7 +23,7 @@ from graphkin.say.numbers import degrees, given_figure, heading, inclination, si
 from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.rolling import rolled, touched
 from graphkin.say.simultaneous import fitted, link_angle, special_point
-from graphkin.say.sizes import Corner
+from graphkin.say.sizes import DrawnAngle
 from graphkin.say.tangents import Tangents
 
 _SPARE = "WXYHJ"  # for points that nobody named
@@ -203,7 +203,7 @@ class PositionReader(Tangents):
             return reading.say("derivation.shape line", line=line, length=reading.joined(lengths), **words)
         ccw = float(cross(reading.arm(first, second), one)) > 0
         for angle in link_sizes(reading, link):
-            points = angle.shape.points if isinstance(angle.shape, Corner) else ()
+            points = angle.shape.points if isinstance(angle.shape, DrawnAngle) else ()
             if {*points} == {*corners} and points[1] != third:
                 words["angle"] = angle.text
                 words["way"] = reading.way_round(corners, ccw)

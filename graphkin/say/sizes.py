@@ -17,7 +17,7 @@ from graphkin.say.reading import Reading
 
 
 @frozen
-class Span:
+class DrawnLength:
     """A length in the drawing, between two places [m], measured in the direction `along`.
 
     points  of the mechanism from which on it can be drawn
@@ -33,7 +33,7 @@ class Span:
 
 
 @frozen
-class Corner:
+class DrawnAngle:
     """An angle in the drawing: at a place [m], from a direction on, counter-clockwise where positive [rad]."""
 
     at: complex
@@ -58,7 +58,7 @@ class Size:
     unit: str
     written: str = ""
     worked: str = ""
-    shape: Span | Corner | None = None
+    shape: DrawnLength | DrawnAngle | None = None
     derived: bool = False
     moved: bool = False
 
@@ -72,7 +72,7 @@ class Size:
     def ends(self) -> tuple[complex, ...]:
         """The places of a length between two points [m]."""
         shape = self.shape
-        return (shape.start, shape.end) if isinstance(shape, Span) and len(shape.points) > 1 else ()
+        return (shape.start, shape.end) if isinstance(shape, DrawnLength) and len(shape.points) > 1 else ()
 
     @property
     def text(self) -> str:
@@ -101,7 +101,7 @@ _PRINTED = {"deg": "°", "rpm": "r/min", "rpm/s": "r/min/s"}
 
 def sized(
     reading: Reading, symbol: str, value: float, dimension: Dimension, *places: KeyPath,
-    shape: Span | Corner | None = None,
+    shape: DrawnLength | DrawnAngle | None = None,
 ) -> Size:  # fmt: skip
     """A value [SI] as the file states it at one of these places, or in the unit that the file uses."""
     unit, given = _UNITS[dimension], reading.mechanism.given

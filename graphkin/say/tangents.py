@@ -20,7 +20,7 @@ from graphkin.say.figures import Formula, Operand, TrigFormula
 from graphkin.say.numbers import degrees as degrees_of
 from graphkin.say.numbers import heading, number
 from graphkin.say.reading import Reading, aside
-from graphkin.say.sizes import Corner
+from graphkin.say.sizes import DrawnAngle
 
 
 @dataclass
@@ -194,7 +194,7 @@ class Tangents:
     def _angled(self, link: str, corner: str) -> bool:
         """True of a corner of a link whose angle the file gives."""
         shapes = (size.shape for size in link_sizes(self.reading, link))
-        return any(isinstance(shape, Corner) and shape.points[1] == corner for shape in shapes)
+        return any(isinstance(shape, DrawnAngle) and shape.points[1] == corner for shape in shapes)
 
     def _on_tangent(self, step: LayOff, swing: Swing) -> str:
         """A point of the guide line itself: how far from the foot, and which way."""

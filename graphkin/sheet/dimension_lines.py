@@ -18,7 +18,7 @@ from typing import NamedTuple
 from graphkin.base.lines import off_stretch
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME
-from graphkin.say.sizes import Corner, Size, Span
+from graphkin.say.sizes import DrawnAngle, DrawnLength, Size
 from graphkin.sheet.fixed_link import clearance, ground_way
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
@@ -57,7 +57,7 @@ class DimensionLines:
         """Data without those that would stand twice: of the same places, or of a rim as far off as a point on it."""
         drawn = set[tuple[frozenset[str], str]]()
         for size in data:
-            if isinstance(span := size.shape, Span):
+            if isinstance(span := size.shape, DrawnLength):
                 start, *ends = map(self.skeleton.window, (span.start, span.end))
                 places = map(self.skeleton.at, self.skeleton.points if span.form == "radius" else ())
                 ends += [at for at in places if abs(abs(at - start) - abs(ends[0] - start)) < 0.05]
@@ -79,9 +79,9 @@ class DimensionLines:
     def _trials(self, size: Size) -> Iterator[_Trial]:
         owners = self.skeleton.mechanism.owners
         match size.shape:
-            case Span(form="radius", points=(_,)) as span:
+            case DrawnLength(form="radius", points=(_,)) as span:
                 yield from self._radius(span, formula(size.text))
-            case Span() as span:
+            case DrawnLength() as span:
                 start, end = self.skeleton.window(span.start), self.skeleton.window(span.end)
                 step = self.skeleton.step(*span.points)
                 shared = set.intersection(*(set(owners.get(point, ())) for point in span.points))
@@ -98,7 +98,7 @@ class DimensionLines:
                     yield from self._beside(start, end, named, step, span.form == "measured")
                 if span.form in ("bar", "apart") and not parted:
                     yield from self._dimension(start, end, along, label, step)
-            case Corner() | None:
+            case DrawnAngle() | None:
                 pass
 
     def _joined(self, start: Place, end: Place) -> bool:
@@ -189,7 +189,7 @@ class DimensionLines:
             else:
                 yield ([line, text], both, heads) if crossing else ([line, text, *both], (), heads)
 
-    def _radius(self, span: Span, label: Label) -> Iterator[_Trial]:
+    def _radius(self, span: DrawnLength, label: Label) -> Iterator[_Trial]:
         """A line from a centre to its rim, with letters along it, inside or beyond."""
         centre, rim = self.skeleton.window(span.start), self.skeleton.window(span.end)
         step, radius, wide = self.skeleton.step(*span.points), abs(rim - centre), box(label, LABEL)[0]
@@ -211,7 +211,7 @@ class DimensionLines:
 
 def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke]:
     """The way of extension lines from each end of a dimension that lies apart to beside the other."""
-    for span in (size.shape for size in data if isinstance(size.shape, Span) and size.shape.form == "apart"):
+    for span in (size.shape for size in data if isinstance(size.shape, DrawnLength) and size.shape.form == "apart"):
         start, end = skeleton.window(span.start), skeleton.window(span.end)
         along = skeleton.window.turned(span.along)
         off = end - start - along * ((end - start) / along).real
@@ -224,7 +224,7 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
     figure, others = Figure(), [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
     lines = [(mark.places[0], mark.places[-1]) for mark in drawn if isinstance(mark, Stroke) and mark.pen == "thin"]
     for size in data:
-        if isinstance(corner := size.shape, Corner):
+        if isinstance(corner := size.shape, DrawnAngle):
             arms = [*_arms(skeleton, corner, lines)]
             radius, arc = _arc_with_room(skeleton, corner, arms, others)
             others += arc
@@ -249,7 +249,7 @@ class _Arm(NamedTuple):
         return min(_LIKED, radius - self.reach - HINGE) if self.goes_on(radius) else self.reach - radius - HINGE
 
 
-def _arms(skeleton: Skeleton, corner: Corner, lines: Sequence[tuple[Place, Place]]) -> Iterator[_Arm]:
+def _arms(skeleton: Skeleton, corner: DrawnAngle, lines: Sequence[tuple[Place, Place]]) -> Iterator[_Arm]:
     """The two sides of an angle."""
     at, first = skeleton.window(corner.at), skeleton.window.turned(corner.start)
     driven = corner.points in {driver.vector for driver in skeleton.mechanism.drivers}
@@ -260,7 +260,7 @@ def _arms(skeleton: Skeleton, corner: Corner, lines: Sequence[tuple[Place, Place
 
 
 def _arc_with_room(
-    skeleton: Skeleton, corner: Corner, arms: Sequence[_Arm], others: Sequence[Place]
+    skeleton: Skeleton, corner: DrawnAngle, arms: Sequence[_Arm], others: Sequence[Place]
 ) -> tuple[float, tuple[Place, ...]]:
     """The radius of the arc that lies farthest from links, other arcs and ends of arms [mm], and its places; of those
     that cross links alike, from the other arcs."""
@@ -276,7 +276,7 @@ def _arc_with_room(
     return max(tried, key=lambda each: each[0])[1:]
 
 
-def _angle(size: Size, corner: Corner, skeleton: Skeleton, arms: Sequence[_Arm], radius: float) -> Figure:
+def _angle(size: Size, corner: DrawnAngle, skeleton: Skeleton, arms: Sequence[_Arm], radius: float) -> Figure:
     """The arc with its value, and the arms that no bar of a link has so far."""
     first, at, step = arms[0].way, skeleton.window(corner.at), skeleton.step(*corner.points)
     middle = first * cmath.rect(1, -corner.turn / 2)

@@ -18,7 +18,7 @@ from graphkin.planning.asked import plane_of
 from graphkin.planning.method import rate_found
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
-from graphkin.say.sizes import Corner, Size
+from graphkin.say.sizes import DrawnAngle, Size
 from graphkin.sheet.dimension_lines import DimensionLines, angle_label, extension_lines
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
@@ -74,7 +74,7 @@ class MechanismNotes:
         measured = [length_size(self.reading, *ends) for ends in levers if abs(at(ends[0]) - at(ends[1])) >= _TOLD]
         for datum in lines.once([*self.given, *measured]):
             added += (marks := lines.draw(datum))
-            lettered_too = isinstance(datum.shape, Corner) and angle_label(datum) in lettered
+            lettered_too = isinstance(datum.shape, DrawnAngle) and angle_label(datum) in lettered
             if not marks and datum not in measured and not lettered_too:
                 unsaid.setdefault(datum.derived, []).append(formula(datum.text))
         for derived, labels in unsaid.items() if self.planes else ():

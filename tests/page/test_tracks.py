@@ -13,7 +13,7 @@ from graphkin import api
 from graphkin.construction import Plane
 from graphkin.page import knots as page_grids
 from graphkin.page.knots import Knots, PageKnots, cells_shown, page_knots, stencil
-from graphkin.page.reach import Axis, Reach
+from graphkin.page.reach import DriverRange, Reach
 from graphkin.page.rows import rows
 from graphkin.page.tracks import OF_GRID, Tracks, packed
 from graphkin.sheet.marks import Stroke
@@ -109,7 +109,7 @@ def test_the_drawn_position_of_several_drivers_is_a_knot(name):
 
 @pytest.mark.parametrize("ends", ["line", "low", "high", "both"])
 def test_a_driver_goes_to_its_ends(ends):
-    axis = Axis(api.load("ex3-1").drivers[0], 0.3, 2.5, ends)
+    axis = DriverRange(api.load("ex3-1").drivers[0], 0.3, 2.5, ends)
     low, high = (axis.value(u) for u in axis.span)
     assert 0.3 <= low < 0.31
     assert 2.49 < high <= 2.5

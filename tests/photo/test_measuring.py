@@ -9,13 +9,13 @@ from pencil import HAND, NEAT, FlatPage, Work, paper_of
 from graphkin.construction import Plane
 from graphkin.files import library
 from graphkin.photo.measuring import PageReading, measured
-from graphkin.photo.predicted import Corner, own_velocities, predicted
+from graphkin.photo.predicted import PredictedCorner, own_velocities, predicted
 from graphkin.photo.readings import RoomReading
 
 
 def readings_of(work: Work) -> dict[Plane, PageReading]:
     """Both polygons, the second one by the own velocities."""
-    page, drawing, velocity, found = FlatPage(work.page()), work.paper.problem.drawing, dict[str, Corner](), {}
+    page, drawing, velocity, found = FlatPage(work.page()), work.paper.problem.drawing, dict[str, PredictedCorner](), {}
     for plane, room in work.paper.rooms.items():
         found[plane] = one = measured(page, room, predicted(drawing.method, drawing.plot, room, velocity))
         velocity = own_velocities(RoomReading(room, one.vertices, error=one.error, unsure=one.unsure))

@@ -14,12 +14,12 @@ from printed_pages import A4, FINE, printed
 
 from graphkin.errors import PhotographAgain, Where
 from graphkin.photo.markers import corners, dots, edges
-from graphkin.photo.pictures import Picture
+from graphkin.photo.pictures import GreyPicture
 from graphkin.photo.registering import RegisteredPage, registered
 
 
 def found(grey: np.ndarray, **asked) -> list:
-    return list(registered(Picture(Where("a.jpg"), grey), **asked))
+    return list(registered(GreyPicture(Where("a.jpg"), grey), **asked))
 
 
 @cache

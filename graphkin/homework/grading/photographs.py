@@ -30,15 +30,15 @@ from graphkin.submissions.reading import files_of, student_of, where_of, whose
 from graphkin.submissions.students import Owner
 
 if TYPE_CHECKING:
-    from graphkin.photo.pictures import Picture
-    from graphkin.photo.predicted import Corner
+    from graphkin.photo.pictures import GreyPicture
+    from graphkin.photo.predicted import PredictedCorner
     from graphkin.photo.registering import RegisteredPage
 
 _SECONDS = 60.0  # for a picture
 _AT_ONCE, _HELD = 8, 16  # pictures that are looked at; pages that wait for the velocities of their student
 _CROP, _QUALITY = 6.0, 60  # of what a teacher looks at: pixels a mm, quality of the JPEG
-_Item = TypeVar("_Item", "tuple[Handed, Picture]", "_HeldPage")
-Velocities = Mapping[str, "Corner"]  # of a student's polygon by letter, SI
+_Item = TypeVar("_Item", "tuple[Handed, GreyPicture]", "_HeldPage")
+Velocities = Mapping[str, "PredictedCorner"]  # of a student's polygon by letter, SI
 
 
 @bulky
@@ -155,7 +155,7 @@ def _finish(held: Sequence[_HeldPage], found: Photographs) -> None:
     found.take(_each(partial(_finished, found.job), ready, found.job.workers))
 
 
-def _pictures(paths: Iterable[Path], found: Photographs) -> Iterator[tuple[Handed, Picture]]:
+def _pictures(paths: Iterable[Path], found: Photographs) -> Iterator[tuple[Handed, GreyPicture]]:
     """Each picture with what it was handed in with."""
     from graphkin.photo.pictures import is_picture, pictures_in
 
@@ -174,7 +174,7 @@ def _pictures(paths: Iterable[Path], found: Photographs) -> Iterator[tuple[Hande
 # --- as a worker does it ----------------------------------------------------------------------------------------------
 
 
-_Work = tuple[Handed, "Picture"] | _HeldPage
+_Work = tuple[Handed, "GreyPicture"] | _HeldPage
 _Done = Handed | SheetReading | _HeldPage
 
 
@@ -216,7 +216,7 @@ def _refused(handed: Handed, where: Where, reason: GraphkinError) -> Handed:
     return replace(handed, file=str(where), reason=reason)
 
 
-def _seen(job: PhotoJob, item: tuple[Handed, Picture]) -> list[_Done]:
+def _seen(job: PhotoJob, item: tuple[Handed, GreyPicture]) -> list[_Done]:
     """The sheets on a picture."""
     from graphkin.photo.predicted import own_velocities
     from graphkin.photo.registering import registered

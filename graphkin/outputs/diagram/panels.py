@@ -36,7 +36,7 @@ _PLACE = {"rad": (0, 0), "m": (0, 1), "rad/s": (1, 0), "m/s": (1, 1), "rad/s^2":
 
 
 @frozen
-class Axis:
+class CurveAxis:
     """An upright axis: SI unit, and the numbers of its curves."""
 
     unit: str
@@ -48,7 +48,7 @@ class CurvePanel:
     """Curves that stand together: one axis, or one on each side."""
 
     kind: str
-    axes: tuple[Axis, ...]
+    axes: tuple[CurveAxis, ...]
 
 
 def panels(units: Mapping[int, str]) -> tuple[CurvePanel, ...]:
@@ -64,12 +64,12 @@ def panels(units: Mapping[int, str]) -> tuple[CurvePanel, ...]:
                 groups.setdefault(unit, []).append(k)
         if len(groups) <= 2 and sum(map(len, groups.values())) <= MOST:
             if groups:
-                panels.append(CurvePanel(kind, tuple(Axis(unit, tuple(group)) for unit, group in groups.items())))
+                panels.append(CurvePanel(kind, tuple(CurveAxis(unit, tuple(group)) for unit, group in groups.items())))
             continue
         for unit, group in groups.items():
             size = math.ceil(len(group) / math.ceil(len(group) / MOST))
             parts = (tuple(group[begin : begin + size]) for begin in range(0, len(group), size))
-            panels += (CurvePanel(kind, (Axis(unit, part),)) for part in parts)
+            panels += (CurvePanel(kind, (CurveAxis(unit, part),)) for part in parts)
     return tuple(panels)
 
 
