@@ -288,12 +288,18 @@ class Mechanism:
 
     @property
     def pushed(self) -> tuple[tuple[str, str], ...]:
-        """A driven link and one that it pushes in sliding contact, where both are joined to the frame."""
+        """A driven link and one that it pushes in sliding contact, or by its roller, where both are joined to the
+        frame."""
         joined = {link for owners in self.owners.values() if FRAME in owners for link in owners}
         joined |= {slide.block for slide in self.slides if slide.guide == FRAME and slide.block is not None}
-        cams = (pair.joins for pair in self.pairs if pair.table == "cam")
+        cams = (tuple(map(self._bearer, pair.joins)) for pair in self.pairs if pair.table == "cam")
         pairs = (ends for links in cams for ends in (links, links[::-1]))
         return tuple((one, other) for one, other in pairs if one in self.driven and {one, other} <= joined)
+
+    def _bearer(self, link: str) -> str:
+        """The link on which an idle roller turns; any other is its own."""
+        points = self.links[link].points if link in self.idle else ()
+        return next((other for point in points for other in self.owners[point] if other != link), link)
 
     def slide_title(self, name: str, lang: Lang) -> str:
         """The title of a sliding pair, in this language, else its name."""

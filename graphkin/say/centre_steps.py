@@ -102,10 +102,13 @@ class CentreReader:
     def entries(
         self, stages: Sequence[Stage], without: Mapping[tuple[str, str], str], number: int = 1
     ) -> Iterator[Entry]:
-        """The number of centres, those by definition, the others in order; `without`: pairs of links that have none."""
-        count = len(self.mechanism.links)
+        """The number of centres, those by definition, the others in order; `without`: pairs of links that have none.
+
+        An idle roller of which no centre is sought is counted with the link that it turns on."""
+        sought = {link for stage in stages for link in self.found.centring.links[stage.last.name]}
+        count = len(self.mechanism.links) - len({*self.mechanism.idle} - sought)
         yield Heading(self.say("centres.finding", number=number))
-        yield Sentence(self.say("centres.count", n=count, less=count - 1, count=len(self.found.pairs)))
+        yield Sentence(self.say("centres.count", n=count, less=count - 1, count=count * (count - 1) // 2))
         others = [stage for stage in stages if stage.say in ("two lines", "velocities")]
         direct = [stage for stage in stages if stage.say not in ("two lines", "velocities")]
         for head, group in ((self.say("centres.definition"), direct), (self.say("centres.kennedy"), others)):
@@ -178,6 +181,8 @@ class CentreReader:
         """A line on which a centre lies, and why it does."""
         if (normal := self.found.centring.normals.get(line.name)) is not None:
             pair = self.found.centring.links[step.name]
+            if isinstance(normal.pair, Cam) and (others := {*pair} - {*normal.pair.links}):
+                return self._through_a_roller(normal.pair, *others)
             key = f"centres.normal of {NORMALS[type(normal.pair)]}"
             return self.say(key, point=names.point(normal.line.through), **self._links(pair))
         ends = drawn_through(line)
@@ -194,6 +199,13 @@ class CentreReader:
         words = {"near": names.point(near), "far": names.point(far[0]), "links": links}
         key = "centres.across guide" if by_definition else "centres.parallel"
         return self.say(key, angle=self.angle(far[0]), **words)
+
+    def _through_a_roller(self, cam: Cam, *others: str) -> str:
+        """The common normal of links that do not touch themselves: rollers do, which are hinged to them."""
+        centres = [centre for _, centre, _ in cam.circles if {*others} & {*self.mechanism.owners[centre]}]
+        points = self.say("common.list").join(map(names.point, centres))
+        links = self.say("common.list").join(map(self.link, sorted(others, key=self._order.__getitem__)))
+        return self.say("centres.normal through rollers", points=points, links=links, **self._links(cam.links))
 
 
 @frozen
@@ -212,7 +224,7 @@ class CentrePart:
     def place(self, centre: Centre) -> str:
         """The place of one of them."""
         found = self.reader.found
-        if found.together(*centre.links):
+        if not found.exists(*centre.links):
             pairs = {frozenset(pair): why for pair, why in found.without.items()}
             return self.reader.say(f"centres.by {pairs[frozenset(centre.links)]}")
         return self.reader.place(found.name(*centre.links))
@@ -220,7 +232,7 @@ class CentrePart:
     def figure(self, centre: Centre) -> tuple[str, str]:
         """The same for a table, and its unit: coordinates, or the angle at infinity; words where there is no centre."""
         reader, found = self.reader, self.reader.found
-        if found.together(*centre.links):
+        if not found.exists(*centre.links):
             return self.place(centre), ""
         name = found.name(*centre.links)
         return (reader.angle(name).removesuffix("°"), "°") if reader.is_far(name) else (reader.coordinates(name), "mm")

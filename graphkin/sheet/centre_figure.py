@@ -146,7 +146,7 @@ def asked_lines(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Fig
         apart = [min((abs(place(found.board.at(name)) - at) for at in some), default=near) for some in (drawn, legs)]
         return apart[0] < near <= apart[1]
 
-    there = (found.name(*one.links) for one in asked if not found.together(*one.links))
+    there = (found.name(*one.links) for one in asked if found.exists(*one.links))
     names = {name for name in there if told(name)}
     low, high = corners([skeleton.window(at) for at in drawn])
     room = Room(low.real, low.imag, high.real, high.imag).inset(-_BEYOND, -_BEYOND, -_BEYOND)

@@ -279,6 +279,36 @@ def test_an_undetermined_centre_is_said_to_be(lang, said):
     assert CliRunner().invoke(main, ["explain", "-", "--lang", lang], input=ROLLER).exit_code == 0
 
 
+LIFTED = """
+ask = ["v C"]
+frame = {{ name = "4", A = [0, 0] }}
+links = {{ 1.AB = 20, 2.points = ["C"], 3.points = ["C"] }}
+cam = [{{ links = {links}, profiles = {profiles} }}]
+slide = [{{ name = "lift", block = "2", point = "C", guide = "frame", through = [{offset}, 0], angle = 90 }}]
+driver = [{{ vector = "AB", angle = {angle}, omega = {omega} }}]
+sketch = {{ C = [{offset}, 58] }}
+"""
+CAM, WHEEL = '{ centre = "B", radius = 40 }', '{ centre = "C", radius = 12 }'
+
+
+@pytest.mark.parametrize(("offset", "angle", "omega"), [(15, 20, 12.57), (-11, 200, -4), (0, 310, 7)])
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_roller_pushes_the_link_that_it_turns_on(offset, angle, omega, turned):
+    """The follower moves as its point of the common normal, and counts as one link with its roller."""
+    links, profiles = (["3", "1"], f"[{WHEEL}, {CAM}]") if turned else (["1", "3"], f"[{CAM}, {WHEEL}]")
+    text = LIFTED.format(links=links, profiles=profiles, offset=offset, angle=angle, omega=omega)
+    mechanism = loads(text)
+    levers, exact = Levers(found(mechanism)), motion(mechanism)
+    levers.start(mechanism.drivers[0])
+    assert levers.path("3") is None
+    levers.along(levers.path("2") or [])
+    assert levers.value("2") == pytest.approx(abs(complex(exact.velocity["C"])), rel=1e-9)
+    printed = CliRunner().invoke(main, ["explain", "-"], input=text).output
+    assert "N = 3 links" in printed
+    assert f"at the contact of links {' and '.join(links)}, which runs through C of link 2" in printed
+    assert re.search(rf"v_2 = v_P12 = ω1 P14P12 .* = {abs(complex(exact.velocity['C'])):.4g}\d* m/s", printed)
+
+
 WORDS = """
 ask = ["P连杆,机架"]
 frame = { name = "机架", A = [0, 0], D = [88, -6] }

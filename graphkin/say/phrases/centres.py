@@ -30,6 +30,10 @@ PHRASES: Phrases = {
                             "无穷远直线（{first}、{second} 均在无穷远，构件 {links}）"),
     "centres.normal of contact": ("the common normal n–n at the contact of links {first} and {second}",
                                   "构件 {first}、{second} 接触点处的公法线（n–n）"),
+    "centres.normal through rollers": (
+        "the common normal n–n at the contact of links {first} and {second}, which runs through {points} of link {links}",
+        "构件 {first}、{second} 接触点处的公法线（n–n，过构件 {links} 上的 {points} 点）",
+    ),
     "centres.normal of slot": ("the normal of the slot through {point} (where links {first} and {second} touch)",
                                "构件 {first}、{second} 接触处 {point} 的槽的法线"),
     "centres.normal of circular slot": ("the normal n–n of the circular slot through its centre {point} (where links "

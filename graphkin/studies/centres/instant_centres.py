@@ -76,16 +76,24 @@ class Centres:
 
     def place(self, first: str, second: str) -> Value:
         """Place of the centre of two links [m]; infinite at infinity, NaN where they do not move against each other."""
-        return complex(np.nan, np.nan) if self.together(first, second) else self.board.at(self.name(first, second))
+        return self.board.at(self.name(first, second)) if self.exists(first, second) else complex(np.nan, np.nan)
 
     def finite(self, first: str, second: str) -> complex | None:
         """The same; None at infinity, and where there is none."""
         place = complex(self.place(first, second))
         return place if cmath.isfinite(place) else None
 
+    def exists(self, first: str, second: str) -> bool:
+        """Two links have a centre that is determined."""
+        return self.name(first, second) in self.board.points
+
     def together(self, first: str, second: str) -> bool:
         """True for two links that do not move against each other, and so have no centre."""
-        return self.name(first, second) not in self.board.points
+        return not self.exists(first, second) and not self.undetermined(first, second)
+
+    def undetermined(self, first: str, second: str) -> bool:
+        """True for two links of which an idle one turns against the other in a way that nothing says."""
+        return not {(first, second), (second, first)}.isdisjoint(self.centring.undetermined)
 
     def direction(self, first: str, second: str) -> Value:
         """Direction in which a centre at infinity lies [rad]."""
@@ -210,7 +218,7 @@ def as_json(centres: Centres) -> CentresData:
 
 def place(centres: Centres, first: str, second: str) -> CentreEntry:
     """`at` [m], `direction` [rad] for a centre at infinity, nothing where there is none."""
-    if centres.together(first, second):
+    if not centres.exists(first, second):
         return {}
     cut = centres.method.mechanism.usual.cut
     at = complex(cut(centres.place(first, second), "m"))

@@ -230,6 +230,8 @@ def _cost(centres: Centres, size: float, base: str, link: str) -> float:
 
     if centres.together(base, link):
         return 1.0
+    if centres.undetermined(FRAME, link):
+        return inf
     own, other, common = centres.finite(FRAME, base), centres.finite(FRAME, link), centres.finite(base, link)
     if common is None:
         if own is not None and other is not None:
