@@ -16,7 +16,7 @@ from functools import partial
 from typing import TYPE_CHECKING, overload
 
 from graphkin import running
-from graphkin.api.drawing import Drawing, Source, Values, in_python, in_si, load, method_of, of_one_shape, plan
+from graphkin.api.drawing import Drawing, Source, Values, in_si, load, method_of, of_one_shape, plan
 from graphkin.errors import among
 from graphkin.files.variants import Variants as AnyVariants
 from graphkin.model.mechanism import Mechanism
@@ -79,8 +79,7 @@ def trial(mechanism: Source, *names: str, over: Ranges = ()) -> Trial:
     """
     from graphkin.api.variants import Trial
 
-    with in_python():
-        return Trial.of(load(mechanism), names, over)
+    return Trial.of(load(mechanism), names, over)
 
 
 def motion(mechanism: Source | Variants, values: Values = None) -> State:
@@ -146,9 +145,7 @@ def sweep(
     if isinstance(mechanism, AnyVariants):
         from graphkin.api import variants
 
-        with in_python():
-            return variants.swept(mechanism, ranges, sweeps.split(of) if isinstance(of, str) else of, by)
+        return variants.swept(mechanism, ranges, sweeps.split(of) if isinstance(of, str) else of, by)
     method = method_of(mechanism)
-    with in_python():
-        made = sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by, compiled)
-        return SweepFrames(**vars(made))
+    made = sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by, compiled)
+    return SweepFrames(**vars(made))

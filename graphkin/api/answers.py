@@ -11,11 +11,10 @@ import cmath
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from importlib import import_module
 from inspect import signature
-from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Literal, overload
 
-from graphkin.api.drawing import Drawing, Source, Values, in_python, load, method_of, placed
+from graphkin.api.drawing import Drawing, Source, Values, load, method_of, placed
 from graphkin.base.plain import Plain
 from graphkin.errors import (
     BadPair,
@@ -32,7 +31,6 @@ from graphkin.errors import (
     among,
 )
 from graphkin.files.values import quantity_at
-from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 
 if TYPE_CHECKING:
@@ -79,11 +77,10 @@ def find(
 
     among(sweeps.Road, by=by)
     ranges = [ranges] if isinstance(ranges, str) else ranges
-    with in_python():
-        if not vary:
-            return finding.find(method_of(mechanism), condition, ranges, by)
-        machine = mechanism.mechanism if isinstance(mechanism, Method) else load(mechanism)
-        return finding.vary(machine, vary, condition, ranges, by, plan=api.plan)
+    if not vary:
+        return finding.find(method_of(mechanism), condition, ranges, by)
+    machine = mechanism.mechanism if isinstance(mechanism, Method) else load(mechanism)
+    return finding.vary(machine, vary, condition, ranges, by, plan=api.plan)
 
 
 def structure(mechanism: Source | Method, values: Values = None) -> Structure:
@@ -110,9 +107,10 @@ def linkage(
 
     for kind, sizes in (("fourbar", fourbar), ("slider", slider), ("guide", guide)):
         if sizes:
-            with in_python():
-                of = from_lengths(kind, sizes, driver)
-    if not isinstance(of, Mechanism | str | Path):
+            of = from_lengths(kind, sizes, driver)
+    if of == "":
+        raise MissingKey(Where("linkage"), "of")
+    if isinstance(of, linkages.Linkage):
         return [linkages.report(of)]
     machine = load(of) if values is None else placed(of, values).mechanism
     return [*map(linkages.reported, linkages.some_found_in(machine))]
@@ -161,8 +159,7 @@ def centres(
     from graphkin.studies import centres as found
 
     drawing = Drawing.of(mechanism, values)
-    with in_python():
-        return around(found.centres(drawing.method, drawing.plot), about, bobillier, centrodes, path, ranges)
+    return around(found.centres(drawing.method, drawing.plot), about, bobillier, centrodes, path, ranges)
 
 
 def around(
@@ -202,7 +199,7 @@ LEAST_PART = 1e-9  # beside the longest link, one shorter than this part of it i
 LENGTHS = {"length", "frame", "crank", "coupler", "rod", "stroke", "offset", "AC1"}
 
 
-def designed(
+def design(
     kind: Kind, *, K: Size | None = None, length: Size | None = None, swing: Size | None = None,
     stroke: Size | None = None, frame: Size | None = None, crank: Size | None = None, coupler: Size | None = None,
     rod: Size | None = None, offset: Size | None = None, AC1: Size | None = None, gamma_min: Size | None = None,
@@ -238,9 +235,6 @@ def designed(
     make: Callable[..., Design] = getattr(designing, kind.replace("-", "_"))
     _refuse_names(kind, make, [*given, *(["K"] if ratio else [])])
     return make(**sizes, **ratio)
-
-
-design = in_python()(designed)  # its errors name arguments, those of the other one the options of the command
 
 
 def _refuse_names(kind: Kind, make: Callable[..., Design], named: Sequence[str]) -> None:
@@ -325,6 +319,8 @@ def sheet_of(answer: object, lang: Lang = "en", paper: str | None = None, **more
     from graphkin.outputs.saving import NotebookSheet
 
     draw: Callable[..., Sheet | tuple[Sheet | None, int]] = getattr(*_reader(answer, 2))
+    if isinstance(answer, list) and not answer:
+        raise NothingDrawn("list")
     made = draw(answer, lang=lang, paper=paper, **more)
     if (sheet := made[0] if isinstance(made, tuple) else made) is None:
         raise NothingDrawn(type(answer).__name__)

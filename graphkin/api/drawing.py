@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -18,7 +17,7 @@ from graphkin.base.geometry import Real, number
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.construction import SCALES, Plane, Plot
-from graphkin.errors import GraphkinError, Lang, Where, among
+from graphkin.errors import Lang, Where, among
 from graphkin.errors.arguments import checked
 from graphkin.files import library
 from graphkin.files.draft import rate_keys
@@ -152,19 +151,6 @@ def _driven(value: ArrayLike, kind: str) -> Real:
     return si if plain.ndim else float(si)
 
 
-@contextmanager
-def in_python() -> Iterator[None]:
-    """Errors name arguments, not the options of a command."""
-    try:
-        yield
-    except GraphkinError as error:
-        where = getattr(error, "where", None)
-        if isinstance(where, Where) and where.file.startswith("--"):
-            name = where.file[2:].replace("-", "_")
-            raise error.at(Where("ranges" if name == "driver" else name)) from None
-        raise
-
-
 @frozen
 class Drawing(Readable[Number, Vector]):
     """A mechanism, planned and drawn at one position, and held against the analysis; a notebook plays it.
@@ -225,6 +211,8 @@ class Drawing(Readable[Number, Vector]):
 
     def _paths(self, points: Sequence[str], arrows: bool) -> Iterator[PointPath]:
         if not points:
+            if arrows:
+                raise errors.MissingKey(Where("arrows"), "paths")
             return
         from graphkin.studies.sweeps import point_path
 

@@ -3,6 +3,7 @@ as one who looks for an optimum asks for it."""
 
 from __future__ import annotations
 
+import numbers
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
@@ -25,7 +26,7 @@ from graphkin.planning import Method, plan
 from graphkin.proof.readings import places, readings
 from graphkin.proof.roads import AGREE, held, hold_rows
 from graphkin.running import replay_all
-from graphkin.running.recorder import Entry
+from graphkin.running.recorder import TABLES, Entry
 from graphkin.running.replay_program import ReplayProgram
 from graphkin.running.variants import numbers_program, replay_many
 from graphkin.studies.sweeps import Ranges, Road, course
@@ -110,7 +111,8 @@ class Trial:
 
     Called with a value for each name it gives a `State`, in a tenth of a millisecond for a point at 361 positions.
     That is not proved, is drawn on the branch of the mechanism that it was made of, and is nan where links do not
-    reach each other. What is then taken is proved: `taken`.
+    reach each other; all of it for numbers that no mechanism has, a length below nought: `refused[0]` says why. What
+    is then taken is proved: `taken`.
     """
 
     mechanism: MechanismFile
@@ -140,7 +142,8 @@ class Trial:
         found, sketch = self(*values), dict[str, object]()
         if self._program is not None:
             drawn = self._state([np.array([value]) for value in self.method.facts(None).values], values).position
-            sketch = {f"sketch.{point}": drawn[point].mm[0] for point in self.mechanism.sketch}  # type: ignore[index]
+            there = {point: drawn[point].mm[0] for point in self.mechanism.sketch}  # type: ignore[index]
+            sketch = {f"sketch.{point}": place for point, place in there.items() if np.isfinite(place)}
         method = plan(self.mechanism.with_({**dict(zip(self.paths, values)), **sketch}))
         plot = held(method, self.values)
         state = State(partial(readings, method, plot), plot, places(method))
@@ -153,21 +156,32 @@ class Trial:
     def _state(self, drivers: Sequence[Real], values: Sequence[object]) -> State:
         if len(values) != len(self.paths):
             raise WrongCount(self.mechanism.where(), len(self.paths), len(values))
+        given = zip(self.paths.values(), values)
+        parts = dict(part for path, value in given for part in parts_of(self.mechanism, path, value))
         try:
-            if self._program is None:
+            if self._program is None or any(map(np.ndim, parts.values())):  # type: ignore[arg-type]
                 raise OneByOne
-            given = zip(self.paths.values(), values)
-            parts = (part for path, value in given for part in parts_of(self.mechanism, path, value))
-            numbers = {place: in_si(self.mechanism, place, part) for place, part in parts}
-            if any(map(np.ndim, numbers.values())) or not all(
-                within(self.mechanism, *number) for number in numbers.items()
-            ):
+            si = {place: in_si(self.mechanism, place, part) for place, part in parts.items()}
+            if not all(within(self.mechanism, *number) for number in si.items()):
                 raise OneByOne
-            method, plot = self.method, self._program.run(drivers, asked=self.asked, numbers=[*numbers.values()])
+            method, plot = self.method, self._program.run(drivers, asked=self.asked, numbers=[*si.values()])
         except OneByOne:
-            method = plan(self.mechanism.with_(dict(zip(self.paths, values))))
-            plot = replay_all(method, drivers)
+            return self._alone(drivers, values, [*parts.values()])
         return State(partial(readings, method, plot), plot, places(method))
+
+    def _alone(self, drivers: Sequence[Real], values: Sequence[object], parts: Sequence[object]) -> State:
+        """That of a mechanism by itself; nan where numbers are those of none. Raises what is wrong with no numbers."""
+        method, refused = self.method, dict[int, GraphkinError]()
+        try:
+            method = plan(self.mechanism.with_(dict(zip(self.paths, values))))
+        except GraphkinError as error:
+            if not all(isinstance(part, numbers.Real) for part in parts):
+                raise
+            refused = {0: error}
+        plot = replay_all(method, drivers)
+        for table in TABLES if refused else ():
+            setattr(plot, table, {name: value * np.nan for name, value in getattr(plot, table).items()})
+        return State(partial(readings, method, plot), plot, places(method), refused)
 
     @cached_property
     def _program(self) -> ReplayProgram | None:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 import click
 
-from graphkin.api.answers import LENGTHS, designed
+from graphkin.api.answers import LENGTHS
+from graphkin.api.answers import design as designed
 from graphkin.cli import shared
 from graphkin.errors import Lang
 

@@ -15,7 +15,7 @@ from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 from textwrap import wrap
-from typing import Any
+from typing import Any, get_args
 
 import click
 
@@ -29,7 +29,8 @@ _ALSO = {
     "Builder": "files.builder", "Variants": "files.variants", "Trial": "api.variants", "Readable": "model.readout",
     "Measured": "model.units", "Series": "studies.sweeps", "Method": "planning", "Plot": "construction",
     "NotebookSheet": "outputs.saving", "VectorMark": "sheet.marks", "PointMark": "sheet.marks", "Text": "sheet.marks",
-    "DiagramPage": "outputs.diagram.page", "SavedHandout": "handouts.saving", "Solved": "api.batches",
+    "Stroke": "sheet.marks", "Disc": "sheet.marks", "ArcMark": "sheet.marks", "DiagramPage": "outputs.diagram.page",
+    "SavedHandout": "handouts.saving", "SavedPage": "page.player", "Solved": "api.batches",
     "Swept": "api.batches", "Findings": "studies.finding", "Centres": "studies.centres", "Design": "studies.design",
     "Solution": "studies.design", "Tolerances": "marking.tolerances", "Graded": "marking.records",
     "Judged": "marking.records", "VaryingTable": "studies.finding", "Structure": "studies.assur",
@@ -39,6 +40,9 @@ _ALSO = {
 }  # fmt: skip
 """Classes that public names give or share."""
 _QUOTED = re.compile(r"(: |-> )'([^']*)'")
+_WORDS = {"Lang": "errors", "Plane": "construction", "Style": "sheet", "Ink": "outputs.paint", "Road": "studies.sweeps",
+          "Stage": "handouts.document", "Reveal": "homework.platforms.feedback", "By": "equations"}  # fmt: skip
+"""Of signatures: each stands for some words, in its module."""
 
 
 def names() -> tuple[str, ...]:
@@ -46,10 +50,21 @@ def names() -> tuple[str, ...]:
     return (*graphkin.__all__, *_ALSO)
 
 
-def text(*chosen: str) -> str:
-    """The pages of these names, of all if none is given."""
-    pages = [] if chosen else [inspect.getdoc(import_module("graphkin.api")) or ""]
+def text(*chosen: str, lang: Lang = "en") -> str:
+    """The pages of these names; of all, behind what one writes for which job, if none is given."""
+    pages = [] if chosen else ["\n".join(_jobs(lang))]
     return "\n\n".join([*pages, *("\n".join(_page(name)) for name in chosen or names())])
+
+
+def _jobs(lang: Lang) -> Iterator[str]:
+    """The manual's own text of the Python interface, its table as pairs of lines."""
+    from graphkin.cli.manual import skeleton
+
+    section = skeleton(lang).partition("{api}")[0].rpartition("\n## ")[2].partition("\n")[2].strip()
+    for line in re.sub(r"\[(\w+)\]\(#\w+\)", r"\1", section).replace("`", "").splitlines():
+        wanted, bar, written = line.strip("| ").partition(" | ")
+        if not line.startswith("|---"):
+            yield from (wanted, f"    {written}") if bar else (line,)
 
 
 def _page(name: str) -> Iterator[str]:
@@ -97,7 +112,14 @@ def _signature(value: object) -> str:
         shown = str(inspect.signature(_function(value)))
     except (TypeError, ValueError):
         return ""
-    return _QUOTED.sub(r"\1\2", re.sub(r"\((?:self|cls)(?:, )?", "(", shown, count=1))
+    shown = _QUOTED.sub(r"\1\2", re.sub(r"\((?:self|cls)(?:, )?", "(", shown, count=1))
+    return re.sub(rf": ({'|'.join(_WORDS)})\b", _spelled, shown)
+
+
+def _spelled(name: re.Match[str]) -> str:
+    """`: Lang` -> `: 'en' | 'zh'`."""
+    words = getattr(import_module(f"graphkin.{_WORDS[name[1]]}"), name[1])
+    return f": {' | '.join(map(repr, get_args(words)))}"
 
 
 def in_chinese(command: click.Command) -> click.Command:
@@ -140,7 +162,7 @@ def help_(topic: str, chosen: tuple[str, ...], whole: bool, output: Path | None,
     if topic == "api":
         unknown = [name for name in chosen if name not in names()]
         misused("usage.names", unknown, names=", ".join(unknown), known=", ".join(names()))
-        click.echo(text(*chosen))
+        click.echo(text(*chosen, lang=lang))
         return
     misused("usage.needs", chosen, option=" ".join(chosen), other="help api")
     if topic == "file":

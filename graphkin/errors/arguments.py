@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Generator, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import wraps
 from numbers import Integral, Real
 from os import PathLike
 from reprlib import repr as shortened
-from typing import ParamSpec, TypeVar, get_args
+from typing import ParamSpec, TypeVar, cast, get_args
 
-from graphkin.errors.base import Where
+from graphkin.errors.base import GraphkinError, Where
 from graphkin.errors.files import NotOneOf, OutOfRange, WrongType
 
 _Given = ParamSpec("_Given")
 _Done = TypeVar("_Done")
 _Fits = Callable[[object], bool]
-_Wanted = tuple[list[_Fits], str, tuple[str, ...]]
-_ANY: _Wanted = ([], "", ())
+_Wanted = tuple[list[_Fits], tuple[str, ...], tuple[str, ...]]  # what fits, what that is called, words
+_ANY: _Wanted = ([], (), ())
 
 
 def _finite(value: object) -> bool:
@@ -70,10 +71,23 @@ _PLAIN: dict[str, tuple[_Fits, str]] = {
 """By annotation: whether a value is such a one, and what it is called. What is not here is looked at by its reader."""
 
 
+@contextmanager
+def in_python() -> Iterator[None]:
+    """Errors name arguments, not the options of a command."""
+    try:
+        yield
+    except GraphkinError as error:
+        where = getattr(error, "where", None)
+        if isinstance(where, Where) and where.file.startswith("--"):
+            name = where.file[2:].replace("-", "_")
+            raise error.at(Where("ranges" if name == "driver" else name)) from None
+        raise
+
+
 def checked(call: Callable[_Given, _Done]) -> Callable[_Given, _Done]:
-    """The call, which raises WrongType for an argument that is no text, number, flag, file where one is wanted, and for
-    None where that says nothing; OutOfRange for numbers that are none, NotOneOf for a word that is not among those of
-    its Literal."""
+    """The call, whose errors name its arguments. It raises WrongType for an argument that is no text, number, flag,
+    file where one is wanted, and for None where that says nothing; OutOfRange for numbers that are none, NotOneOf for a
+    word that is not among those of its Literal."""
     names: list[str] = []  # of the places
     wanted: dict[str, _Wanted] = {}
 
@@ -83,16 +97,25 @@ def checked(call: Callable[_Given, _Done]) -> Callable[_Given, _Done]:
             wanted.update(_looked_for(call, names))
         places = names + names[-1:] * len(args)  # what is more belongs to the last, `*mechanisms`
         for name, value in (*zip(places, args), *named.items()):
-            fits, kind, words = wanted.get(name, _ANY)
+            fits, kinds, words = wanted.get(name, _ANY)
             if fits and isinstance(value, Real) and not _finite(value):
                 raise OutOfRange(Where(name), shortened(value))
             if fits and not any(each(value) for each in fits):
                 if words and isinstance(value, str):
                     raise NotOneOf(Where(name), value, words)
-                raise WrongType(Where(name), kind, shortened(value))
-        return call(*args, **named)
+                whole = isinstance(value, Integral) and "count" in kinds
+                raise WrongType(Where(name), "count" if whole else kinds[0], shortened(value))
+        with in_python():
+            made = call(*args, **named)
+        return cast(_Done, _one_by_one(made)) if isinstance(made, Generator) else made
 
     return looked_at
+
+
+def _one_by_one(made: Iterator[object]) -> Iterator[object]:
+    """What is made while one asks for it, and raises then."""
+    with in_python():
+        yield from made
 
 
 def _looked_for(call: Callable[..., object], names: list[str]) -> dict[str, _Wanted]:
@@ -111,5 +134,5 @@ def _wanted(annotation: str, named: Mapping[str, object], free: bool) -> _Wanted
     words = tuple(word for part in parts for word in get_args(named.get(part)) if isinstance(word, str))
     known = {part: _PLAIN.get(part, (lambda value: isinstance(value, str) and value in words, "text")) for part in parts if part in _PLAIN or words}
     if len(known) == len(parts):
-        return [fits for fits, _ in known.values()], known[parts[0]][1], words
-    return _ANY if free else ([lambda value: value is not None], "text", ())
+        return [fits for fits, _ in known.values()], tuple(kind for _, kind in known.values()), words
+    return _ANY if free else ([lambda value: value is not None], ("text",), ())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, LocatedError
 
 
 class BadRange(AboutText):
@@ -74,6 +74,20 @@ class NoSuchName(Choice, KeyError):
 class NotSwept(Choice, KeyError):
     en = "{where}: {given!r} is not in this sweep. Name it in `of` to have it. {hint}"
     zh = "{where}：这次扫描中没有 {given!r}，需要时请写入 `of`。{hint}"
+
+
+class OtherUnit(GraphkinError, AttributeError):
+    asked: str
+    units: tuple[str, ...]
+    own: str
+    en = "{asked} is of a value in {units:,}; this one is in {own}."
+    zh = "{asked} 用于单位为 {units:,} 的量，而此量的单位是 {own}。"
+
+
+class NotAVector(GraphkinError, AttributeError):
+    asked: str
+    en = "{asked} is of a vector; this is a number with a sign. `v C` and `path C` are vectors."
+    zh = "{asked} 用于矢量，而此处是带正负号的数。`v C`、`path C` 是矢量。"
 
 
 class NotAMechanism(AboutText, TypeError):

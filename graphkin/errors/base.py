@@ -22,7 +22,7 @@ class Where:
     def __str__(self) -> str:
         file = self.file.replace("\n", "\\n")
         place = file if self.line is None else f"{file}:{self.line}"
-        return f"{place}, {self.key}" if self.key else place
+        return ", ".join(filter(None, (place, self.key)))
 
 
 NOWHERE = Where("")  # stands until the one who knows the place fills it in (`GraphkinError.at`)
@@ -70,6 +70,9 @@ class GraphkinError(Exception):
 
     def __str__(self) -> str:
         return self.message("en")
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.message()!r})"
 
     def __reduce__(self) -> tuple[type[GraphkinError], tuple[object, ...]]:
         return type(self), tuple(self._data().values())

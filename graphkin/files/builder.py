@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, Generic, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Self, TypeVar
 
 from graphkin.base.value import frozen
 from graphkin.errors import NoSuchValue, Where
@@ -59,6 +59,11 @@ class Builder(Generic[Made]):
 
     def __repr__(self) -> str:
         return f"<Builder of {self.name}: {', '.join(self.document)}>"
+
+    if not TYPE_CHECKING:  # which tells by itself
+
+        def __getattr__(self, name: str) -> object:
+            raise AttributeError(f"a builder has no {name!r}; `done()` gives the mechanism")
 
     def titled(self, en: str = "", zh: str = "", source: str = "") -> Self:
         """Its title in both languages, and its source."""

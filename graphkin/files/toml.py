@@ -119,11 +119,11 @@ def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
     edits: list[tuple[int, int, str]] = []
     for path, value in values.items():
         if path in spans:
-            edits.append((*spans[path], value_text(value)))
+            edits.append((*spans[path], value_text(value, ".".join(map(str, path)))))
         elif path[:-1] in ends and path[:-1]:
             end = text.find("\n", ends[path[:-1]])
             end = len(text) if end < 0 else end
-            edits.append((end, end, f"\n{key_text(str(path[-1]))} = {value_text(value)}"))
+            edits.append((end, end, f"\n{key_text(str(path[-1]))} = {value_text(value, '.'.join(map(str, path)))}"))
         else:
             return toml(with_values(tomllib.loads(text), values))
     for begin, end, new in sorted(edits, reverse=True):

@@ -18,7 +18,7 @@ MARKS = (b"graphkin handout",)
 
 
 class SavedHandout(Handout):
-    """A handout: `save("x.pdf")`, or `.html`; a notebook shows it."""
+    """A handout: `save("x.pdf")`, or `.html`; `to_html()`, `to_pdf()` for a program; a notebook shows it."""
 
     @checked
     def save(
@@ -43,6 +43,18 @@ class SavedHandout(Handout):
         if pages:
             sheets_json.write_sheets(listed, pages, force)
         return file
+
+    @checked
+    def to_html(self, paper: str = "A4") -> str:
+        """The text of the .html file, for this paper."""
+        papers_for(paper)
+        return html(self, paper)
+
+    @checked
+    def to_pdf(self, paper: str = "A4", font: Path | None = None) -> bytes:
+        """The bytes of the .pdf file, on this paper. Needs graphkin[pdf]."""
+        papers_for(paper)
+        return printed(self, paper, font, None)[0]
 
     def _repr_html_(self) -> str:
         return html(self)

@@ -22,6 +22,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array, Real, Value
 from graphkin.base.value import frozen
+from graphkin.errors import NotAVector, OtherUnit
 
 _Plain = TypeVar("_Plain", bound=np.ndarray)
 
@@ -131,12 +132,12 @@ class Measured:
 
     def _times(self, factor: float, units: tuple[str, ...], name: str) -> Value:
         if self.unit not in units:
-            raise AttributeError(f"{name} is of a value in {', '.join(units)}; this one is in {self.unit or 'no unit'}")
+            raise OtherUnit(name, units, self.unit)
         return self.si * factor
 
     def _vector(self, name: str) -> Value:
         if not np.iscomplexobj(self.si):
-            raise AttributeError(f"{name} is of a vector; this is a number with a sign. `v C` and `path C` are vectors")
+            raise NotAVector(name)
         return self.si
 
 

@@ -17,7 +17,7 @@ from graphkin.sheet.page import step_sheets
 
 @frozen
 class NotebookSheet(Sheet):
-    """A finished drawing: `save("x.pdf")`, `svg()`, `to_png()`; a notebook shows it.
+    """A finished drawing: `save("x.pdf")`, `svg()`, `to_png()`, `to_pdf()`; a notebook shows it.
 
     layers   marks in millimetres on paper, y down, in the order of painting: "sheet" (title, results, frame),
              "mechanism", "velocity", "acceleration" (the polygons), "leaders", "labels"; `marks` has those of all
@@ -58,7 +58,7 @@ class NotebookSheet(Sheet):
         return file
 
     def content(self, file: Path, dpi: float = 200.0, ink: Ink = "accent") -> bytes:
-        """The content that `save` writes. Raises UnknownEnding, NeedsExtra."""
+        """The bytes that `save` would write into a file of this name. Raises UnknownEnding, NeedsExtra."""
         return drawings.content(file, self, self.drawing, dpi, ink)
 
     @checked
@@ -69,7 +69,12 @@ class NotebookSheet(Sheet):
     @checked
     def to_png(self, dpi: float = 200.0, ink: Ink = "accent") -> bytes:
         """The bytes of the .png file. Needs graphkin[png]."""
-        return self.content(Path(".x.png"), dpi, ink)
+        return self.content(Path("x.png"), dpi, ink)
+
+    @checked
+    def to_pdf(self, ink: Ink = "accent") -> bytes:
+        """The bytes of the .pdf file. Needs graphkin[pdf]."""
+        return self.content(Path("x.pdf"), ink=ink)
 
     @checked
     def step_sheets(self, steps: Iterable[int] = ()) -> Iterator[NotebookSheet]:

@@ -275,7 +275,7 @@ _HIGH = 820  # of the frame in a notebook [px]
 
 @bulky
 class SavedPage:
-    """A page: `save("x.html")`; a notebook shows it."""
+    """A page: `save("x.html")`; `text` is the same for a program; a notebook shows it."""
 
     text: str
 

@@ -114,7 +114,8 @@ class ArcMark:
 
 @frozen
 class Text:
-    """Letters; `at` is the left end of the base line, which is turned about it [rad, clockwise on paper]."""
+    """Letters, `"".join(run.text for run in label)`; `at` is the left end of the base line, which is turned about it
+    [rad, clockwise on paper]."""
 
     label: Label
     at: Place

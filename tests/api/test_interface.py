@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import inspect
 import os
 import pickle
@@ -160,6 +161,13 @@ def test_a_table_named_again_gets_further_keys():
     assert set(made.links["2"].points) == {"B", "C", "E"}
 
 
+def test_a_builder_that_is_not_done_says_so():
+    builder = graphkin.Mechanism.new().fix(A=(0, 0))
+    with pytest.raises(AttributeError, match=r"'links'; `done\(\)`"):
+        builder.links  # noqa: B018
+    assert copy.deepcopy(builder) == pickle.loads(pickle.dumps(builder)) == builder
+
+
 def test_what_is_wrong_in_a_builder_is_said():
     with pytest.raises(GraphkinError, match=r"<mine>:\d+, links\.1\.AB"):
         Mechanism.new("mine").fix(A=(0, 0)).link(1, AB=-3).drive("AB", angle=0).done()
@@ -289,8 +297,11 @@ def test_values_are_numbers_with_a_unit():
 @pytest.mark.parametrize(("of", "unit"), [("omega", "mm"), ("v", "degrees"), ("omega", "direction"), ("theta", "rpm")])
 def test_a_unit_that_does_not_fit(of: str, unit: str):
     table = getattr(graphkin.Drawing.of(graphkin.load("ex3-1")), of)
-    with pytest.raises(AttributeError, match=unit):
+    with pytest.raises(AttributeError, match=unit) as raised:
         getattr(table[list(table)[-1]], unit)
+    assert isinstance(raised.value, GraphkinError)
+    assert not hasattr(table[list(table)[-1]], unit)
+    assert str(raised.value) in repr(raised.value)
 
 
 def test_arrays_share_memory_and_keep_units():
@@ -389,6 +400,15 @@ def test_errors_name_arguments():
         graphkin.sweep(mechanism, {"XY": [1, 2]})
     with pytest.raises(UnknownQuantity, match=r"^of: "):
         graphkin.sweep(mechanism, (), "speed 3")
+    for wrong, name in (
+        (lambda: graphkin.tolerance(mechanism, "0.3"), "pencil"), (lambda: [*graphkin.grade(mechanism, "a.csv", pencil="3")], "pencil"),
+        (lambda: graphkin.power(mechanism, trials=0), "trials"), (lambda: graphkin.handout(mechanism, stage="half", upto=99), "upto"),
+        (lambda: graphkin.problems("no.toml", -3, "set"), "students: -3 stands where a whole number"), (lambda: graphkin.linkage(), "linkage: of"),
+        (lambda: graphkin.Drawing.of(mechanism).sheet(arrows=True), "arrows: paths"), (lambda: mechanism.with_(AB=None), "links.1.AB: NoneType"),
+        (lambda: mechanism.with_(A=(0, object())), "frame.A.1: object"),
+    ):  # fmt: skip
+        with pytest.raises(GraphkinError, match=f"^{re.escape(name)}"):
+            wrong()
 
 
 def test_paths_of_points():
@@ -471,6 +491,12 @@ def test_the_reference_has_every_name():
     assert {*elsewhere, *graphkin.__all__} == {*reference.names()}
     assert all(inspect.isclass(getattr(import_module(module), name)) for name, module in elsewhere.items())
     assert CliRunner().invoke(main, ["help", "api", "nothing"]).exit_code == 2
+    assert "sheet(*, paper: str | None = None, lang: 'en' | 'zh' = 'en', only: 'position' | " in text
+    assert not re.search(rf"(?m)^ *\.?\w+\(.*: ({'|'.join(reference._WORDS)})\b", text)
+    for lang, job in (("en", "an optimum; nan"), ("zh", "优化")):
+        shown = CliRunner().invoke(main, ["help", "api", "--lang", lang]).output
+        assert f"\n{job}" in shown
+        assert '\n    t = trial(m, "AB", "BC", over="0:360:1")' in shown
 
 
 # --- words ------------------------------------------------------------------------------------

@@ -115,12 +115,28 @@ def test_a_trial_keeps_its_branch():
 
 def test_what_is_wrong_with_a_trial(tmp_path: Path):
     trial = graphkin.trial(graphkin.load("ex3-5"), "AB")
-    with pytest.raises(TooSmall, match=r"links\.1\.AB"):
-        trial(-1)
+    for wrong in ("24 kg", None, [24.0, 25.0], object()):
+        with pytest.raises(GraphkinError, match=r"links\.1\.AB"):
+            trial(wrong)
     with pytest.raises(WrongCount):
         trial(1, 2)
     with pytest.raises(NoSuchValue):
         graphkin.trial(graphkin.load("ex3-5"), "XY")
+
+
+@pytest.mark.parametrize(("name", "of", "values"), [
+    ("ex3-5", "AB", [-1, 0, np.nan, np.inf, 1e300, 1e9]), ("p3-22", "frame.C", [(1e9, 0), (np.nan, 0)]), ("s3-four", "CE", [0, -3]),
+])  # fmt: skip
+def test_an_optimiser_may_ask_for_what_cannot_be(name: str, of: str, values: list[object]):
+    """It goes on from there; why there is no such mechanism is said, and told of what is taken."""
+    trial = graphkin.trial(name, of)
+    for value in values:
+        tried = trial(value)
+        assert all(np.isnan(tried.position[point]).all() for point in trial.mechanism.points)
+        assert all(np.isnan(tried.omega[link]).all() for link in trial.mechanism.moving)
+        assert isinstance(tried.refused[0], GraphkinError)
+        with pytest.raises(type(tried.refused[0])):
+            trial.taken(value)
 
 
 def test_a_trial_is_held(monkeypatch: pytest.MonkeyPatch):

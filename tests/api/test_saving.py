@@ -12,7 +12,15 @@ from click.testing import CliRunner
 
 import graphkin
 from graphkin.cli import main
-from graphkin.errors import BadValues, NoSuchDriver, NotAMechanism, NotANumber, NothingDrawn, SeveralPositions
+from graphkin.errors import (
+    BadValues,
+    NoSuchDriver,
+    NotAMechanism,
+    NotANumber,
+    NothingDrawn,
+    SeveralPositions,
+    UnknownPaper,
+)
 from graphkin.outputs.files import FileInTheWay, UnknownEnding
 
 
@@ -60,6 +68,21 @@ def test_a_sweep_is_saved_as_the_command_writes_it(kind: str, tmp_path: Path):
     command("sweep", "ex3-7", "--driver", "0:90:30", "--of", "v E", "-o", str(tmp_path / f"a{kind}"))
     swept = graphkin.sweep("ex3-7", "0:90:30", "v E")
     assert swept.save(tmp_path / f"b{kind}").read_bytes() == (tmp_path / f"a{kind}").read_bytes()
+
+
+def test_the_bytes_of_a_file(tmp_path: Path):
+    """What a service sends is what would be saved."""
+    sheet, figure = graphkin.Drawing.of("ex3-1").sheet(), graphkin.sweep("ex3-1", "0:90:30")
+    assert sheet.to_pdf() == sheet.save(tmp_path / "a.pdf").read_bytes()
+    assert sheet.to_png() == sheet.save(tmp_path / "a.png").read_bytes()
+    assert figure.figure().to_pdf() == figure.save(tmp_path / "b.pdf").read_bytes()
+    page, played = graphkin.handout("ex3-1", stage="problem"), graphkin.play("ex3-1")
+    assert page.to_pdf("letter") == page.save(tmp_path / "c.pdf", paper="letter").read_bytes()
+    assert page.to_html("letter") == page.save(tmp_path / "c.html", paper="letter").read_text("utf-8")
+    assert played.text == played.save(tmp_path / "d.html").read_text("utf-8")
+    for call in (page.to_pdf, page.to_html):
+        with pytest.raises(UnknownPaper):
+            call("A9")
 
 
 def test_steps_are_sheets(tmp_path: Path):
@@ -113,6 +136,11 @@ def test_values_that_no_driver_takes():
         for uneven in ([[10, 20], [-90, -91, -92]], [[[10], [20]], [[-90, -91, -92]]]):
             with pytest.raises(BadValues, match=r"^values: .* no values to move through"):
                 read(arm, uneven)
+    with pytest.raises(NothingDrawn):
+        graphkin.sheet_of([])
+    for wrong in (3, b"x", [], graphkin.Mechanism.new()):
+        with pytest.raises(NotAMechanism):
+            graphkin.linkage(wrong)  # type: ignore[arg-type]
     with pytest.raises(NothingDrawn):
         graphkin.lines_of(3)
     at = graphkin.motion("ex3-1", graphkin.replay("ex3-1", [[60, 90]]).theta["1"][None])

@@ -63,7 +63,8 @@ def _settings(outlines: bool, *families: str) -> Mapping[str, object]:
 
 
 class DiagramPage(Figure):
-    """A figure [inches] that looks alike whatever matplotlib's settings are: a Figure with `svg()` and `to_png()`."""
+    """A figure [inches] that looks alike whatever matplotlib's settings are: a Figure with `svg()`, `to_png()`
+    and `to_pdf()`."""
 
     def __init__(self, title: str, width: float, height: float, outlines: bool = False) -> None:
         super().__init__(figsize=(width, height), dpi=DPI)
@@ -96,5 +97,8 @@ class DiagramPage(Figure):
 
     def to_png(self) -> bytes:
         return self.content(".png")
+
+    def to_pdf(self) -> bytes:
+        return self.content(".pdf")
 
     _repr_svg_ = svg
