@@ -71,16 +71,17 @@ def draw(
         misused("usage.suffix", output.suffix.lower() not in (".svg", ".png"), output=output, kinds=".svg, .png")
     drawing = shared.drawing(machine, at, coincident, method)
     if animate:
-        drawing.animate(output, paper=paper, lang=lang, only=only, dpi=dpi or 100.0, ink=ink, force=force)
+        with streams.waiting():
+            drawing.animate(output, paper=paper, lang=lang, only=only, dpi=dpi or 100.0, ink=ink, force=force)
         click.echo(str(output))
         return
+    kind = output if output.suffix else Path("-.svg")
     with streams.waiting():
         sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
-    kind = output if output.suffix else Path("-.svg")
-    pages: list[tuple[Path, bytes | str]] = [(output, sheet.content(kind, dpi or 200.0, ink))]
-    if steps is not None:
-        sheets = drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight)
-        pages += [(steps / f"{machine.name}-{k:02d}.svg", page.svg(ink)) for k, page in enumerate(sheets, 1)]
+        pages: list[tuple[Path, bytes | str]] = [(output, sheet.content(kind, dpi or 200.0, ink))]
+        if steps is not None:
+            sheets = drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight)
+            pages += [(steps / f"{machine.name}-{k:02d}.svg", page.svg(ink)) for k, page in enumerate(sheets, 1)]
     shared.write_drawings(pages[alone:], None if alone else output, steps, force)
 
 
@@ -132,9 +133,12 @@ def explain(
       graphkin explain mine.toml --watch
     """
     misused("usage.without", output and as_drawn, option="--as-drawn", others="-o")
-    drawing = shared.drawing(shared.read(mechanism), at, coincident, method)
+    machine = shared.read(mechanism)
+    with streams.waiting():
+        drawing = shared.drawing(machine, at, coincident, method)
+        lines = drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn) if output is None else []
     if output is None:
-        click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
+        click.echo("\n".join(lines))
         return
     from graphkin.handouts import markup
     from graphkin.outputs import files

@@ -61,12 +61,14 @@ def sweep(
     most = PRINTED if output is None else IN_ONE if output.suffix.lower() == ".json" else course.t.size
     if course.t.size > most:
         raise TooManyRows(Where("--driver"), course.t.size, most)
-    sweeps.prove(course)
-    if output is None:
-        whole = sweeps.sweep_over(course, names, by)
+    with streams.waiting():
+        sweeps.prove(course)
+        whole = sweeps.sweep_over(course, names, by) if output is None else None
+    if whole is not None:
         click.echo("\n".join(book_lines(whole) if table else sweep_lines(whole, lang)))
         notes = (*left_out(course, whole.undefined, lang), *extremes(whole, lang))
     else:
+        assert output is not None
         notes = (*left_out(course, _write_sweep(output, course, names, by, force, lang), lang),)
     for line in (*remarks(course, lang), *notes):
         click.echo(line, err=table or output is not None)
@@ -101,7 +103,9 @@ def _write_sweep(
     else:
         from graphkin.outputs import diagram
 
-        if (remark := diagram.write(output, course, names, lang, by, force)) is not None:
+        with streams.waiting():
+            remark = diagram.write(output, course, names, lang, by, force)
+        if remark is not None:
             click.echo(remark.message(lang), err=True)
     click.echo(str(output))
     return np.concatenate(undefined)

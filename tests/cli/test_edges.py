@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -464,6 +465,25 @@ def test_a_bar_where_one_waits(monkeypatch: pytest.MonkeyPatch):
         assert "0 s" in after
         assert after.endswith("\ndone")
     os.close(main_end)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such terminal")
+@pytest.mark.parametrize("words", ["draw ex3-1 --animate -o a.svg", "draw ex3-1 --steps st", "explain ex3-1", "sweep ex3-1",
+                                   "sweep ex3-1 -o a.svg", "find ex3-1 'max v C'", "handout s2-2 --stage problem -o a.html",
+                                   "page ex3-1 -o a.html", "solve ex3-1", "tolerance ex3-1", "centres fig3-4"])  # fmt: skip
+def test_whatever_takes_long_has_a_bar(words: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Each of them, as if it took long."""
+    import pty
+
+    main_end, terminal = pty.openpty()
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(streams, "_PATIENCE", 0.0)
+    with os.fdopen(terminal, "w") as stderr, os.fdopen(main_end, "rb", 0) as shown:
+        monkeypatch.setattr(sys, "stderr", stderr)
+        main.main(shlex.split(words), standalone_mode=False)
+        stderr.write("done")
+        stderr.flush()
+        assert re.search(rb"\[-+\] +\d+ s", shown.read(65536))
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
