@@ -113,7 +113,7 @@ def checked(call: Callable[_Given, _Done]) -> Callable[_Given, _Done]:
 
 
 def _one_by_one(made: Iterator[object]) -> Iterator[object]:
-    """What is made while one asks for it, and raises then."""
+    """Results that are made, and raise, while one asks for them."""
     with in_python():
         yield from made
 
