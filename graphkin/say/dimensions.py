@@ -327,8 +327,7 @@ def sizes(reading: Reading) -> list[Size]:
     machine = reading.mechanism
     every = [*frame_sizes(reading), *(size for link in machine.moving for size in link_sizes(reading, link))]
     every += [*guide_sizes(reading), *(size for pair in machine.pairs for size in radii(reading, pair))]
-    every += [_pose(reading, pose, ("pose", k)) for k, pose in enumerate(machine.poses)
-              if pose.kind != "slide" or pose.link not in _racks(reading)]  # fmt: skip
+    every += [_pose(reading, pose, ("pose", k)) for k, pose in enumerate(machine.poses)]
     for k, driver in enumerate(machine.drivers):
         place, *rates = driven(reading, k, driver)
         every += [place] if driver.value is not None else []
@@ -346,17 +345,6 @@ def sizes(reading: Reading) -> list[Size]:
 def _straight(size: Size) -> bool:
     """The angle of a point between two others on one line, which a drawing shows."""
     return isinstance(size.shape, DrawnAngle) and len(size.shape.points) > 2 and abs(abs(size.shape.turn) - pi) < 1e-9
-
-
-def _racks(reading: Reading) -> Iterator[str]:
-    """The slides of racks that only wheels touch: it does not matter where along its guide such a one stands."""
-    machine = reading.mechanism
-    for slide in machine.slides:
-        others = [pair for pair in machine.pairs if slide.block in pair.joins and pair is not slide]
-        touched = [isinstance(pair, RollingContact) and pair.track == slide.block for pair in others]
-        alone = slide.block is not None and all(len(machine.owners[p]) == 1 for p in machine.named(slide.block))
-        if alone and touched and all(touched):
-            yield slide.name
 
 
 def measured_lengths(reading: Reading) -> list[tuple[str, str]]:

@@ -119,6 +119,39 @@ E = [15, 50]
 """
 
 
+RACK = """
+frame = { A = [0, 0] }
+[links]
+2.AB = 14
+9 = { CD = 60 }
+[[slide]]
+name = "rack"
+block = "9"
+point = "C"
+guide = "frame"
+through = [0, 25]
+tilt = 0
+[[roll]]
+wheel = "2"
+centre = "A"
+radius = 25
+on = "9"
+through = "C"
+toward = "D"
+side = "right"
+[[driver]]
+vector = "AB"
+angle = 130
+omega = 4
+[[pose]]
+slide = "rack"
+at = -32.5
+[sketch]
+C = [-32.5, 25]
+D = [27.5, 25]
+"""
+
+
 def solved(text: str) -> tuple[Method, Plot]:
     method = plan(loads(text))
     return method, replay_all(method)
@@ -197,3 +230,10 @@ def test_a_pose_that_is_not_the_one_drawn_stands_by_its_symbol() -> None:
         [arc] = [mark for mark in page.marks if isinstance(mark, ArcMark) and mark.pen == "thin"]
         seen = phase(place(plot.position["C"] - plot.position["D"]))
         assert abs(abs(arc.sweep) - seen) * arc.radius < 4.5, "but for the heads at its ends"
+
+
+def test_the_place_of_a_rack_that_only_a_wheel_touches_is_told() -> None:
+    """Without it nobody draws the same figure: as a dimension, or by its symbol with its sign."""
+    page = sheet(*solved(RACK), style="given")
+    written = ["".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)]
+    assert any(text == "32.5 mm" or "srack = −32.5 mm" in text for text in written)
