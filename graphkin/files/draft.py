@@ -14,6 +14,7 @@ from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.files.shapes import orientation
 from graphkin.files.toml import tidied
 from graphkin.model.mechanism import EQUATIONS, FRAME, Driver, KeyPath, Link, Mechanism
+from graphkin.model.naming import rod_sign
 from graphkin.model.pairs import Pair
 from graphkin.model.quantities import formed, meant, read
 
@@ -126,7 +127,12 @@ class Draft:
     def next_slot(self) -> str:
         """A name for a slot or a cam, which have none: c0, c1, .."""
         self.slots += 1
-        return f"c{self.slots - 1}"
+        return self.numbered("c", self.slots - 1)
+
+    def numbered(self, kind: str, number: int) -> str:
+        """A name for a pair that has none, which tells the letter of its rod."""
+        points = (point for link in self.links for point in self.named(link))
+        return f"{kind}{number}{rod_sign(kind, [*points, *(link for link in self.links if len(link) == 1)])}"
 
 
 def check_joints(draft: Draft, pairs: Sequence[Pair], drivers: int) -> None:

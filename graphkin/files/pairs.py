@@ -127,12 +127,12 @@ def _gear(draft: Draft, table: GearTable, path: KeyPath, before: Sequence[Pair])
     one, other = table.radii
     if table.internal and one == other:
         raise errors.SameCircles(draft.where(*path, "radii"))
-    return Gear(draft.name(None, f"g{path[1]}", *path), links, (first, second), (one, other), table.internal)
+    return Gear(draft.name(None, draft.numbered("g", path[1]), *path), links, (first, second), (one, other), table.internal)
 
 
 def _roll(draft: Draft, table: RollTable, path: KeyPath, before: Sequence[Pair]) -> RollingContact:
     """A wheel on a line if any key of a line is there, on a circle if any of a circle is."""
-    own, on_line = f"r{path[1]}", table.on_centre is None and table.on_radius is None
+    own, on_line = draft.numbered("r", path[1]), table.on_centre is None and table.on_radius is None
     name = draft.name(table.name, own, *path) if on_line else own
     if on_line:
         draft.unnamed.add(name)

@@ -132,18 +132,27 @@ def named(mechanism: Mechanism, pair: PairName) -> tuple[str, str]:
     return table, names[k] if names.count(names[k]) == 1 else f"{names[k]} ({nth})"
 
 
-_ROD = re.compile(r"(?<![A-Za-z])([a-z]?)e (?:([crg])(\d+)\b|(\w+))")
-_RODS = {"c": "e", "r": "f", "g": "g"}
-"""The letters of the links that stand for cam pairs, hold rolling wheels, and join the centres of gears."""
+_ROD = re.compile(r"(?<![A-Za-z])([a-z]?)e (?:([crg])(\d+)([a-z]?)\b|(\w+))")
+_RODS = {"c": "ehjwy", "r": "fimxb", "g": "gqtzd"}
+"""The letters of the links that stand for cam pairs, hold rolling wheels, and join the centres of gears: each the first
+that is no point's, and the letter of no other link."""
+
+
+def rod_sign(kind: str, taken: Collection[str]) -> str:
+    """The letter of such links where their first one is taken, with which the names of their pairs end."""
+    letters = {name[0].lower() for name in taken}
+    letter = next((letter for letter in _RODS[kind] if letter not in letters), "")
+    return letter if letter != _RODS[kind][0] else ""
 
 
 def spelled(name: str) -> str:
     """A name with the links of an equivalent as people read them: e, e2, ..; those that hold a wheel f, f2, .."""
 
     def rod(match: re.Match[str]) -> str:
-        letter, kind, number, roll = match.groups()
+        letter, kind, number, own, roll = match.groups()
         if kind is None:
             return f"{letter}e_{roll}"
-        return letter + ("_" if letter else "") + _RODS[kind] + (str(int(number) + 1) if int(number) else "")
+        sign = own or _RODS[kind][0]
+        return letter + ("_" if letter else "") + sign + (str(int(number) + 1) if int(number) else "")
 
     return _ROD.sub(rod, name)

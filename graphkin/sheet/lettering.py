@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import cache, lru_cache
 from typing import Literal, NamedTuple
 
+from graphkin.model.naming import spelled
 from graphkin.model.units import significant
 
 TITLE, LABEL, LEAST = 5.0, 3.5, 2.5
@@ -46,7 +47,6 @@ _ALL = (
 _WIDTHS = {letter: (int(roman) / 1000, int(italic) / 1000) for letter, roman, italic in _ALL}
 """Roman and italic width of each letter [em]."""
 _CORNER = re.compile(r"([a-z])_([^\W\d_]\w*?)(?:_(\d+))?('*)")
-_EQUIVALENT = re.compile(r"e [a-z]+(\d*)")  # a link of the lower-pair equivalent, which is written e, the second e2
 _WIDE = (("\u2160", "\u217f"), ("\u2460", "\u2473"), ("\u2e80", "\u9fff"), ("\uff00", "\uffef"))
 """Ranges of characters that are one em wide."""
 
@@ -141,7 +141,7 @@ def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
 def point_label(name: str) -> Label:
     """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b'@guide''`: digits and links as subscripts.
     Points have one letter, and primes before their link; at a corner the link's word follows the letter: `n_boom'`."""
-    name = _EQUIVALENT.sub(lambda match: f"@e{int(match[1] or 0) + 1}" if int(match[1] or 0) else "@e", name)
+    name = spelled(name).replace("_", "@", 1) if " " in name else name
     if corner := _CORNER.fullmatch(name):
         letter, link, more, primes = corner.groups()
         low = f"{link},{more}" if more else link

@@ -79,3 +79,40 @@ def test_primes_stand_upright_and_links_below(letter: str, digits: str, own: str
     low = "".join(run.text for run in label if run.place == "sub")
     high = "".join(run.text for run in label if run.place == "base")
     assert (low, high) == (digits + link, letter + "′" * len(own + primes))
+
+
+ROLLER_ON_A_CAM = """
+[frame]
+A = [0, 0]
+D = [60, 0]
+[links.1]
+AB = 12
+[links.2]
+DC = 45
+[[cam]]
+links = ["1", "2"]
+profiles = [{ centre = "B", radius = 25 }, { centre = "C", radius = 8 }]
+[[driver]]
+vector = "AB"
+angle = 40
+omega = 10
+[sketch]
+C = [35, 36]
+"""
+
+
+@pytest.mark.parametrize(("letters", "link"), [("ABCD", "2"), ("ABED", "2"), ("ABEH", "2"), ("AEHJ", "2"), ("ABCD", "e")])
+def test_the_rod_of_a_contact_has_the_letter_of_no_point_and_no_link(letters: str, link: str) -> None:
+    """In the words and on the sheet, where it is beside the tips of normal accelerations."""
+    text = ROLLER_ON_A_CAM.translate(str.maketrans("ABCD", letters)).replace("links.2", f"links.{link}")
+    method = plan(loading.loads(text.replace('"2"', f'"{link}"')))
+    [rod] = (name for name in method.structure.bodies if " " in name)
+    called = names.point(rod)
+    assert called not in {*letters.lower(), link}
+    [tip] = (name for name in method.acceleration.nodes if rod in name)
+    assert "".join(run.text for run in point_label(tip)) == f"n{called}′" == names.point(tip).replace("_", "")
+
+
+def test_the_rod_of_a_rolling_wheel_is_called_alike_in_the_words_and_on_the_sheet() -> None:
+    assert names.point("ne r0'") == "n_f′"
+    assert "".join(run.text for run in point_label("ne r0'")) == "nf′"
