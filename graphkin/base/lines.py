@@ -65,3 +65,17 @@ def arc_places(centre: complex, arm: complex, start: float, end: float) -> list[
     """Places along an arc about a centre, from an arm turned by `start` to the arm turned by `end` [rad]."""
     steps = max(8, math.ceil(abs(end - start) / math.radians(3)))
     return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]
+
+
+def within(start: complex, end: complex, centre: complex, radius: float) -> tuple[complex, complex] | None:
+    """The piece of a line that lies in a circle."""
+    along = end - start
+    if abs(along) < 1e-9:
+        return None
+    foot = ((centre - start) / along).real
+    aside = abs(start + foot * along - centre)
+    if aside >= radius:
+        return None
+    half = (radius**2 - aside**2) ** 0.5 / abs(along)
+    first, last = max(0.0, foot - half), min(1.0, foot + half)
+    return (start + first * along, start + last * along) if first < last else None

@@ -129,7 +129,7 @@ class Draft:
         self.slots += 1
         return self.numbered("c", self.slots - 1)
 
-    def numbered(self, kind: str, number: int) -> str:
+    def numbered(self, kind: str, number: int | str) -> str:
         """A name for a pair that has none, which tells the letter of its rod."""
         points = (point for link in self.links for point in self.named(link))
         return f"{kind}{number}{rod_sign(kind, [*points, *(link for link in self.links if len(link) == 1)])}"

@@ -127,7 +127,8 @@ def _gear(draft: Draft, table: GearTable, path: KeyPath, before: Sequence[Pair])
     one, other = table.radii
     if table.internal and one == other:
         raise errors.SameCircles(draft.where(*path, "radii"))
-    return Gear(draft.name(None, draft.numbered("g", path[1]), *path), links, (first, second), (one, other), table.internal)
+    name = draft.name(None, draft.numbered("g", path[1]), *path)
+    return Gear(name, links, (first, second), (one, other), table.internal)
 
 
 def _roll(draft: Draft, table: RollTable, path: KeyPath, before: Sequence[Pair]) -> RollingContact:

@@ -16,6 +16,7 @@ from itertools import compress, pairwise
 import numpy as np
 
 from graphkin.base.geometry import Array
+from graphkin.base.lines import within
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.free_room import FreeRoom
@@ -58,16 +59,7 @@ class _DetailCircle:
 
     def piece(self, start: Place, end: Place) -> tuple[Place, Place] | None:
         """The piece of a line that lies in it."""
-        along = end - start
-        if abs(along) < 1e-9:
-            return None
-        foot = ((self.centre - start) / along).real
-        aside = abs(start + foot * along - self.centre)
-        if aside >= self.radius:
-            return None
-        half = (self.radius**2 - aside**2) ** 0.5 / abs(along)
-        first, last = max(0.0, foot - half), min(1.0, foot + half)
-        return (start + first * along, start + last * along) if first < last else None
+        return within(start, end, self.centre, self.radius)
 
 
 @frozen

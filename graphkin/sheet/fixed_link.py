@@ -32,6 +32,7 @@ _OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its bl
 _CROSSING = (14, 22), (31, 40)  # where a crank's arc, which crosses it, begins before it [deg]
 _ASIDE = 1.5 * symbols.SWEEP  # from the middle of an arc to that of another behind it
 _APART, _OFF = 3.0, 2.0  # between two arcs about one point, or two arrows of one slide; of a head from lines [mm]
+_SHORT = 6.0  # from a vector that is no longer its arc would lie apart [mm]
 Ends = tuple[Place, Place]
 _LONG, _WITHIN = 11.0, 10.0  # of the arrows of a driven slide; a larger wheel has room for them [mm]
 
@@ -164,9 +165,11 @@ def drives(skeleton: Skeleton, method: Method) -> Figure:
             _slide_arrows(skeleton, driver, figure, method)
         elif driver.vector is not None:  # about the vector's tail, across the link
             at, tip = (skeleton.at(point) for point in driver.vector)
-            if abs(tip - at) >= 1:
-                towards, radius = (tip - at) / abs(tip - at), min(9.0, max(6.0, 0.45 * abs(tip - at)))
-                _arcs(skeleton, driver, figure, driver.vector, radius, towards, _CROSSING, 0.8 * abs(tip - at))
+            arms = [tip - at, *(skeleton.at(point) - at for point in skeleton.named(driver.link))]
+            arm = arms[0] if abs(arms[0]) > _SHORT else max(arms, key=abs)  # its arc crosses a bar of the link
+            if abs(arm) >= 1:
+                towards, radius = arm / abs(arm), min(9.0, max(6.0, 0.45 * abs(arm)))
+                _arcs(skeleton, driver, figure, driver.vector, radius, towards, _CROSSING, 0.8 * abs(arm))
         elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
             for wheel in [each for each in wheels_of(skeleton.mechanism) if each.link == driver.link][:1]:
                 radius = min(9.0, max(4.0, 0.6 * wheel.radius / skeleton.window.scale))

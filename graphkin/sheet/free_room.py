@@ -14,11 +14,12 @@ import numpy as np
 
 from graphkin.base.boxes import overlap, xy
 from graphkin.base.geometry import Array
+from graphkin.base.segments import Segments
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import SIGN, LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
-from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
+from graphkin.sheet.obstacles import bounds, obstacles, places
 from graphkin.sheet.paper import Room
 
 _CLEAR = 0.6  # the distance of what is added from everything there [mm]
@@ -39,6 +40,7 @@ class FreeRoom:
 
     def __init__(self, scene: LabelScene, labels: Sequence[Mark] = ()) -> None:
         self._scene, self.room, self.marks = scene, scene.room, [*scene.drawn, *scene.rows]
+        self.wanted, self.gone = scene.wanted, list[Text]()
         self._lying, self._new, self._letters = scene.known, list[Mark](), _boxes(self.marks, scene.taken)
         self.add(labels)
 
@@ -50,7 +52,7 @@ class FreeRoom:
             vars(self).pop(name, None)
         self._letters = np.concatenate([self._letters, _boxes(marks)])
 
-    def _clear(self, free: Array, low: Array, high: Array, lying: Obstacles | None = None) -> Array:
+    def _clear(self, free: Array, low: Array, high: Array, lying: Segments | None = None) -> Array:
         """True for those of the boxes so far free that keep off all that lies there, and was added before."""
         if (rows := np.flatnonzero(free)).size:
             if lying is None and self._new:
@@ -90,12 +92,14 @@ class FreeRoom:
         edges = [np.arange(low, high + 1e-9, _GRID) for low, high in ((room.top, room.bottom), (room.left, room.right))]
         return np.pad(np.histogram2d(y, x, edges)[0].cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
 
-    def places(self, wanted: Sequence[LabelRequest], halves: Sequence[complex]) -> Iterator[Place | None]:
-        """The best free middle of each of many labels at what it names, one after the other, among what was added
-        meanwhile; None where there is none without a leader. halves: of the size of each box [mm]."""
+    def places(
+        self, wanted: Sequence[LabelRequest], halves: Sequence[complex], wide: bool = False
+    ) -> Iterator[Place | None]:
+        """The best free middle of each of many labels at what it names, wide: or a little farther off, one after the
+        other, among what was added meanwhile; None where there is none. halves: of the size of each box [mm]."""
         if not wanted:
             return
-        near = [want.near(half) for want, half in zip(wanted, halves, strict=True)]
+        near = [want.near(half, wide) for want, half in zip(wanted, halves, strict=True)]
         ends = [0, *accumulate(len(each.cost) for each in near)]
         every, half = LabelCandidates.joined(near), np.repeat(halves, np.diff(ends))
         middle, size = xy(every.middle).T, xy(half).T
@@ -176,11 +180,22 @@ class FreeRoom:
         return good
 
     @cached_property
-    def _signs(self) -> Obstacles:
+    def _signs(self) -> Segments:
         """Letters, arcs and arrow heads."""
         heads = (mark for mark in self.marks if isinstance(mark, Stroke) and mark.fill == "ink")
         letters = (mark for mark in self.marks if isinstance(mark, Text | ArcMark))
         return obstacles([*self._scene.rows, *letters, *heads])
+
+    def without(self, text: Text) -> FreeRoom:
+        """The room that would be left if letters made way; they stay here."""
+        first = len(self._scene.drawn) + len(self._scene.rows)
+        return FreeRoom(self._scene, [mark for mark in self.marks[first:] if mark is not text])
+
+    def leave_out(self, text: Text) -> None:
+        """Letters make way for what comes after them."""
+        gone, left = [*self.gone, text], self.without(text)
+        vars(self).clear()
+        vars(self).update(vars(left), gone=gone)
 
     def also(self, marks: Sequence[Mark]) -> FreeRoom:
         """The room that would be left with some more marks; nothing is added here."""

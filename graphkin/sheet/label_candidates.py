@@ -15,11 +15,12 @@ import numpy as np
 
 from graphkin.base.boxes import meet, off_lines, xy
 from graphkin.base.geometry import Array
+from graphkin.base.segments import Segments
 from graphkin.base.value import filled
 from graphkin.sheet.label_costs import LabelPlaces
 from graphkin.sheet.label_requests import CRAMMED, LONGEST, SIGN, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
-from graphkin.sheet.obstacles import Obstacles, obstacles
+from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.paper import Room
 from graphkin.sheet.symbols import HINGE
 
@@ -65,11 +66,11 @@ class LabelScene:
         return lettering(self.wanted) > CRAMMED * size.real * size.imag
 
     @cached_property
-    def known(self) -> Obstacles:
+    def known(self) -> Segments:
         return obstacles([*self.drawn, *self.rows])
 
     @cached_property
-    def letters(self) -> Obstacles:
+    def letters(self) -> Segments:
         """Obstacles that let no leader through."""
         every = chain(self.drawn, *(marks for _, marks in self.beside))
         return obstacles(mark for mark in every if isinstance(mark, Text))
@@ -127,7 +128,7 @@ class LabelScene:
         return [all_.taken(np.flatnonzero(owner == label)) for label in labels]
 
     @cached_property
-    def _covered(self) -> Obstacles:
+    def _covered(self) -> Segments:
         return obstacles(self.giving_way)
 
     def inside(self, low: Array, high: Array) -> Array:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
 from functools import cached_property, partial
-from itertools import chain, combinations, islice, product, tee
+from itertools import chain, combinations, islice, pairwise, product, tee
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -22,7 +22,7 @@ from graphkin.say.sizes import DrawnAngle, Size
 from graphkin.sheet.dimension_lines import DimensionLines, angle_label, extension_lines
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, quantity_label
+from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, link_label, point_label, quantity_label
 from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.skeleton import Skeleton
@@ -37,7 +37,10 @@ _WIDE, _LONG = math.radians(150), 16.0  # the angle of these, whose middle no si
 _AROUND = tuple(cmath.rect(1, math.tau * k / 24) for k in range(24))
 _NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
 _TOLD = 5.0  # a shorter length is told by words alone [mm]
-_TRIED = 24  # so many places are tried for an arc whose letter finds no room beside it
+_CLOSER = (7.5, 10.5, 13.5, 17.0, 20.0, 5.0, 26.0, 31.0)  # tried where none of these has room [mm]
+_SHARES = (1, 1), (2, 1), (1, 2), (3, 1), (1, 3)  # how much each of two points counts in a place along their link
+_SMALL = (7.0, 5.5, 4.0)  # radii of arcs about such places, where there is no room for others [mm]
+_TRIED, _ASKED = 48, 3  # places that are tried for an arc and its letter, and numbers of links that make way for it
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _OTHER, _AROUND_IT = 4.0, math.radians(115)
@@ -77,7 +80,7 @@ class MechanismNotes:
             lettered_too = isinstance(datum.shape, DrawnAngle) and angle_label(datum) in lettered
             if not marks and datum not in measured and not lettered_too:
                 unsaid.setdefault(datum.derived, []).append(formula(datum.text))
-        for derived, labels in unsaid.items() if self.planes else ():
+        for derived, labels in sorted(unsaid.items()) if self.planes else ():  # what is given first
             words = self._written(labels, free, (LABEL,) if derived or self.told else (LABEL, LEAST))
             added += (replace(mark, accent="grey") for mark in words) if derived else words
         return added
@@ -98,9 +101,56 @@ class MechanismNotes:
         return self.reading.asked_turns(self.planes)
 
     def _arc(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
-        """An arc as the link turns, with its letter; only if need be where this letter, or another's,
-        is nearer to a foreign head. drawn: by link the first, to stand beside; the first stands where the other one of
-        its link has room beside it, if there is such a place."""
+        """An arc as the link turns, with its letter, if need be where a link's number makes way; else the letter alone
+        at the link's own. drawn: by link the first, to stand beside."""
+        numbers = self._numbers(turn.link, free)
+        for number in (None, *numbers):
+            rest = free.without(number) if number is not None else free
+            if (best := self._chosen(turn, rest, drawn)) is None:
+                continue
+            place, marks = best
+            if number is not None:
+                rest.add(marks)
+                [moved] = rest.letters([numbers[number]])
+                if not moved and number.label != self._number(turn.link):
+                    continue
+                free.leave_out(number)  # of the link itself its letter tells the number
+                marks = [*marks, *moved]
+            drawn.setdefault(turn.link, place)
+            break
+        else:
+            marks = self._letter(turn, free)
+        free.add(marks)
+        return marks
+
+    def _number(self, link: str) -> Label:
+        return link_label(self.reading.mechanism.called(link))
+
+    def _numbers(self, link: str, free: FreeRoom) -> dict[Text, LabelRequest]:
+        """Numbers of links without a leader, and what they asked for: that of the link first, then the nearest."""
+        machine, own = self.reading.mechanism, self._number(link)
+        names = {*map(self._number, machine.links)} - {*map(point_label, machine.points)}
+        wanted = {want.label: want for want in free.wanted if want.label in names}
+        texts = [text for text, after in pairwise((*free.marks, None)) if isinstance(text, Text) and not text.accent
+                 and text.label in wanted and not (isinstance(after, Stroke) and after.pen == "leader")]  # fmt: skip
+        texts.sort(key=lambda text: (text.label != own, abs(text.at - self._middle(self.skeleton.named(link)))))
+        return {text: wanted[text.label] for text in texts[:_ASKED]}
+
+    def _letter(self, turn: Rotation, free: FreeRoom) -> list[Mark]:
+        """The letter alone, at the number of its link or another letter of it, or as near as there is room."""
+        plane, called = plane_of(turn), self.reading.mechanism.called(turn.link)
+        near = {self._number(turn.link), *(quantity_label(each.letter, called) for each in self._turns)}
+        at = [text for text in free.marks if isinstance(text, Text) and text.label in near]
+        step = rate_found(self.reading.method, plane, turn.link)
+        wanted = [LabelRequest(quantity_label(turn.letter, called), text.at, gap=gap, step=step)
+                  for gap in (2.5, 5.0, 8.0) for text in at]  # fmt: skip
+        every = zip(wanted, free.places(wanted, [want.half for want in wanted], wide=True), strict=True)
+        letters = (want.about(place) for want, place in every if place is not None)
+        return [replace(text, accent=plane) for text in next(letters, ())]
+
+    def _chosen(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> tuple[Arc, list[Mark]] | None:
+        """The first place of an arc with its letter, if any; only if need be one where this letter, or another's,
+        is nearer to a foreign head; the first of two where the other has room beside it, if there is such a place."""
         beside, new = drawn.get(turn.link), turn.link not in drawn
         also = [each for each in self._turns if new and each.link == turn.link and each != turn]
         alike = [mark for mark in free.marks
@@ -108,25 +158,23 @@ class MechanismNotes:
         one, other = tee((way, _apart(way[1], alike)) for way in self._lettered(turn, free, beside))
         ways, again = tee(chain((way for way, clear in one if clear), (way for way, clear in other if not clear)))
         both = (way for way in ways if all(any(self._lettered(each, free.also(way[1]), way[0])) for each in also))
-        place, marks = next(both, None) or next(again, None) or (beside, [])
-        free.add(marks)
-        if place is not None:
-            drawn.setdefault(turn.link, place)
-        return marks
+        return next(both, None) or next(again, None)
 
     def _lettered(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
-        """Places of an arc with room for its letter, in the colour of the polygon."""
+        """Places of an arc with room for its letter, then those a little farther off, in the colour of the polygon."""
         plane, link = plane_of(turn), turn.link
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._turns[turn])
         label = quantity_label(turn.letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
-        for place in islice(self._places(link, free, beside), _TRIED):
+        near, far = tee(islice(self._places(link, free, beside), _TRIED))
+        for wide, place in chain(((False, place) for place in near), ((True, place) for place in far)):
             points, radius, middle, crossing, sweep = place
             about, half = self._middle(points), cmath.rect(1, -sense * sweep / 2)
             arc = spin(about, middle, sense * sweep, radius, step, Shows(link, form, points))
             sides = (middle / half, middle * half) if crossing else (middle,)
             wanted = [LabelRequest(label, about + away * radius, gap=0.9, away=away, step=step) for away in sides]
-            for want, at in zip(wanted, free.also(arc).places(wanted, [want.half for want in wanted]), strict=True):
+            halves = [want.half for want in wanted]
+            for want, at in zip(wanted, free.also(arc).places(wanted, halves, wide), strict=True):
                 if at is not None:
                     yield place, [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
                                   for mark in (*arc, *want.about(at))]  # fmt: skip
@@ -144,10 +192,10 @@ class MechanismNotes:
                          for radii in ((radius,), (radius - wide, radius + wide)))  # fmt: skip
             return ((), (), one + more) if over else (one, more, ())
 
-        first = [arc for arc in self._arcs(link, True) if arc[:3:2] == beside[:3:2]] if beside else []
-        others, taken = [arc for arc in self._arcs(link, False) if arc not in first], set[Arc]()
-        trials = ((_APART, False), (_APART / 2, False), (_APART / 2, True))
-        for arcs, (wide, over) in product((first, others), trials):
+        usual, more = [*self._arcs(link, _RADII, False)], [*self._arcs(link, _CLOSER, True), *self._small(link)]
+        first = [arc for arc in (*self._arcs(link, _RADII, True), *more) if beside and arc[:3:2] == beside[:3:2]]
+        taken, trials = set[Arc](), ((_APART, False), (_APART / 2, False), (_APART / 2, True))
+        for arcs, (wide, over) in product((first, usual, more), trials):
             for arc in free.fitting((arc for arc in arcs if arc not in taken), partial(room, wide=wide, over=over)):
                 taken.add(arc)
                 yield arc
@@ -160,7 +208,7 @@ class MechanismNotes:
         crossing = self._middle(points) + radius * arm / abs(arm)
         return all(abs(self.skeleton.at(point) - crossing) > _OTHER for point in self.skeleton.points)
 
-    def _arcs(self, link: str, second: bool) -> Iterator[Arc]:
+    def _arcs(self, link: str, radii: Sequence[float], second: bool) -> Iterator[Arc]:
         owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         bars = sorted(skeleton.bars(link), key=lambda bar: -abs(bar[0] - bar[1]))
@@ -168,24 +216,33 @@ class MechanismNotes:
         if pivot is not None:
             at = skeleton.at(pivot)
             arms = [far - at for bar in bars for near, far in (bar, bar[::-1]) if abs(near - at) < 0.1]
-            for radius, arm in product(_RADII, arms):
+            for radius, arm in product(radii, arms):
                 if abs(arm) > radius + 2:
                     yield (pivot,), radius, arm / abs(arm), True, SWEEP
         pairs = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2) if not pivot]
         pairs.sort(key=lambda pair: -abs(pair[1]))
-        for (pair, arm), radius, way in product(pairs, _RADII if second else _MIDDLE, (1, -1)):
+        for (pair, arm), radius, way in product(pairs, radii if second else _MIDDLE, (1, -1)):
             sweep = max(SWEEP, min(_WIDE, _LONG / radius))
             if abs(arm) > 2 * radius + 4 and (sweep > _AROUND_IT or self._alone(pair, radius, way * arm)):
                 yield pair, radius, way * arm / abs(arm), True, sweep
-        for radius, (pair, arm), way in product(_RADII, pairs, (1, -1)):
+        for radius, (pair, arm), way in product(radii, pairs, (1, -1)):
             about = (pair[way < 0],)
             if abs(arm) > 2 * radius and self._alone(about, radius, way * arm):
                 yield about, radius, way * arm / abs(arm), True, SWEEP
         hub = centre or next((wheel.centre for wheel in wheels_of(self.reading.mechanism) if wheel.link == link), "")
         rims = [radius for at, radius in circles(skeleton) if hub and at == skeleton.at(hub)]
-        for point, radius, middle in product([hub] if hub else points if not bars else (), _RADII, _AROUND):
+        for point, radius, middle in product([hub] if hub else points if not bars else (), radii, _AROUND):
             if radius < max(rims, default=math.inf) + _RIM:
                 yield (point,), radius, middle, False, SWEEP
+
+    def _small(self, link: str) -> Iterator[Arc]:
+        """Small ones far around a place anywhere along a link."""
+        ends = [*combinations(self.skeleton.named(link), 2)]
+        ends += [(slide.line.origin, slide.point) for slide in self.skeleton.guides(link)]
+        for (one, other), shares, radius, way in product(ends, _SHARES, _SMALL, (1, -1)):
+            points, arm = (one,) * shares[0] + (other,) * shares[1], self.skeleton.at(other) - self.skeleton.at(one)
+            if abs(arm) * shares[way < 0] > (radius + 2) * sum(shares):
+                yield points, radius, way * arm / abs(arm), True, min(_WIDE, _LONG / radius)
 
 
 def _is_head(mark: Mark) -> bool:

@@ -155,8 +155,10 @@ class Panel:
 
     @cached_property
     def lettering(self) -> list[Mark]:
-        """Its labels, and what is drawn last where they have left room."""
-        return [*self.far.marks, *(self.more(FreeRoom(self.scene, self.far.marks)) if self.more else ())]
+        """Its labels, and what is drawn last where they have left room, or make way."""
+        free = FreeRoom(self.scene, self.far.marks)
+        last = self.more(free) if self.more else ()
+        return [*(mark for mark in self.far.marks if mark not in free.gone), *last]
 
     @cached_property
     def burdens(self) -> Array:

@@ -5,14 +5,19 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
+from dataclasses import replace
+from itertools import chain, combinations
 
 import pytest
+from every_family import FAMILIES
 from library_sheets import library_sheet, textbook_sheet
 
 from graphkin.base.lines import off_stretch
+from graphkin.errors import Lang
 from graphkin.files import loads
 from graphkin.planning import plan
 from graphkin.running import replay_all
+from graphkin.say.reading import Reading
 from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text
 
@@ -177,3 +182,78 @@ def test_the_head_of_a_driver_s_arc_is_off_its_ground(name: str) -> None:
               and len(mark.places) == 2]  # fmt: skip
     assert heads
     assert all(off_stretch(place, *line) > 0.8 for head in heads for place in head for line in ground)
+
+
+SHORT = """
+ask = ["omega coupler", "alpha coupler", "omega rocker", "alpha rocker"]
+[frame]
+A = [0, 0]
+D = [100, 0]
+[links.crank]
+AB = 55
+[links.coupler]
+BC = 18
+BM = 9
+CM = 9
+[links.rocker]
+DC = 75
+[[driver]]
+vector = "AB"
+angle = 40
+omega = 4
+alpha = 3
+[sketch]
+B = [42, 35]
+C = [58, 60]
+M = [50, 46]
+"""
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("family", ["cylinder", "PPR", "six_bar", "train"])
+def test_asked_turns_have_arcs_where_links_are_short_and_crowded(family: str, lang: Lang) -> None:
+    """For which the number of a link moves, or is left out where the letter tells it."""
+    machine = FAMILIES[family](8401)
+    driven = {driver.link for driver in machine.drivers}
+    links = [machine.called(link) for link in machine.moving if link not in driven]
+    asked = [f"{turn} {link}" for link in links for turn in ("omega", "alpha")]
+    method = plan(replace(machine, ask=tuple(asked)))
+    plot = replay_all(method)
+    turns = Reading(method, plot, {}, "en").asked_turns(("velocity", "acceleration"))
+    page = sheet(method, plot, lang=lang)
+    shown = {(head.shows.link, head.shows.form) for head, _ in turning_arcs(page) if head.shows}
+    assert shown == {(turn.link, {"ω": "omega", "α": "alpha"}[turn.letter]) for turn in turns}
+    assert len(turns) > 1
+
+
+def bar_of(page: Sheet, link: str) -> tuple[complex, complex]:
+    """The longest side of a link."""
+    lines = [mark.outline for mark in page.marks if isinstance(mark, Stroke) and mark.shows
+             and (mark.shows.link, mark.shows.form, mark.shows.plane) == (link, "bar", "position")]  # fmt: skip
+    return max(combinations(chain(*lines), 2), key=lambda ends: abs(ends[0] - ends[1]))
+
+
+def test_arcs_cross_a_short_coupler_with_a_point_in_its_middle() -> None:
+    method = plan(loads(SHORT))
+    page = sheet(method, replay_all(method))
+    start, end = bar_of(page, "coupler")
+    arcs = [arc for head, arc in turning_arcs(page) if head.shows and head.shows.link == "coupler"]
+    assert len(arcs) == 2
+    for arc in arcs:
+        turns = (arc.start, arc.start + arc.sweep)
+        offs = [(arc.centre + cmath.rect(arc.radius, turn) - start) / (end - start) for turn in turns]
+        assert off_stretch(arc.centre, start, end) < 0.05
+        assert offs[0].imag * offs[1].imag < 0
+        assert all(0 < off.real < 1 for off in offs)
+
+
+def test_the_arc_of_a_driver_crosses_its_link_where_its_vector_is_short() -> None:
+    """A crank with three points, driven by the direction to one that is close to its pivot."""
+    text = SHORT.replace("AB = 55", "shape = { A = [0, 0], B = [55, 0], E = [2, 1] }").replace('"AB"', '"AE"')
+    method = plan(loads(text.replace("angle = 40", "angle = 66").replace("M = [50, 46]", "M = [50, 46]\nE = [1, 2]")))
+    page = sheet(method, replay_all(method))
+    pivot = next(mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.name == "A")
+    far = max(bar_of(page, "crank"), key=lambda place: abs(place - pivot))
+    [arc] = [mark for mark in page.marks if isinstance(mark, ArcMark) and abs(mark.centre - pivot) < 0.05
+             and mark.pen == "vector"]  # fmt: skip
+    assert 0 < cmath.phase((far - pivot) * cmath.rect(1, -arc.start)) / arc.sweep < 1

@@ -51,7 +51,7 @@ def _xy(places: Any) -> list[tuple[float, float]]:
 @pytest.mark.parametrize("at_once", [1000, 70, 7])
 @pytest.mark.parametrize("seed", range(3))
 def test_boxes_and_lines_touch_what_they_touch(seed: int, at_once: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("graphkin.sheet.obstacles._AT_ONCE", at_once)
+    monkeypatch.setattr("graphkin.base.segments._AT_ONCE", at_once)
     rng = random.Random(seed)
     marks = list(_marks(rng))
     things = [shape for _, shape in marks]

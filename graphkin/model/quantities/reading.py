@@ -32,7 +32,10 @@ _OF_TWO = ("a_n", "a_t", "a_k", "a_r")  # parts of an acceleration seen from ano
 _LONGEST = 500  # of a text that may name a quantity, in letters
 _APART = r"(@[^\s,，]+)(?:\s*[,，]\s*|\s+)(?=[^\s,，@]+@)"  # two sites that are written `A@yoke A@block`
 _AT = r"\s*[#＃]\s*([1-9][0-9]{0,3})(?![0-9])"
-_TYPED = r"(?<![A-Za-z0-9_])(?:(?:omega|alpha|theta) (?:e [crg]\d+[a-z]?|[\w'′]+)|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
+_TYPED = (
+    r"(?<![A-Za-z0-9_])(?:(?:omega|alpha|theta) (?:e [crg]\d+[a-z]?|[\w'′]+)"
+    r"|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
+)
 
 
 def named(mechanism: Mechanism, text: str, where: Where) -> Quantity:
