@@ -21,7 +21,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_candidates import MANY
-from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.label_requests import LabelRequest, tangled
 from graphkin.sheet.labels import UNCLEAR, burden
 from graphkin.sheet.lettering import LABEL, plain, width
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
@@ -37,7 +37,7 @@ DETAILS = (44 + 52j, 60 + 68j)  # the rooms for a small one and a large one [mm]
 _AROUND, _HEAD = 6.0, 4.0  # room for letters around a detail, and for its own heading over it [mm]
 _FEW = 3  # labels, of one arrow and its ends, are no knot
 SAVED, _CLOSE = 4.0, 1e-6  # the burden that a detail saves at least, but for rounding
-_LED = 3.0  # the additional burden of a leader in a detail
+_LED, _SEEN = 3.0, 0.8  # the additional burden of a leader in a detail; a shorter arrow is hidden even there [mm]
 _ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
 _ROUND = 1.2  # a circle is so many times as large as what it is to show
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
@@ -136,7 +136,7 @@ class _DetailDrawing:
 
     def _with(self, view: _View) -> _DetailDrawing:
         """The letters of one circle left to the other, where that part is drawn once more; others stand as they did."""
-        whole, figure = self.draw(view.window), self.panel.figure
+        whole, figure, at = self.draw(view.window), self.panel.figure, view.shown.centre
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
         pole, seen = figure.pole, whole.pole
         if (self.burdens[[*pole]] >= UNCLEAR).any():
@@ -150,12 +150,12 @@ class _DetailDrawing:
         sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=LABEL, step=step)
         marks += [Disc(circle.centre, circle.radius, "centre", step=step) for circle in (view.part, view.shown)]
         heading = plain(f"{numeral}  ({view.times:g} : 1)")
-        top = view.shown.centre - 1j * (view.shown.radius + _AROUND - 1.0)  # over what is written around it
+        top = at - 1j * (view.shown.radius + _AROUND - 1.0)  # over what is written around it
         marks.append(Text(heading, top - width(heading, LABEL) / 2, LABEL, step))
-        at = view.shown.centre
         room = Room(at.real, at.imag, at.real, at.imag).inset(*[-view.shown.radius - _AROUND] * 3)  # with its letters
         alone = Panel(Figure(marks, named), view.window, room)
-        inside = alone.burdens + _LED * np.bincount(alone.near.led, minlength=len(named))
+        inside = alone.near.burdens(named) + tangled(named, _SEEN)
+        inside += _LED * np.bincount(alone.near.led, minlength=len(named))
         burdens = np.concatenate([self.burdens[stay], inside, [0.0]])
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
         magnified = *self.panel.magnified, (view.window.value(at), view.shown.radius * view.window.scale)

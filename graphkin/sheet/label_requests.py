@@ -152,10 +152,10 @@ def lettering(wanted: Iterable[LabelRequest]) -> float:
     return sum((wide + _SPACE) * (up + down + _SPACE) for wide, up, down in boxes)
 
 
-def tangled(wanted: Sequence[LabelRequest]) -> Array:
+def tangled(wanted: Sequence[LabelRequest], tiny: float = _TINY) -> Array:
     """The burden of short arrows (n,), or of points, of which several lie close together, or that are hardly seen."""
     length = np.array([2 * abs(want.place - want.start) if want.of else np.inf for want in wanted])
-    middle, burdens = np.array([want.place for want in wanted]), _HIDDEN * (length < _TINY)
+    middle, burdens = np.array([want.place for want in wanted]), _HIDDEN * (length < tiny)
     nodes = np.array([want.end is None and want.gap < SIGN for want in wanted]) & np.isfinite(length).any()
     for kind, (reach, many) in ((length < _SMALL, _ARROWS), (nodes, _NODES)):
         near = (np.abs(middle[:, None] - middle) <= reach) & kind & kind[:, None]

@@ -9,8 +9,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from every_family import FAMILIES
 
 from graphkin import Drawing
+from graphkin.errors import Lang
 from graphkin.files import library, loads
 from graphkin.sheet.arrows import side_by_side
 from graphkin.sheet.detail import detailed
@@ -166,3 +168,16 @@ def test_no_label_stands_beyond_the_side_of_an_image_or_a_point_beyond_an_arrow(
     low = np.array([[18.0, 2.5], [18.0, -2.5], [19.0, -3.0], [19.0, 1.2]])
     strange = Arrows([arrow, side]).strange(wanted, np.array([0, 0, 1, 1]), low, low + np.array([4.0, 0.6]))
     assert strange.tolist() == [True, False, True, False]
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_an_arrow_that_its_head_hides_stands_in_a_detail_even_where_that_has_little_room(lang: Lang) -> None:
+    page, name = Drawing.of(FAMILIES["coupler_angle"](8402)).sheet(lang=lang), "a^n_G3Q2"
+    circles = [mark for mark in page.marks if isinstance(mark, Disc) and mark.pen == "centre"]
+    [arrow] = [mark for mark in page.marks if isinstance(mark, VectorMark) and mark.name == name
+               and mark.plane == "acceleration"]  # fmt: skip
+    magnified = [mark for mark in page.marks if isinstance(mark, VectorMark) and mark.name == name
+                 and mark.plane == "detail"]  # fmt: skip
+    assert 0 < arrow.length < 1
+    assert any(abs(place - one.centre) <= one.radius + 0.1 for one in circles for place in (arrow.start, arrow.end))
+    assert any(mark.length > arrow.length * 4 for mark in magnified)
