@@ -64,7 +64,7 @@ class Segments:
         return counts
 
     def crossed(self, start: Array, end: Array) -> Array:
-        """How many lines each of the lines start..end (2, n) crosses."""
+        """Numbers of lines that the lines start..end (2, n) cross."""
         count = np.zeros(start.shape[1], dtype=np.intp)
         for rows, lines in self._beside(np.minimum(start, end), np.maximum(start, end)):
             others = self._start.take(lines, axis=1), self._end.take(lines, axis=1)
