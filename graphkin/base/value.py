@@ -73,29 +73,41 @@ class Lazy(Mapping[str, _T]):
 
 
 class _Undeclared:
-    """Stands for the fields of a class until they are read, or a first value is made."""
+    """Stands for the fields of a class until `dataclasses` reads them."""
 
     def __init__(self, cls: type, complete: Callable[[type, Data], None] = lambda cls, data: None) -> None:
-        self._cls, self._complete = cls, complete
+        self._cls = cls
 
         def first(value: object, /, *args: object, **named: object) -> None:
-            self._declare()
+            with _ONE_THREAD:
+                if vars(cls)["__init__"] is first:
+                    entries = _entries(cls)
+                    complete(cls, attrgetter(*entries) if entries else lambda value: ())
+                    setattr(cls, "__init__", _filler(cls, entries))  # noqa: B010
             vars(cls)["__init__"](value, *args, **named)
 
         setattr(cls, "__init__", first)  # noqa: B010
 
     def __get__(self, value: object, cls: type) -> dict[str, Field[object]]:
-        self._declare()
+        with _ONE_THREAD:
+            if vars(self._cls).get("__dataclass_fields__") is self:
+                delattr(self._cls, "__dataclass_fields__")
+                dataclass(init=False, repr=False, eq=False)(self._cls)
         return {each.name: each for each in fields(self._cls)}
 
-    def _declare(self) -> None:
-        cls = self._cls
-        with _ONE_THREAD:
-            if vars(cls).get("__dataclass_fields__") is self:
-                delattr(cls, "__dataclass_fields__")
-                names = [each.name for each in fields(dataclass(init=False, repr=False, eq=False)(cls))]
-                self._complete(cls, attrgetter(*names) if names else lambda value: ())
-                setattr(cls, "__init__", _filler(cls))  # noqa: B010
+
+def _entries(cls: type) -> dict[str, object]:
+    """The fields of a class, those of its bases first: a default, or a `Field` with one, or MISSING."""
+    entries, declared = dict[str, object](), vars(cls).get("__dataclass_fields__")
+    if isinstance(declared, dict):
+        return {each.name: each for each in fields(cls)}
+    for base in cls.__bases__[::-1]:
+        entries |= _entries(base)
+    if declared is not None:
+        kinds = vars(cls).get("__annotations__", {})
+        entries |= {name: getattr(cls, name, MISSING) for name in kinds if "ClassVar" not in str(kinds[name])}
+        setattr(cls, "__match_args__", (*entries,))  # noqa: B010
+    return entries
 
 
 def _compare(cls: type, data: Data) -> None:
@@ -108,12 +120,13 @@ def _compare(cls: type, data: Data) -> None:
     setattr(cls, "__hash__", lambda self: hash(data(self)))  # noqa: B010
 
 
-def _filler(cls: Any) -> Fill:
+def _filler(cls: Any, entries: Mapping[str, object]) -> Fill:
     """`__init__` by place or by name, with defaults for the rest."""
-    entries = {each.name: each for each in fields(cls)}
     names = tuple(entries)
-    defaults = {name: each.default for name, each in entries.items() if each.default is not MISSING}
-    makers = {name: each.default_factory for name, each in entries.items() if each.default_factory is not MISSING}
+    values = {name: each.default if isinstance(each, Field) else each for name, each in entries.items()}
+    defaults = {name: value for name, value in values.items() if value is not MISSING}
+    makers = {name: each.default_factory for name, each in entries.items()
+              if isinstance(each, Field) and each.default_factory is not MISSING}  # fmt: skip
     filled = {*defaults, *makers}
     post: Fill | None = getattr(cls, "__post_init__", None)
     rests: dict[tuple[object, ...], dict[str, object]] = {}

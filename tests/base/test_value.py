@@ -6,6 +6,7 @@ import copy
 import pickle
 from collections.abc import Mapping
 from dataclasses import FrozenInstanceError, field, fields, replace
+from typing import ClassVar
 
 import pytest
 
@@ -59,6 +60,32 @@ def test_what_dataclasses_offer():
     match Dot("a", 2.0):
         case Dot(name, x):
             assert (name, x) == ("a", 2.0)
+
+
+@pytest.mark.parametrize("fields_first", [False, True])
+def test_a_class_of_another(fields_first):
+    @frozen
+    class Base:
+        name: str
+        notes: Mapping[str, str] = field(default_factory=dict)
+        kind: ClassVar[str] = "base"
+
+    @frozen
+    class Own(Base):
+        size: float = 1.0
+        marks: list[str] = field(default_factory=list)
+
+    if fields_first:
+        assert [f.name for f in fields(Base)] == ["name", "notes"]
+    one, other = Own("a"), Own("b", {"c": "d"}, 2.0, ["e"])
+    assert (one.name, one.notes, one.size, one.marks, one.kind) == ("a", {}, 1.0, [], "base")
+    assert other == replace(one, name="b", notes={"c": "d"}, size=2.0, marks=["e"])
+    match other:
+        case Base(name, notes):
+            assert (name, notes) == ("b", {"c": "d"})
+    assert [f.name for f in fields(Own)] == ["name", "notes", "size", "marks"]
+    with pytest.raises(TypeError, match="Own"):
+        Own("a", kind="own")
 
 
 @pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda value: pickle.loads(pickle.dumps(value))])
