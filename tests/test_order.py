@@ -147,7 +147,8 @@ def test_packages_are_loaded_plainly():
     [
         (
             ["draw", "ex3-1", "-o", "-"],
-            {"matplotlib", "scipy", "graphkin.check", "graphkin.studies.sweeps", "numpy.ma", "numpy.random", "pydantic"},
+            {"matplotlib", "scipy", "graphkin.check", "graphkin.studies.sweeps", "numpy.ma", "numpy.random", "pydantic",
+             "html", "graphkin.say.explained", "graphkin.say.problems"},
         ),
         (["list"], {"numpy", "pydantic_core", "shapely", "svgwrite", "graphkin.files.loader"}),
         (["equations", "ex3-1"], {"matplotlib", "shapely", "svgwrite", "numpy.ma", "urllib.request", "pydantic"}),

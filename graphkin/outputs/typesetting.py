@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator
-from html import escape
 from itertools import groupby
 from typing import NamedTuple
 
@@ -189,6 +188,8 @@ def html_words(label: Label) -> str:
 
 def _mathml(sign: Sign) -> str:
     """Letters as they are; a letter with scripts as MathML."""
+    from html import escape
+
     base = sign.base
     if not sign.low and not sign.high:
         return "" if base is None else f"<i>{escape(base.text)}</i>" if base.italic else escape(base.text)
@@ -201,5 +202,7 @@ def _mathml(sign: Sign) -> str:
 
 def _token(run: Run) -> str:
     """Browsers set several letters in one `mi` upright; the page's style slants them as the drawings have them."""
+    from html import escape
+
     kind = "mi" if run.italic else "mn" if run.text.isdigit() else "mtext"
     return f"<{kind}>{escape(run.text).replace(' ', '&#160;')}</{kind}>"

@@ -21,7 +21,6 @@ from graphkin.planning.drawn_position import shown
 from graphkin.planning.method import Act
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Sentence
-from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.sheet.composition import DetailRoom, Planes, SheetContents, Style
 from graphkin.sheet.detail import DETAILS, SAVED, knots
@@ -257,6 +256,8 @@ def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -
 
 def _spoken(stage: Arrangement) -> dict[Act, list[str]]:
     """The number and the sentence of each act, at the scales that are drawn. Raises TooLargeForPaper."""
+    from graphkin.say.explained import derivation
+
     drawing, planes = stage.contents.drawing, stage.contents.drawing.planes
     others = {} if planes == PLANES else scales_of(drawing.method, drawing.plot, breaks=False)
     reading = drawing.reading({**others, **stage.layout.scales})

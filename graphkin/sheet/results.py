@@ -18,9 +18,7 @@ from graphkin.model.units import EDGE
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import dimensions
-from graphkin.say.explained import AnswerLines
 from graphkin.say.reading import Reading
-from graphkin.say.solution_goal import solution_goal
 from graphkin.sheet import lettering
 from graphkin.sheet.lettering import LABEL, Label, Run, bold, formula, number, plain, point_label, quantity_label
 from graphkin.sheet.paper import KEYS
@@ -157,22 +155,25 @@ class _PlaneTables:
 
     def answers(self) -> Table:
         """The answers that stand in no other table."""
+        if not (others := [quantity for key, quantity in self.questions.items() if key not in self.shown]):
+            return Table((), ())
+        from graphkin.say.explained import AnswerLines
+        from graphkin.say.solution_goal import solution_goal
+
         reading = Reading(self.method, self.plot, dict.fromkeys(KEYS.values(), 1.0), self.lang)
-        lines = AnswerLines(solution_goal(reading), {})
-        rows = list[tuple[Label, ...]]()
-        for key, quantity in self.questions.items():
-            if key not in self.shown:  # units stand with the names, as in the other tables
-                label = label_of(quantity)
-                if isinstance(quantity, asked.Centre):
-                    assert lines.goal.centred is not None, quantity
-                    figure, unit = lines.goal.centred.figure(quantity)
-                    far = Run(" → ∞"), Run(reading.say("centres.towards").rstrip())
-                    label = (*label, *far) if unit == "°" else label
-                else:
-                    text, unit = lines.result(quantity), EDGE[quantity.unit].sign
-                    figure = text.removesuffix(unit).rstrip()
-                    unit = "" if figure == text else unit
-                rows.append((bold(_unit(label, unit) if unit else label), bold(formula(figure))))
+        lines, rows = AnswerLines(solution_goal(reading), {}), list[tuple[Label, ...]]()
+        for quantity in others:  # units stand with the names, as in the other tables
+            label = label_of(quantity)
+            if isinstance(quantity, asked.Centre):
+                assert lines.goal.centred is not None, quantity
+                figure, unit = lines.goal.centred.figure(quantity)
+                far = Run(" → ∞"), Run(reading.say("centres.towards").rstrip())
+                label = (*label, *far) if unit == "°" else label
+            else:
+                text, unit = lines.result(quantity), EDGE[quantity.unit].sign
+                figure = text.removesuffix(unit).rstrip()
+                unit = "" if figure == text else unit
+            rows.append((bold(_unit(label, unit) if unit else label), bold(formula(figure))))
         return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 
 
