@@ -209,6 +209,7 @@ def by_pose(method: Method, plot: Plot) -> tuple[Method, Plot] | None:
     return replace(method, structure=structure, position=construction), posed
 
 
+@kept(4, objects=2)  # a sheet, its words and its proof ask for the same
 def shown(method: Method, plot: Plot) -> tuple[Method, Plot]:
     """The same method and plot, with the position as `by_pose` draws it."""
     polygons = without_aids(method)

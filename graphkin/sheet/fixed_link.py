@@ -10,6 +10,7 @@ from itertools import chain, product
 import numpy as np
 
 from graphkin.base.boxes import free_about
+from graphkin.base.cache import kept
 from graphkin.base.lines import crossing
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
@@ -217,11 +218,16 @@ def _bare(radius: float, middle: complex, arcs: Sequence[ArcMark]) -> bool:
 
 def clearance(skeleton: Skeleton, *places: Place, more: Sequence[Ends] = ()) -> float:
     """Distance of places from the nearest link, or of more lines, as far as it matters to the eye [mm]."""
+    gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
+    return float(free_about(np.array(places), [*skeleton.segments, *_feet(skeleton), *more], min(gaps)).min())
+
+
+@kept(2)
+def _feet(skeleton: Skeleton) -> list[Ends]:
+    """The signs of fixed pivots, as lines."""
     pivots = [point for point in skeleton.points if FRAME in skeleton.mechanism.owners[point]]
     ways = [(skeleton.at(point), symbols.PIVOT_DEPTH * ground_way(point, skeleton)) for point in pivots]
-    feet = [each for at, way in ways for each in ((at, at + way), (at + (1 + 1j) * way, at + (1 - 1j) * way))]
-    gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
-    return float(free_about(np.array(places), [*skeleton.segments, *feet, *more], min(gaps)).min())
+    return [each for at, way in ways for each in ((at, at + way), (at + (1 + 1j) * way, at + (1 - 1j) * way))]
 
 
 def _slide_arrows(skeleton: Skeleton, driver: Driver, figure: Figure, method: Method) -> None:

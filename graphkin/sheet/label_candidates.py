@@ -73,7 +73,7 @@ class LabelScene:
     def letters(self) -> Segments:
         """Obstacles that let no leader through."""
         every = chain(self.drawn, *(marks for _, marks in self.beside))
-        return obstacles(mark for mark in every if isinstance(mark, Text))
+        return obstacles((mark for mark in every if isinstance(mark, Text)), hollow=True)
 
     @property
     def taken(self) -> list[Room]:

@@ -20,13 +20,13 @@ _LETTER = 2.0  # no letter is much narrower [mm]
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 
-def obstacles(drawn: Iterable[Mark]) -> Segments:
-    """The marks as obstacles: their outlines, and what fills them."""
+def obstacles(drawn: Iterable[Mark], hollow: bool = False) -> Segments:
+    """The marks as obstacles: their outlines, and what fills them; hollow: for lines alone, which cross an outline."""
     lines: list[Sequence[Place]] = []
     for mark in drawn:
         for outline, filled in _outlines(mark):
             lines.append(outline)
-            if filled:
+            if filled and not hollow:
                 lines += _levels(outline)
     places = xy(np.array([place for line in lines for place in line], dtype=complex))
     start = np.delete(np.arange(places.shape[1]), np.cumsum([len(line) for line in lines], dtype=np.intp) - 1)

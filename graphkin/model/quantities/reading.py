@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable
 
 from graphkin import errors
+from graphkin.base.cache import kept
 from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen, clear, pair, seen
@@ -45,6 +46,7 @@ def named(mechanism: Mechanism, text: str, where: Where) -> Quantity:
     return quantity
 
 
+@kept(32)  # what a file asks is read by everything that shows it
 def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | None:
     """The quantity that a text names; None for a text that is only to be shown. Raises UnknownLink, UnknownPoint,
     UnknownSlide, NeedsTwo, NotOneOf for one that names something that is not there, TurnsAsItLikes for an idle one."""
