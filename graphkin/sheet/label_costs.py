@@ -90,11 +90,9 @@ def together(one: LabelPlaces, other: LabelPlaces) -> tuple[Array, Array]:
 
 def under(led: LabelPlaces, other: LabelPlaces, keep: float = _PASSING) -> Array:
     """True for labels under the leader of the one they are paired with; one of them may be a single one."""
-    if not led.led.any():
-        return led.led
     (start, end), low, high = led.places[2:], other.low - keep, other.high + keep
-    around = led.led & overlap(np.minimum(start, end), np.maximum(start, end), low, high)
-    return np.asarray(around & through(start, end, low, high)) if around.any() else around
+    around = led.led.any() and led.led & overlap(np.minimum(start, end), np.maximum(start, end), low, high)
+    return np.asarray(around & through(start, end, low, high) if around.any() else around)
 
 
 class LabelTable:
