@@ -41,6 +41,7 @@ def built(kind: Any, data: Any) -> Any:
     if origin in (Union, UnionType):  # a value, or None
         return None if data is None else built(inner[0], data)
     if origin is tuple:
+        data = [data] if isinstance(data, str) else data  # as files have it whose names were of one place each
         kinds = [inner[0]] * len(data) if ... in inner else inner
         return tuple(built(each, one) for each, one in zip(kinds, data, strict=True))
     if hasattr(origin, "keys"):

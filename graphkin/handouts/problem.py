@@ -40,6 +40,7 @@ from graphkin.running import replay_all
 from graphkin.running.drawn_sides import drawn_sides
 from graphkin.say import entry
 from graphkin.say.catalogue import say
+from graphkin.say.dimensions import measured_lengths
 from graphkin.say.explained import derivation
 from graphkin.say.marks import mistake_in_signs
 from graphkin.say.names import in_signs
@@ -106,6 +107,16 @@ class HandoutProblem:
     def posed_at(self) -> tuple[Plot, bool] | None:
         """As `shown_at` has it: the position in which the problem is posed."""
         return shown_at(self.drawing.method, self.drawing.plot)
+
+    @property
+    def is_read_off(self) -> bool:
+        """True where something that is asked is measured in the mechanism itself."""
+        return self.posed_at is None or not self.posed_at[1]
+
+    @property
+    def measured(self) -> list[tuple[str, str]]:
+        """The distances that the solution measures in the mechanism, as the file gives no link such a length."""
+        return measured_lengths(Reading(self.told.method, self.told.plot, self._keys, self.lang))
 
     @cached_property
     def goal(self) -> SolutionGoal:
@@ -276,9 +287,9 @@ def _likely(key: Key) -> np.ndarray:
     return np.asarray(~(size > _TIMES * (np.abs(upright(table, table.right)) + table.tolerance)) | table.angle)
 
 
-def _occurs(of: str, text: str, problem: HandoutProblem) -> bool:
-    """True where all that a mistake is made in stands in a text: arrows, rotations, triangles, parts of `BC/AB`."""
-    signs = (in_signs(each, problem.goal.texts) for each in re.split(", |/", of) if each)
+def _occurs(of: Sequence[str], text: str, problem: HandoutProblem) -> bool:
+    """True where a text has all that a mistake is made in: arrows, rotations, triangles, both vectors of `BC/AB`."""
+    signs = (in_signs(part, problem.goal.texts) for each in of for part in each.split("/"))
     return all(re.search(rf"(?<!\w){re.escape(sign)}(?![\w′])", text) for sign in signs)
 
 

@@ -16,6 +16,7 @@ from graphkin.construction import Construction, Drawn, Equation, Image, LayOff, 
 from graphkin.marking import mistakes as _entered  # noqa: F401  (enters them)
 from graphkin.marking.answers import arrows_of, drawn_answer, size_of
 from graphkin.marking.hand import Redrawing, redraw
+from graphkin.marking.key import Name
 from graphkin.marking.rewrite import Mistaken, Rewrite
 from graphkin.marking.scene import MISTAKES, Scene
 from graphkin.model.quantities import Answer, Centre, Quantity
@@ -70,12 +71,13 @@ def rewrites(
 ) -> tuple[Rewrite, ...]:
     """Every mistake that can be made in a construction, once for each place and form."""
     scene = Scene(method, plot, tuple(quantities), scales or {})
-    count: Counter[tuple[str, ...]] = Counter()
+    count: Counter[Name] = Counter()
     numbered = []
     for rewrite in (replace(one, id=id) for id, mistake in MISTAKES.items() for one in mistake.find(scene)):
         count[rewrite.name] += 1  # two slides may be looked at in one coincident point
         nth = count[rewrite.name]
-        numbered.append(rewrite if nth == 1 else replace(rewrite, of=f"{rewrite.of} ({nth})"))
+        *others, last = rewrite.of or ("",)
+        numbered.append(rewrite if nth == 1 else replace(rewrite, of=(*others, f"{last} ({nth})")))
     return tuple(numbered)
 
 

@@ -95,7 +95,7 @@ class Explainer:
     @cached_property
     def names(self) -> tuple[tuple[Name, ...], ...]:
         """Of the hypotheses that can be seen; then slips in each of the quantities, where these are looked for."""
-        slips = () if self._slips is None else (((SLIP, "", text, ""),) for text in self.texts)
+        slips = () if self._slips is None else (((SLIP, "", (text,), ""),) for text in self.texts)
         return (*(self._hypotheses.names[row] for row in self._scale.rows), *slips)
 
     def only(self, k: int) -> Explainer:
@@ -360,7 +360,7 @@ def _plainest(names: Sequence[tuple[Name, ...]]) -> tuple[tuple[Name, ...], ...]
 def _is_more(one: Name, other: Name) -> bool:
     (id, way, of, form), (plain, *plain_way, place, plain_form) = one, other
     same = plain in (id, _PLAINER.get(id)) and [way, form] == [*plain_way, plain_form]
-    return same and one != other and {*place.split(", ")} <= {*of.split(", ")}
+    return same and one != other and {*place} <= {*of}
 
 
 _SHOWS = np.log((0.8, 0.2))  # frequencies with which a habit shows in a problem, and does not, as logarithms

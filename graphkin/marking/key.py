@@ -21,8 +21,8 @@ cannot be told at all, near a dead point, or since it may be off by most of its 
 MOST = 0.75  # where a value may be off by a larger part, paper cannot tell it
 _SIGMAS = 3.0  # nearly all that a pencil draws lies within so many standard deviations
 TELLS = 0.15  # of a value that may be off by a larger part only what is off by no more than this is right
-Name = tuple[str, str, str, str]
-"""A mistake as it is made at one place: its id, which way of it, what it was made with, and with what instead."""
+Name = tuple[str, str, tuple[str, ...], str]
+"""A mistake as it is made: its id, which way of it, what it was made with, and with what instead."""
 
 
 @frozen

@@ -228,9 +228,9 @@ class Marker:
         costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
         costs = np.repeat(costs[None], len(diagnosed), axis=0)
         for k, one in enumerate(diagnosed):
-            for id, _, text, _ in one.likeliest:
+            for id, _, texts, _ in one.likeliest:
                 if id == SLIP:
-                    costs[k, self._numbers[text]] = -1.0
+                    costs[k, [self._numbers[text] for text in texts]] = -1.0
         return costs
 
     @cached_property

@@ -190,8 +190,7 @@ def as_handed_in(
         turned, other, reverse = turned > ASTRAY, off > within, astray & (off > np.pi - within)
         drawn = np.array([all(name in known for name in names) for names in one.names], dtype=bool)
         explained = np.array([text in one.explains for text in handed_in], dtype=bool) & drawn[:, None]
-        said = [any(id == "sense-not-given" and worded & {*of.split(", ")} for id, _, of, _ in names)
-                for names in one.names]  # fmt: skip
+        said = [any(id == "sense-not-given" and worded & {*of} for id, _, of, _ in names) for names in one.names]
         against = (other & ~follows & np.where(explained, ~reverse, turned)).any(axis=1) | said
         count = np.where(against, -1, (turned & (astray | follows) & ~other).sum(axis=1))
         if (most := count.max()) >= 0:

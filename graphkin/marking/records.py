@@ -225,7 +225,7 @@ def by_position(work: StudentWork, count: int) -> list[StudentWork]:
 def _at(name: Name, at: int) -> Name:
     """A slip is one at its position; a mistake is the same at all of them."""
     id, way, of, form = name
-    return (id, way, at_position(of, at), form) if id == SLIP else name
+    return (id, way, tuple(at_position(one, at) for one in of), form) if id == SLIP else name
 
 
 def as_one(student: str, parts: Sequence[Marked]) -> Marked:

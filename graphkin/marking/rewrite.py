@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import field, replace
+from itertools import chain
 
 import numpy as np
 
@@ -49,7 +50,7 @@ class RewrittenValue:
 class Rewrite:
     """A mistake made at one place.
 
-    of     what it was made with, as written: `a^k_B3B2`, `omega 3`
+    of     what it was made with, as written, each place by itself: `a^k_B3B2`, `omega 3`
     form   with what, where there is a choice: the quantity taken instead, the factor, as written
     way    which way of making it, where a mistake has several that take other words
     edits  the places done otherwise
@@ -57,7 +58,7 @@ class Rewrite:
     id     of the mistake, as in every output: `coriolis-omitted`; the register has it
     """
 
-    of: str
+    of: tuple[str, ...]
     form: str = ""
     edits: tuple[Edit, ...] = ()
     asked: tuple[RewrittenValue, ...] = ()
@@ -65,7 +66,7 @@ class Rewrite:
     id: str = ""
 
     @property
-    def name(self) -> tuple[str, str, str, str]:
+    def name(self) -> tuple[str, str, tuple[str, ...], str]:
         """Different from those of all other rewrites of a construction."""
         return self.id, self.way, self.of, self.form
 
@@ -88,11 +89,11 @@ def turned_back(link: str) -> Change:
 def each_and_all(alone: Sequence[Rewrite], but: Sequence[str] = ()) -> Iterator[Rewrite]:
     """A mistake made at each of some places alone; and at all of them `but` some, where these are several."""
     yield from alone
-    together = {one.of: one for one in alone if one.of not in but}
+    together = {one.of: one for one in alone if not {*one.of} <= {*but}}
     if len(together) > 1:
         edits = tuple(edit for one in together.values() for edit in one.edits)
         asked = tuple(value for one in together.values() for value in one.asked)
-        yield replace(alone[0], of=", ".join(together), edits=edits, asked=asked)
+        yield replace(alone[0], of=(*chain(*together),), edits=edits, asked=asked)
 
 
 def in_sense_of(plot: Redrawing, size: Value, right: Value, what: str) -> Value:

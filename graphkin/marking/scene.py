@@ -105,7 +105,7 @@ class Scene:
             edits = [Edit(("image", "acceleration", self.rims[size]), _moved(size, change or Times(0.0)))]
         else:
             edits = [Edit(("arrow", "acceleration", size), change or Times(0.0))]
-        return Rewrite(name, form, tuple(edits), tuple(self._handed_in(size, change)) if change else (), way)
+        return Rewrite((name,), form, tuple(edits), tuple(self._handed_in(size, change)) if change else (), way)
 
     def _handed_in(self, size: Size, change: Change) -> Iterator[RewrittenValue]:
         """The terms of a size that are handed in and that no arrow shows, as a change makes them."""
@@ -163,7 +163,7 @@ class Scene:
     @cached_property
     def _without_driver(self) -> Redrawing:
         """The velocities without each of the drivers (drivers,)."""
-        still = [[Rewrite("", edits=(Edit(("rate", k), Times(0.0)),))] for k in range(len(self.method.drivers))]
+        still = [[Rewrite((), edits=(Edit(("rate", k), Times(0.0)),))] for k in range(len(self.method.drivers))]
         hand = Mistaken(still)
         return redraw(self.method, self.plot, hand, hand.shape)
 
@@ -239,10 +239,10 @@ class Scene:
         name = spelled(self.method.mechanism.called(link))
         return f"ω{name}" if name[0].isdigit() else f"ω_{name}"
 
-    def image_name(self, images: list[kinds.Image]) -> str:
-        """△BCE: the corners of a link's image; `B, C, E, F` where they are no three single letters."""
+    def image_name(self, images: list[kinds.Image]) -> tuple[str, ...]:
+        """△BCE: the corners of a link's image; each by itself where they are no three single letters."""
         corners = [*dict.fromkeys(point for step in images for point in step.corners)]
-        return "△" + "".join(corners) if [*map(len, corners)] == [1, 1, 1] else ", ".join(corners)
+        return ("△" + "".join(corners),) if [*map(len, corners)] == [1, 1, 1] else tuple(corners)
 
 
 def _staying(start: str) -> Change:

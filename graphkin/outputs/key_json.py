@@ -48,7 +48,7 @@ def key_data(key: Key) -> Json:
         "together": [[round(float(x), 6) for x in row] for row in key.together],
         "steps": plain(key.steps),
         "mistakes": [
-            {"names": [list(name) for name in names], "values": _row(values), "scatters": _row(scatters), **own}
+            {"names": plain(names), "values": _row(values), "scatters": _row(scatters), **own}
             for names, values, scatters, own in mistakes
         ],
         **({"positions": [key_data(one) for one in key.further]} if key.further else {}),

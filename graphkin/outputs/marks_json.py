@@ -52,7 +52,7 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
     quantities: Json = {one.text: _quantity(one) for one in (() if marked is None else marked.judged)}
     mistakes: list[Plain] = []
     for each in () if marked is None else marked.diagnosis.explanations:
-        sites = [[dict(zip(NAME, name, strict=True)) for name in names] for names in each.names]
+        sites = [[dict(zip(NAME, plain(name), strict=True)) for name in names] for names in each.names]
         mistakes.append({
             "ids": list(each.ids), "probability": _rounded(each.probability), "margin": _rounded(each.margin),
             "explains": list(each.explains), "names": sites,

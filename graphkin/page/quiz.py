@@ -259,7 +259,7 @@ class _Questions:
 
         def unlikely(k: int) -> tuple[bool, int]:
             id, _, of, _ = made[k]
-            return of != asked, rarity(id)
+            return of != (asked,), rarity(id)
 
         by_value: dict[float, dict[int, None]] = {}
         for k in sorted(values, key=unlikely):

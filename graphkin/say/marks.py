@@ -141,8 +141,8 @@ def verdict(one: Judged, lang: Lang) -> str:
 
 def mistake(name: Name, lang: Lang) -> str:
     """A mistake as it was made, a noun phrase; one that is not known here by its id."""
-    id, way, listed, other = name
-    *others, last = listed.split(", ")
+    id, way, places, other = name
+    *others, last = places or ("",)
     several, of = len(others) > 0, say("common.last", lang).join(filter(None, (in_list(others, lang), last)))
     form = say(f"mistakes.image {other}", lang) if id.startswith("image-") else other
     if is_phrase(own := f"mistakes.made {id} {way}".rstrip()):
@@ -187,5 +187,5 @@ def mistake_kind(id: str, lang: Lang) -> str:
     """A mistake by itself, whatever it was made with."""
     if is_phrase(f"mistakes.kind {id}"):
         return say(f"mistakes.kind {id}", lang)
-    made = " ".join(mistake((id, "", "", ""), lang).split())  # as it was made, without the names
+    made = " ".join(mistake((id, "", (), ""), lang).split())  # as it was made, without the names
     return close(made) if lang == "zh" else made

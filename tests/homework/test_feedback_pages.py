@@ -47,7 +47,7 @@ def drawn(name: str) -> tuple[Method, Plot]:
 def made(name: str, *words: str) -> Rewrite:
     """The first mistake that can be made with these words in its name."""
     method, plot = drawn(name)
-    return next(one for one in rewrites(method, plot) if set(words) <= {one.id, one.of, one.form, one.way})
+    return next(one for one in rewrites(method, plot) if set(words) <= {one.id, *one.of, one.form, one.way})
 
 
 def found(name: str, *mistakes: tuple[str, ...]) -> DrawingComparison:

@@ -143,7 +143,7 @@ def test_results_file():
     data = json.loads(Path("r.json").read_text("utf-8"))
     assert [one["student"] for one in data["results"]] == ["s1", "s2"]
     assert data["results"][1]["quantities"]["a_k B3B2"]["own"] == {"omega 3": -5.65}
-    assert data["results"][0]["mistakes"][0]["names"][0][0]["of"] == "a^k_B3B2"
+    assert data["results"][0]["mistakes"][0]["names"][0][0]["of"] == ["a^k_B3B2"]
     assert run("grade", "ex3-1", "s1.toml", "-o", "r.json").exit_code == 0
     Path("other.json").write_text('{"mine": 1}')
     assert run("grade", "ex3-1", "s1.toml", "-o", "other.json").exit_code == 3

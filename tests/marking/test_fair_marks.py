@@ -101,7 +101,7 @@ def test_a_slip_with_all_else_consistent_is_told_as_one():
     """omega 3 = -5.2 by no known mistake, and what is calculated and drawn with it."""
     found = of_ex3_1(0.321, -5.2, 1.871, 3.337, 0.256, 68.1)
     assert ids(found) == ("slip",)
-    assert found.diagnosis.explanations[0].names == ((("slip", "", "omega 3", ""),),)
+    assert found.diagnosis.explanations[0].names == ((("slip", "", ("omega 3",), ""),),)
     assert list(verdicts(found).values()).count("wrong") == 1
     assert found.departure is None
 
@@ -330,7 +330,7 @@ def with_mistake(one: Marker, *name: str) -> tuple[str, dict[str, HandedNumber]]
 def test_a_direction_that_contradicts_a_mistake(turn: float, named: bool):
     """Of the acceleration of E in example 3-5 the size is as with a^n_CD outward; the sense alone may be another."""
     one = marker("ex3-5", "omega 2", "omega 3", "a E")
-    _, numbers = with_mistake(one, "normal-outward", "", "a^n_CD")
+    _, numbers = with_mistake(one, "normal-outward", "", ("a^n_CD",))
     turned = (numbers["a E"].vector or 0) * cmath.exp(1j * math.radians(turn))
     found = one.mark([StudentWork("s", {**numbers, "a E": replace(numbers["a E"], vector=turned)})])[0]
     assert ("normal-outward" in ids(found)) == named
@@ -376,7 +376,7 @@ def test_lengths_in_another_unit(factor: float, form: str):
     off = {text: float(f"{value * (factor if text[1] == ' ' else 1):.4g}") for text, value in right.items()}
     found = marked(one, **off)
     assert all(each.carried == pytest.approx(each.given, rel=1e-3) for each in found.judged if each.verdict == "carried")
-    assert found.diagnosis.explanations[0].names == ((("conversion", "lengths", "m/s, m/s^2", form),),)
+    assert found.diagnosis.explanations[0].names == ((("conversion", "lengths", ("m/s", "m/s^2"), form),),)
     assert verdicts(found) == {"omega 3": "right", "v B": "wrong", "alpha 3": "right", "a B": "carried"}
 
 
@@ -384,7 +384,7 @@ def test_the_usual_mistakes_come_first_and_each_once():
     """Of an acceleration alone much may be wrong: a normal one left out first, not again as one calculated and not laid
     off, nor with another one that changes nothing."""
     one = marker("ex3-5", "omega 2", "omega 3", "a E")
-    of, numbers = with_mistake(one, "normal-omitted", "", "a^n_CD")
+    of, numbers = with_mistake(one, "normal-omitted", "", ("a^n_CD",))
     (explanation,) = one.mark([StudentWork("s", {text: replace(each, vector=None) for text, each in numbers.items()})])[0].diagnosis.explanations
     assert explanation.names[0] == (("normal-omitted", "", of, ""),)
     assert "normal-not-laid-off" not in explanation.ids
@@ -393,10 +393,10 @@ def test_the_usual_mistakes_come_first_and_each_once():
 
 
 def test_several_arrows_in_words():
-    several = mistake(("normal-omitted", "", "a^n_CB, a^n_CD", ""), "en")
+    several = mistake(("normal-omitted", "", ("a^n_CB", "a^n_CD"), ""), "en")
     assert several == "the normal accelerations a^n_CB and a^n_CD left out"
-    assert mistake(("normal-omitted", "", "a^n_CB", ""), "en") == "the normal acceleration a^n_CB left out"
-    assert mistake(("coriolis-omitted", "", "a^k_CB, a^k_DE", ""), "zh") == "漏掉科氏加速度 a^k_CB、a^k_DE"
+    assert mistake(("normal-omitted", "", ("a^n_CB",), ""), "en") == "the normal acceleration a^n_CB left out"
+    assert mistake(("coriolis-omitted", "", ("a^k_CB", "a^k_DE"), ""), "zh") == "漏掉科氏加速度 a^k_CB、a^k_DE"
 
 
 ROLLING = """

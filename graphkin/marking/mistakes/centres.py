@@ -51,7 +51,7 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
 
 
 def _ratio(of: str, form: str, written: RewrittenValue, way: str = "") -> Rewrite:
-    return Rewrite(of, form, asked=(written,), way=way)
+    return Rewrite((of,), form, asked=(written,), way=way)
 
 
 def _wrong_pairs(scene: Scene, quantity: Centre) -> Iterator[Rewrite]:
@@ -91,7 +91,7 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
                 if np.isfinite(vector):
                     form = f"P{scene.method.mechanism.frame}{scene.method.mechanism.called(link)}"
                     instead = (RewrittenValue(quantity.text, instead=vector),)
-                    yield Rewrite(quantity.text, form, asked=instead)
+                    yield Rewrite((quantity.text,), form, asked=instead)
     for step in scene.steps("acceleration"):
         if not isinstance(step, Meet):
             continue
@@ -101,7 +101,7 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
             continue
         if abs(place(scene.motions.velocity_at(site.point, site.link))) < REST * fastest:
             edits = (Edit(("met", "acceleration", step.point), Times(0.0)),)
-            yield Rewrite(f"a_{node.of}", "", edits, way="point")
+            yield Rewrite((f"a_{node.of}",), "", edits, way="point")
 
 
 # --- wheels ------------------------------------------------------------------------------------
@@ -120,7 +120,7 @@ def _ratios_of_radii(scene: Scene) -> Iterator[Rewrite]:
                 law = dict(zip((*contact.wheels, contact.arm), (a, b, -(a + b)), strict=True))
                 edits = _by_law(scene, contacts, bases, contact, law)
                 if edits and abs(a - one) + abs(b - other) > REST * abs(one):
-                    yield Rewrite(", ".join(of.values()), form, tuple(edits), way=way)
+                    yield Rewrite((*of.values(),), form, tuple(edits), way=way)
 
 
 def _moving(scene: Scene, contact: Contact, bases: Sequence[str]) -> dict[str, str]:
@@ -190,7 +190,7 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
     contact, or at all; the wheels after it turn as their own contacts then have it. A wheel that rolls on what is fixed
     turns as it does on the arm, or as if the axes were fixed, with the arm's rotation for that of what is fixed. Where
     wheels and arm are found together, this law is put into the equations."""
-    alone: dict[str, dict[str, Rewrite]] = {"": {}, "fixed": {}}
+    alone: dict[str, dict[tuple[str, ...], Rewrite]] = {"": {}, "fixed": {}}
     for contacts, bases in scene.rolling:
         # those with a driven wheel last, which alone give the other one
         for contact in sorted(contacts, key=lambda one: any(w != FRAME and scene.driven(w) for w in one.wheels)):
@@ -199,7 +199,7 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
                 continue
             law = {link: c for link, c in contact.angles if link != arm}
             rolls_on = law.pop(FRAME, 0.0)
-            own, name = [scene.plot.facts.turns[wheel].base for wheel in wheels], ", ".join(wheels.values())
+            own, name = [scene.plot.facts.turns[wheel].base for wheel in wheels], tuple(wheels.values())
             alone["fixed"].pop(name, None)
             for way, share in {"": -rolls_on, "fixed": rolls_on}.items() if rolls_on else (("", 0.0),):
                 edits = _by_law(scene, (contact,), own, contact, law | ({arm: share} if share else {}))
@@ -216,4 +216,4 @@ def moves_as_centre(scene: Scene) -> Iterator[Rewrite]:
         law, wheels = in_step(contact), tuple(map(scene.method.mechanism.called, contact.wheels))
         if len(law.way) > 1 and FRAME not in contact.wheels:
             edits = (Edit(("rolling", plane, law, link), Times(0.0)) for plane in PLANES for link, _ in law.angles)
-            yield Rewrite(wheels[0], wheels[1], tuple(edits))
+            yield Rewrite(wheels[:1], wheels[1], tuple(edits))

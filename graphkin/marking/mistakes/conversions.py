@@ -53,7 +53,7 @@ def conversion(scene: Scene) -> Iterator[Rewrite]:
     for k, driver in enumerate(scene.method.drivers):
         for form, factor in (THOUSANDS if driver.kind == "slide" else GIVEN).items():
             if driver.rate:
-                yield Rewrite(driver.name, form, (Edit(("rate", k), Times(factor)),), way="given")
+                yield Rewrite((driver.name,), form, (Edit(("rate", k), Times(factor)),), way="given")
 
 
 def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
@@ -62,11 +62,11 @@ def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
         kind = [quantity.text for quantity in asked if quantity.unit == unit]
         times = factors(unit, scene.scales) | ({} if unit.startswith("rad") else _lengths(scene))
         if len(kind) > 1:
-            yield from _times({tuple(kind): unit}, times, "kind")
-        yield from _times({(text,): text for text in kind}, times)
+            yield from _times({tuple(kind): (unit,)}, times, "kind")
+        yield from _times({(text,): (text,) for text in kind}, times)
     turning = [quantity for quantity in asked if isinstance(quantity, Rotation)]
     alone = [q.text for q in turning if q.word == "alpha" or not scene.cranks_beside(q.link)]  # not by centres
-    yield from _times({(text,): text for text in alone}, {"": -1.0}, "sense")
+    yield from _times({(text,): (text,) for text in alone}, {"": -1.0}, "sense")
 
 
 def _lengths(scene: Scene) -> dict[str, float]:
@@ -77,18 +77,20 @@ def _lengths(scene: Scene) -> dict[str, float]:
     return THOUSANDS | HUNDREDS | {f"{factor:.4g}": factor for factor in own}
 
 
-def _times(of: Mapping[tuple[str, ...], str], times: Mapping[str, float], way: str = "") -> Iterator[Rewrite]:
-    """Handed-in values, some together under a name, each of the factors times what they are."""
+def _times(
+    of: Mapping[tuple[str, ...], tuple[str, ...]], times: Mapping[str, float], way: str = ""
+) -> Iterator[Rewrite]:
+    """Handed-in values, some together under names, each of the factors times what they are."""
     for form, factor in times.items():
-        for texts, name in of.items():
-            yield Rewrite(name, form, asked=tuple(RewrittenValue(text, factor) for text in texts), way=way)
+        for texts, called in of.items():
+            yield Rewrite(called, form, asked=tuple(RewrittenValue(text, factor) for text in texts), way=way)
 
 
 def _carried(scene: Scene, factors: Mapping[str, float], plane: Plane = "velocity") -> Iterator[Rewrite]:
     """A rotation read so, and all that follows from it."""
     for step, name in measured(scene, plane):
         for form, factor in factors.items():
-            yield Rewrite(name, form, reading(plane, step, Times(factor)), way="carried")
+            yield Rewrite((name,), form, reading(plane, step, Times(factor)), way="carried")
 
 
 def _throughout(scene: Scene) -> Iterator[Rewrite]:
@@ -104,7 +106,7 @@ def _throughout(scene: Scene) -> Iterator[Rewrite]:
         values = (
             RewrittenValue(text, factor) for texts, factor in zip(kinds.values(), each, strict=True) for text in texts
         )
-        yield Rewrite(", ".join(kinds), form, asked=tuple(values), way=way)
+        yield Rewrite((*kinds,), form, asked=tuple(values), way=way)
 
 
 # --- answers as they are written down ---------------------------------------------------------
@@ -116,9 +118,9 @@ def degrees(scene: Scene) -> Iterator[Rewrite]:
     turning = [quantity for quantity in scene.quantities if isinstance(quantity, Rotation)]
     omegas, alphas = ([q.text for q in turning if q.word == word] for word in ("omega", "alpha"))
     every = omegas + alphas
-    groups = {"ω, α": every, "ω": omegas, "α": alphas, **{text: [text] for text in every}}
+    groups = [(("ω", "α"), every), (("ω",), omegas), (("α",), alphas), *(((text,), [text]) for text in every)]
     # of several that are the same rotations, the last one's name says most
-    yield from _times({tuple(texts): name for name, texts in groups.items() if texts}, DEGREES)
+    yield from _times({tuple(texts): called for called, texts in groups if texts}, DEGREES)
     yield from _carried(scene, DEGREES)
 
 
@@ -131,7 +133,7 @@ def _asked(scene: Scene) -> list[Quantity]:
 @mistake("decimal-slip", "unit", "3-2.1")
 def decimal_slip(scene: Scene) -> Iterator[Rewrite]:
     """One answer ten times too large or too small; or a rotation, and all that follows from it."""
-    yield from _times({(q.text,): q.text for q in _asked(scene) if sort_of(q) != "angle"}, PLACES)
+    yield from _times({(q.text,): (q.text,) for q in _asked(scene) if sort_of(q) != "angle"}, PLACES)
     yield from _carried(scene, PLACES)
     yield from _carried(scene, PLACES, "acceleration")
 
@@ -142,12 +144,12 @@ def answers_swapped(scene: Scene) -> Iterator[Rewrite]:
     for one, other in combinations(_asked(scene), 2):
         if one.unit == other.unit:
             asked = RewrittenValue(one.text, other=other.text), RewrittenValue(other.text, other=one.text)
-            yield Rewrite(one.text, other.text, asked=asked)
+            yield Rewrite((one.text,), other.text, asked=asked)
 
 
 @mistake("sense-not-given", "unit", "3-2.1 (3-1)")
 def sense_not_given(scene: Scene) -> Iterator[Rewrite]:
     """All rotations and their ratios as magnitudes."""
     signed = [q for q in scene.quantities if isinstance(q, Rotation | Quotient) and sort_of(q) == "sense"]
-    negative = [q.text for q in signed if number(q.answer(scene.motions).value) < 0]
-    yield from _times({tuple(negative): ", ".join(negative)} if negative else {}, {"": -1.0})
+    negative = tuple(q.text for q in signed if number(q.answer(scene.motions).value) < 0)
+    yield from _times({negative: negative} if negative else {}, {"": -1.0})

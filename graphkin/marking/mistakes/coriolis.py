@@ -84,7 +84,7 @@ def block_omega(scene: Scene) -> Iterator[Rewrite]:
                     text = f"{scene.velocity_name(size.tail)}/{scene.length_name(*step.lever)}"
                     rates[text] = _about(size.tail, scene.length(*step.lever))
             for form, change in rates.items():
-                yield Rewrite(name, form, (Edit(("settled", "omega", size.link), change),))
+                yield Rewrite((name,), form, (Edit(("settled", "omega", size.link), change),))
 
 
 def _crank(link: str, in_right_sense: bool) -> Change:

@@ -37,13 +37,13 @@ def _along(scene: Scene, plane: Plane) -> Iterator[Rewrite]:
             line = Edit(("line", plane, meet, ray), Times(-1j))
             step = measured_over(scene, plane, ray.direction)
             if step is None:
-                yield Rewrite(name, edits=(line,))
+                yield Rewrite((name,), edits=(line,))
                 continue
             # the rotation over a lever has no sense to be read, where its arrow lies along that: none, or either
             readings: dict[str, Change] = {"": Times(np.nan), "ccw": _whole_arrow(plane, step, 1.0),
                                            "cw": _whole_arrow(plane, step, -1.0)}  # fmt: skip
             for way, change in readings.items():
-                yield Rewrite(name, edits=(line, Edit(("read", plane, step.quantity, step.of), change)), way=way)
+                yield Rewrite((name,), edits=(line, Edit(("read", plane, step.quantity, step.of), change)), way=way)
 
 
 def _whole_arrow(plane: Plane, step: Measure, sense: float) -> Change:
@@ -69,11 +69,11 @@ def tangential_along(scene: Scene) -> Iterator[Rewrite]:
     for swing, name in scene.sized("acceleration", Tangential).items():
         if scene.driven(swing.link) and np.any(scene.plot.alpha[swing.link]):
             edits = (Edit(("arrow", "acceleration", swing), Times(-1j)),)
-            yield Rewrite(name or f"a^t_{swing.head}{swing.tail}", edits=edits)
+            yield Rewrite((name or f"a^t_{swing.head}{swing.tail}",), edits=edits)
     for normal, name in scene.sized("acceleration", Normal).items():
         if scene.driven(normal.link) and np.any(scene.plot.omega[normal.link]):
             edits = (Edit(("arrow", "acceleration", normal), turned_back(normal.link)),)
-            yield Rewrite(name or f"a^n_{normal.head}{normal.tail}", edits=edits, way="crank")
+            yield Rewrite((name or f"a^n_{normal.head}{normal.tail}",), edits=edits, way="crank")
 
 
 @mistake("sliding-across", "velocity-direction", "3-2.1 (3-3)")
@@ -81,7 +81,7 @@ def sliding_across(scene: Scene) -> Iterator[Rewrite]:
     """A sliding velocity is drawn across its guide."""
     for meet, ray, name in rays(scene, "velocity"):
         if isinstance(ray.direction, AlongGuide):
-            yield Rewrite(name, edits=(Edit(("line", "velocity", meet, ray), Times(1j)),))
+            yield Rewrite((name,), edits=(Edit(("line", "velocity", meet, ray), Times(1j)),))
 
 
 def with_its_sense(step: Measure, length: float | None = None) -> Change:
@@ -113,7 +113,7 @@ def wrong_radius(scene: Scene) -> Iterator[Rewrite]:
                 Edit(("line", "velocity", meet, ray), change),
                 Edit(("read", "velocity", "omega", step.of), with_its_sense(step)),
             )
-            yield Rewrite(name, "⊥" + "".join(sorted((tail, head))), edits)
+            yield Rewrite((name,), "⊥" + "".join(sorted((tail, head))), edits)
 
 
 def _radii(scene: Scene, step: Measure, right: Across) -> Iterator[tuple[str, str]]:
@@ -150,7 +150,7 @@ def orthogonal_split(scene: Scene) -> Iterator[Rewrite]:
                 Edit(("line", "velocity", meet, ray), change),
                 Edit(("read", "velocity", "omega", step.of), with_its_sense(step, length)),
             )
-            yield Rewrite(name, form, edits, way="length" if form else "")
+            yield Rewrite((name,), form, edits, way="length" if form else "")
 
 
 def guide_lengths(scene: Scene, slide: str, lever: tuple[str, str]) -> dict[str, float]:

@@ -18,7 +18,7 @@ def reversed_(scene: Scene) -> Iterable[Rewrite]:
     """The only driver, or all together."""
     alone = _of_drivers(scene, "rate", -1.0)
     edits = tuple(edit for one in alone for edit in one.edits)
-    return alone if len(alone) < 2 else [Rewrite("", edits=edits, way="all")]
+    return alone if len(alone) < 2 else [Rewrite((), edits=edits, way="all")]
 
 
 @mistake("driver-reversed-one", "driver", "3-2.1 (3-1)")
@@ -30,7 +30,7 @@ def one_reversed(scene: Scene) -> Iterable[Rewrite]:
 
 def _of_drivers(scene: Scene, word: str, factor: float) -> list[Rewrite]:
     """Every driver's rate or acceleration so many times."""
-    return [Rewrite(driver.name, edits=(Edit((word, k), Times(factor)),))
+    return [Rewrite((driver.name,), edits=(Edit((word, k), Times(factor)),))
             for k, driver in enumerate(scene.method.drivers) if getattr(driver, word)]  # fmt: skip
 
 
@@ -39,7 +39,7 @@ def along_crank(scene: Scene) -> Iterator[Rewrite]:
     """The velocity of a crank pin is drawn along the crank, outward for omega > 0 or inward."""
     for size, name in driven_velocities(scene):
         for way, turn in (("", -1j), ("back", 1j)):
-            yield Rewrite(name, edits=(Edit(("arrow", "velocity", size), Times(turn)),), way=way)
+            yield Rewrite((name,), edits=(Edit(("arrow", "velocity", size), Times(turn)),), way=way)
 
 
 def driven_velocities(scene: Scene) -> Iterator[tuple[Turning | Relative, str]]:
@@ -66,7 +66,7 @@ def relative_as_absolute(scene: Scene) -> Iterator[Rewrite]:
             if not way or scene.driven(driver.link):
                 edits = (Edit(("settled", word, link), _without(word, driver.from_link, times))
                          for word in ("omega", "alpha") for link in beyond)  # fmt: skip
-                yield Rewrite(driver.name, edits=tuple(edits), way=way)
+                yield Rewrite((driver.name,), edits=tuple(edits), way=way)
 
 
 def _without(word: str, link: str, times: float) -> Change:
@@ -84,7 +84,7 @@ def angle_clockwise(scene: Scene) -> Iterator[Rewrite]:
         return
     for k, driver in enumerate(scene.method.drivers):
         if driver.kind == "angle" and abs(np.sin(scene.plot.facts.values[k])) > 1e-9:
-            yield Rewrite(driver.name, edits=(Edit(("value", k), Times(-1.0)),))
+            yield Rewrite((driver.name,), edits=(Edit(("value", k), Times(-1.0)),))
 
 
 @mistake("other-assembly", "position", "3-2.1")
@@ -95,4 +95,4 @@ def other_assembly(scene: Scene) -> Iterator[Rewrite]:
     for step in scene.method.position.steps:
         if isinstance(step, Meet | Swing) and step.choice is not None:
             of = step.point if isinstance(step, Meet) else step.link
-            yield Rewrite(of, edits=(Edit(("side", step.choice), Times(-1.0)),))
+            yield Rewrite((of,), edits=(Edit(("side", step.choice), Times(-1.0)),))

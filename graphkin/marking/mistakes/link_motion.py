@@ -156,7 +156,7 @@ def diameter_for_radius(scene: Scene) -> Iterator[Rewrite]:
     for plane in PLANES:
         for step, name in measured(scene, plane):
             for form, times in _twice_or_half(scene, *step.lever):
-                one = Rewrite(name, form, reading(plane, step, Times(1 / times)))
+                one = Rewrite((name,), form, reading(plane, step, Times(1 / times)))
                 made.setdefault((step.of, *step.lever, form), []).append(one)
     for both in made.values():
         yield from each_and_all(both)
@@ -166,10 +166,10 @@ def diameter_for_radius(scene: Scene) -> Iterator[Rewrite]:
                 if (size.link, size.tail, size.head) == (crank.link, crank.tail, crank.head)}  # fmt: skip
         for form, times in _twice_or_half(scene, crank.tail, crank.head):
             edits = [Edit(("arrow", "velocity", crank), Times(times))]
-            yield Rewrite(name, form, tuple(edits))
+            yield Rewrite((name,), form, tuple(edits))
             edits += [Edit(("arrow", "acceleration", size), Times(times)) for size in same]
             if same:
-                yield Rewrite(", ".join((name, *same.values())), form, tuple(edits))
+                yield Rewrite((name, *same.values()), form, tuple(edits))
     for size, name in normals(scene):
         for form, times in _twice_or_half(scene, size.tail, size.head):
             yield scene.term(size, name, Times(times), form)
@@ -197,7 +197,7 @@ def slider_normal_term(scene: Scene) -> Iterator[Rewrite]:
                 return right + size * unit(plot.arm(*to))
 
             edits = (Edit(("through", "acceleration", meet, ray), shifted),)
-            yield Rewrite(name, scene.length_name(rod.tail, rod.head), edits)
+            yield Rewrite((name,), scene.length_name(rod.tail, rod.head), edits)
 
 
 def _rods(scene: Scene, ray: Ray) -> Iterator[tuple[Normal, str, str]]:

@@ -40,13 +40,13 @@ def over(plane: Plane, tail: str, head: str, length: float) -> Change:
 def omega_sense(scene: Scene) -> Iterator[Rewrite]:
     """Read the wrong way round, and carried on."""
     for step, name in measured(scene, "velocity"):
-        yield Rewrite(name, edits=reading("velocity", step, Times(-1.0)))
+        yield Rewrite((name,), edits=reading("velocity", step, Times(-1.0)))
     for calculation in scene.steps("velocity"):  # rotations that a rolling contact or several equations give
         rolled = (calculation.angle,) if isinstance(calculation, Roll) and calculation.angle else ()
         for base in calculation.angles if isinstance(calculation, Simultaneous) else rolled:
             links = [link for link, turn in scene.plot.facts.turns.items() if turn.base == base]
             edits = tuple(Edit(("settled", "omega", link), Times(-1.0)) for link in links)
-            yield Rewrite(scene.rotation_name("omega", base), edits=edits)
+            yield Rewrite((scene.rotation_name("omega", base),), edits=edits)
 
 
 @mistake("absolute-for-relative", "rotation", "3-2.1 (3-1)")
@@ -60,7 +60,7 @@ def absolute_for_relative(scene: Scene) -> Iterator[Rewrite]:
         for node in (step.head, step.tail):
             form = f"{scene.velocity_name(node)}/{scene.length_name(*step.lever)}"
             change = over("velocity", pole, node, scene.length(*step.lever))
-            yield Rewrite(name, form, reading("velocity", step, change))
+            yield Rewrite((name,), form, reading("velocity", step, change))
 
 
 @mistake("wrong-length", "rotation", "3-2.1 (3-1)")
@@ -69,7 +69,7 @@ def wrong_length(scene: Scene) -> Iterator[Rewrite]:
     for step, name in measured(scene, "velocity"):
         for form, length in scene.other_lengths(step.of, step.lever).items():
             edits = reading("velocity", step, Times(scene.length(*step.lever) / length))
-            yield Rewrite(name, form, edits)
+            yield Rewrite((name,), form, edits)
 
 
 @mistake("sliding-as-turning", "rotation", "3-2.1 (3-3)")
@@ -85,7 +85,7 @@ def sliding_as_turning(scene: Scene) -> Iterator[Rewrite]:
                     lever = {scene.length_name(*step.lever): scene.length(*step.lever)}
                     for text, length in (guide_lengths(scene, term.direction.slide, ("", "")) or lever).items():
                         edits = reading("velocity", step, over("velocity", term.tail, term.head, length))
-                        yield Rewrite(name, f"{term.name('velocity')}/{text}", edits)
+                        yield Rewrite((name,), f"{term.name('velocity')}/{text}", edits)
 
 
 # --- segments of the acceleration polygon -----------------------------------------------------
@@ -101,7 +101,7 @@ def wrong_tail(scene: Scene) -> Iterator[Rewrite]:
         for step in scene.steps(plane):
             if isinstance(step, LayOff) and step.start not in resting and "*" not in step.start + step.tip:
                 edits = (Edit(("laid", plane, step.tip), _back_to_pole(plane, step.start)),)
-                yield Rewrite(step.term.name(plane), construction.pole, edits)
+                yield Rewrite((step.term.name(plane),), construction.pole, edits)
     yield from _whole_arrow(scene)
     yield from _image_on_normal(scene)
 
@@ -123,7 +123,7 @@ def _whole_arrow(scene: Scene) -> Iterator[Rewrite]:
             if {start, head} == {step.tail, step.head}:
                 continue
             edits = reading("acceleration", step, over("acceleration", start, head, length))
-            yield Rewrite(name, start + head, edits, way="segment")
+            yield Rewrite((name,), start + head, edits, way="segment")
 
 
 def _image_on_normal(scene: Scene) -> Iterator[Rewrite]:
