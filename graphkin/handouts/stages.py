@@ -146,8 +146,8 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             yield from posed(problem)
         case "blank":
             yield from posed(problem)
-            elsewhere: tuple[Plane, ...] = () if problem.posed_at is None or problem.posed_at[1] else ("position",)
-            for plane in (*elsewhere, *problem.polygons):
+            mechanism: tuple[Plane, ...] = ("position",) if problem.is_read_off or problem.measured else ()
+            for plane in (*mechanism, *problem.polygons):
                 yield from _worksheet(problem, plane)
         case "half":
             yield from _half(problem, upto)
@@ -181,7 +181,8 @@ def _gridded(problem: HandoutProblem, plane: Plane, grid: document.GridRoom) -> 
     pole, angle = ("".join(run.text for run in label) for label in (grid.name, grid.mark))
     construction = problem.construction(plane)
     last = any(isinstance(step, Meet) and step.point == construction.pole for step in construction.steps)
-    words = {"which": 2 if last else plane == "position", "scale": "\0", "pole": pole, "angle": angle}
+    which = 2 if last else 0 if plane != "position" else 1 if problem.is_read_off else 3
+    words = {"which": which, "scale": "\0", "pole": pole, "angle": angle}
     before, after = say("handouts.draw here", problem.lang, **words).split("\0")
     yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
     yield grid

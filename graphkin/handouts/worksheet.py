@@ -78,7 +78,7 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
 def _may_be_shown(problem: HandoutProblem, term: Term) -> bool:
     """True if the direction of an arrow gives nothing away: where a place, an angle or a centre is asked for, it must
     follow from that of a link that is given, or from a guide of the frame."""
-    if problem.posed_at is not None and problem.posed_at[1]:
+    if not problem.is_read_off:
         return True
     machine = problem.drawing.mechanism
     turned: tuple[Driver | Pose, ...] = (*machine.drivers, *machine.poses)

@@ -165,10 +165,26 @@ def test_a_worksheet_has_room_for_all_that_is_measured():
 def test_the_line_through_the_pole_is_explained(lang, said):
     """It has the direction of the first arrow, which is given with the driver, and serves to set a triangle against."""
     blocks = handout([loaded("ex3-1")], "blank", lang).blocks
-    k = next(k for k, block in enumerate(blocks) if isinstance(block, GridRoom))
+    k = next(k for k, block in enumerate(blocks) if isinstance(block, GridRoom) and block.plane == "velocity")
     assert np.degrees(blocks[k].direction) == pytest.approx(150)
     text = next(block for block in blocks[k - 1 :: -1] if isinstance(block, Paragraph)).words
     assert said in "".join(run.text for run in text)
+
+
+@pytest.mark.parametrize(("lang", "said"), [("en", "measure in it the lengths that are not given"), ("zh", "未给定的长度由图量取")])
+def test_a_length_that_is_measured_has_paper_for_the_mechanism(lang, said):
+    """BC of a guide, AB of a cylinder, AC of a cam; none where every length is given."""
+    guide = 'frame = { A = [0, 60], C = [0, 0] }\nlinks = { 1.AB = 25, 3.CD = 110, 2.points = ["B"] }\nsketch = { D = [30, 105] }\n'
+    guide += 'slide = [{ block = "2", point = "B", guide = "3", through = "C", toward = "D" }]\n'
+    guide += 'driver = [{ vector = "AB", angle = 20, omega = 9 }]\nask = ["omega 3"]\n'
+    machines = {"ex3-1": True, "s3-cam": True, "ex3-4": True, "fig3-1": False, "s2-4": False}
+    for machine, measured in ((loads(guide), True), (loads(cylinder(-0.08, 0.1)), True),
+                              *((loaded(name), yes) for name, yes in machines.items())):  # fmt: skip
+        blocks = handout([machine], "blank", lang).blocks
+        lead = {block.plane: plain_text(blocks[k - 1].words) for k, block in enumerate(blocks) if isinstance(block, GridRoom)}
+        assert ("position" in lead) is measured, machine.name
+        if measured and drawn_problem(machine, lang).posed_at[1]:
+            assert said in lead["position"]
 
 
 @pytest.mark.parametrize(("given", "at"), [("", 0), ("angle = 263.6\n", 173.6)])
@@ -279,7 +295,7 @@ def test_a_pole_that_is_found_last_is_none_to_begin_from():
     for lang, text in (("en", "which is found last, comes to lie at p,"), ("zh", "使最后确定的极点落在 p 处")):
         blocks = handout([loads(cylinder(0.1, 0))], "blank", lang).blocks
         lead = [plain_text(blocks[k - 1].words) for k, block in enumerate(blocks) if isinstance(block, GridRoom)]
-        assert [text in words for words in lead] == [True, False]
+        assert [text in words for words in lead] == [False, True, False]  # the mechanism is before them
 
 
 def test_a_book_has_its_contents_and_its_answers():
@@ -412,7 +428,7 @@ def test_a_class_gets_its_own_sheets(homework: Path, target: str, tmp_path: Path
     assert [path.stem for path in paths] == (["20240001", "20240002"] if target == "sheets" else ["print"])
     texts = [page.extract_text() for path in paths for page in pypdf.PdfReader(path).pages]
     students = ("20240001 Li Lei", "20240002 Han Meimei")
-    assert [[who in text for who in students] for text in texts] == [[True, False]] * 3 + [[False, True]] * 3
+    assert [[who in text for who in students] for text in texts] == [[True, False]] * 4 + [[False, True]] * 4
     for number, text in enumerate(texts, 10):
         assert "seed 27" in text
         assert f"#{number} " in text
@@ -485,7 +501,7 @@ def test_common_mistakes_list_only_what_they_move():
     """Along a guide that runs the other way the same speed comes with a sign; the answer has none, nor has the mistake."""
     entries = (KeyEntry("v E", "m/s", "size", 0.176, 0.003, 0.009, 1.0), KeyEntry("theta 3", "rad", "angle", 6.2, 0.01, 0.03))
     values = np.array([[-0.176, 6.2 - 2 * np.pi], [-0.25, 3.0]])
-    names = ((("coriolis-omitted", "", "", ""),), (("coriolis-reversed", "", "", ""),))
+    names = ((("coriolis-omitted", "", (), ""),), (("coriolis-reversed", "", (), ""),))
     moved = problem._moved(SimpleNamespace(entries=entries, singles=Hypotheses(names, values, values)))
     assert moved.tolist() == [[False, False], [True, True]]
 

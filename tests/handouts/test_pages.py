@@ -227,6 +227,6 @@ def test_a_figure_that_would_be_far_too_small_stands_on_the_next_page():
 
 
 def test_a_worksheet_with_many_vectors_is_one_page():
-    """Three equations, gridded paper and the table to measure into stand on one page."""
+    """Three equations, gridded paper and the table to measure into stand on one page; the mechanism has one before."""
     content = pdf(handout([graphkin.load(TEXTBOOK / "scissors.toml")], "blank", "en"))
-    assert len(read(content)) == 1 + 2
+    assert len(read(content)) == 1 + 3

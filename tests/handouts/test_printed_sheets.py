@@ -11,6 +11,7 @@ from click.testing import CliRunner
 from library_sheets import loaded
 
 from graphkin.cli import main
+from graphkin.construction import SCALES
 from graphkin.errors import NoSheetList
 from graphkin.files import library
 from graphkin.handouts import handout
@@ -78,14 +79,14 @@ def test_scales_are_those_that_are_said(tmp_path: Path):
     ordered("ex3-1", "--stage", "blank", "--scan", "0", "-o", str(tmp_path / "a.pdf"))
     scales = {room.plane: room.scale for sheet in read_sheets(tmp_path / "a.sheets.json") for room in sheet.rooms}
     marked_by = key_from("ex3-1").marking.scales
-    assert scales == {"velocity": marked_by["velocity"], "acceleration": marked_by["acceleration"]}
+    assert scales == {plane: marked_by[key] for plane, key in SCALES.items()}
 
 
 def test_a_folder_has_one_list_that_grows(tmp_path: Path):
     """What was printed before is still on paper."""
     ordered("ex3-1", "ex3-5", "--stage", "blank", "--scan", "300", "-o", str(tmp_path))
     first = read_sheets(tmp_path / "sheets.json")
-    assert [sheet.problem for sheet in first] == ["ex3-1"] * 3 + ["ex3-5"] * (len(first) - 3)
+    assert [sheet.problem for sheet in first] == ["ex3-1"] * 4 + ["ex3-5"] * (len(first) - 4)
     ordered("ex3-7", "--stage", "blank", "--scan", "100", "-o", str(tmp_path))
     ordered("ex3-7", "--stage", "blank", "--scan", "300", "--force", "-o", str(tmp_path))
     every = {sheet.number: sheet for sheet in read_sheets(tmp_path / "sheets.json")}
@@ -101,7 +102,7 @@ def test_pages_of_a_class_are_each_students(tmp_path: Path):
     assert CliRunner().invoke(main, command).exit_code == 0
     ordered(str(tmp_path / "set"), "--stage", "blank", "--scan", "60000", "--duplex", "-o", str(tmp_path / "print.pdf"))
     sheets = read_sheets(tmp_path / "print.sheets.json")
-    assert [sheet.student for sheet in sheets if sheet.rooms] == ["s 1"] * 2 + ["s2"] * 2
+    assert [sheet.student for sheet in sheets if sheet.rooms] == ["s 1"] * 3 + ["s2"] * 3
 
 
 def test_a_page_without_a_number_has_no_list(tmp_path: Path):

@@ -116,11 +116,13 @@ PHRASES: Phrases = {
     "handouts.measured": ("measured (mm)", "量得 (mm)"),
     "handouts.value": ("value", "数值"),
     "handouts.draw here": ("Draw the [polygon from the pole|mechanism in the position asked for|polygon so that its pole, "
-                           "which is found last, comes to lie at {pole}], at {scale}. The line [at {angle} to +x serves "
-                           "to measure angles|marked {angle} has the direction of +x|at {angle} to +x serves to measure "
-                           "angles].",
-                           "[从极点起作图|按所求位置绘制机构|作图时使最后确定的极点落在 {pole} 处]，比例尺 {scale}。"
-                           "[过极点的直线与 +x 成 {angle}，可由它量角|标 {angle} 的直线为 +x 方向|过极点的直线与 +x 成 {angle}，可由它量角]。"),
+                           "which is found last, comes to lie at {pole}|mechanism, and measure in it the lengths "
+                           "that are not given], at {scale}. The line [at {angle} to +x serves to measure angles|marked "
+                           "{angle} has the direction of +x|at {angle} to +x serves to measure angles|marked {angle} has "
+                           "the direction of +x].",
+                           "[从极点起作图|按所求位置绘制机构|作图时使最后确定的极点落在 {pole} 处|绘制机构，未给定的长度由图量取]，"
+                           "比例尺 {scale}。[过极点的直线与 +x 成 {angle}，可由它量角|标 {angle} 的直线为 +x 方向|过极点的直线与 "
+                           "+x 成 {angle}，可由它量角|标 {angle} 的直线为 +x 方向]。"),
     "handouts.of first": ("{what}, for position #1; the others on paper of your own", "{what}（位置 #1；其余位置另用纸作图）"),
     "handouts.go on": ("Go on with the next equation:", "续作下一矢量方程："),
     "handouts.beside": ("The drawing beside the analysis", "图解与解析结果对照"),
