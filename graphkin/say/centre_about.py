@@ -14,6 +14,7 @@ from graphkin.say import catalogue, names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Operand
 from graphkin.say.numbers import SentenceNumber, at_edge, circled, coordinates, number, sense, sensed
+from graphkin.say.reading import only_translates
 from graphkin.studies.centres.about import About, Circle
 from graphkin.studies.centres.about_bobillier import Bobillier
 from graphkin.studies.centres.centrodes import FAR, LEAST, Centrodes
@@ -51,7 +52,8 @@ def link_words(seen: About, lang: Lang) -> Iterator[str]:
     if not seen.moves:
         yield say("about.rest", lang, **data)
     elif seen.diameter is None:
-        yield say("about.translation", lang, **data, at=_degrees(seen.towards))
+        always = only_translates(seen.found.method, seen.plot, seen.link)
+        yield say("about.translation", lang, **data, which=always, at=_degrees(seen.towards))
     else:
         yield say("about.pole", lang, **data, place=_place(seen, seen.pole))
     if seen.acceleration_pole is not None:
@@ -70,6 +72,7 @@ def link_words(seen: About, lang: Lang) -> Iterator[str]:
         return
     yield say("about.moving pole", lang, u=abs(seen.pole_velocity), tangent=_degrees(seen.tangent))
     place = _place(seen, inflection.centre)
+    data["w"] = _place(seen, 2 * inflection.centre - seen.pole)
     yield say("about.inflection", lang, **data, diameter=2e3 * inflection.radius, place=place)
     yield say("about.return", lang, place=_place(seen, returning.centre))
 

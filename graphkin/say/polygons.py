@@ -16,7 +16,7 @@ from graphkin.say.equations import equation, known_arrow
 from graphkin.say.figures import Operand, figures, joined_sum
 from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
-from graphkin.say.reading import Reading, aside
+from graphkin.say.reading import Reading, aside, only_translates
 from graphkin.say.rolling import checked, contacted, gear_circles, rolling, same_velocities, steady
 from graphkin.say.simultaneous import solved_together
 
@@ -127,7 +127,8 @@ def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
             yield Sentence(check)
         if polygon.plane == "velocity" and not polygon.arrow(*ends):
             rests = step.tail == polygon.construction.pole
-            yield Sentence(reading.say("derivation.rest now", which=rests, name=name, link=reading.link(step.of)))
+            which = 1 if rests else 2 * only_translates(reading.method, reading.plot, step.of)
+            yield Sentence(reading.say("derivation.rest now", which=which, name=name, link=reading.link(step.of)))
     others = reading.group(step.of)
     held = [other for other in others if not _driven_between(polygon, other, step.of)]
     if held and polygon.plane == "velocity":

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cached_property, partial
 from itertools import combinations
+from math import remainder, tau
 from typing import TYPE_CHECKING
 
 from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
 from graphkin.construction import Driven, LayOff, Plane, Plot, Step
-from graphkin.errors import Lang, listed
+from graphkin.errors import GraphkinError, Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
 from graphkin.model.quantities import Rotation, read
@@ -21,6 +22,7 @@ from graphkin.planning.images import radius_number
 from graphkin.planning.labels import Labels
 from graphkin.planning.method import Act, made
 from graphkin.planning.needed import Fact, turnings
+from graphkin.running import replay_all
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
 from graphkin.say.numbers import coordinates, degrees, direction, heading, number
@@ -60,6 +62,23 @@ def driven_motions(method: Method, driver: Driver, point: str) -> Iterator[tuple
     for plane, value in rates:
         if value:
             yield arrows.get((names.SLIDING[plane], driver.link), f"{names.LETTER[plane]}_{point}"), plane, value
+
+
+_ON, _NO_TURN = 0.05, 1e-9  # so far drivers are moved on [rad, or part of the size]; a link that turns less does not
+
+
+def only_translates(method: Method, plot: Plot, link: str) -> bool:
+    """True of a link that keeps its angle where the drivers are moved on: of a block, in a parallelogram."""
+    reach = [method.size if driver.kind == "slide" else 1.0 for driver in method.drivers]
+    for step in (_ON, -_ON):
+        places = ([float(value + n * step * far) for value, far in zip(plot.facts.values, reach, strict=True)]
+                  for n in (1, 2))  # fmt: skip
+        try:
+            turns = [float(replay_all(method, values).theta[link] - plot.theta[link]) for values in places]
+        except GraphkinError:  # a dead point is in between
+            continue
+        return all(abs(remainder(turn, tau)) <= _NO_TURN for turn in turns)
+    return False
 
 
 @frozen

@@ -13,6 +13,7 @@ from calculator import calculated, hold
 from click.testing import CliRunner
 from random_mechanisms import cam, circular_slot, epicyclic, geared_five_bar, rolling, triad
 
+import graphkin
 from graphkin.analytic import motion
 from graphkin.cli import main
 from graphkin.construction import Plot
@@ -817,3 +818,23 @@ Q = [6, 10]
 @pytest.mark.parametrize(("lang", "told"), [("en", "W. W is where Q is when N lies at O."), ("zh", "得 W。W 即 N 位于 O 时 Q 的位置。")])
 def test_a_point_that_the_mechanism_has_not_is_explained(lang: Lang, told: str):
     assert told in "\n".join(whole(*drawn(NEEDLE), lang))
+
+
+_PARALLEL = """
+frame = { A = [0, 0], D = [80, -10] }
+links = { 1.AB = 40, 2.BC = 80.622577483, 3.DC = 40 }
+driver = [{ vector = "AB", angle = 60, omega = -4, alpha = 3 }]
+sketch = { C = [100, 25] }
+"""
+
+
+@pytest.mark.parametrize(("lang", "always", "now"), [("en", "translates, here as in every position", "at this instant"), ("zh", "始终作平动", "瞬时平动")])
+def test_what_always_translates_is_told_from_what_translates_now(lang, always, now):
+    """The coupler of a parallelogram, however it is turned and driven, against a rod whose crank is square to its guide."""
+    for omega in ("omega = -4", "omega = 7"):
+        text = "\n".join(graphkin.Drawing.of(graphkin.loads(_PARALLEL.replace("omega = -4", omega))).explain(lang=lang))
+        assert always in text
+        assert now not in text
+    text = "\n".join(graphkin.Drawing.of(library.load("p3-6c")).explain(lang=lang))
+    assert now in text
+    assert always not in text

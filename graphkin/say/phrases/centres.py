@@ -112,9 +112,9 @@ PHRASES: Phrases = {
     "about.assumed": ("No driver moves: each is taken to move at 1 rad/s (1 m/s).", "原动件均未给定速度：各按 1 rad/s（1 m/s）计算。"),
     "about.pole": ("Link {link} turns about its instant centre {p} {place} with {omega}, {alpha}.",
                    "构件 {link} 绕瞬心 {p} {place} 转动，{omega}，{alpha}。"),
-    "about.translation": ("Link {link} is in translation: {p} lies at infinity in the direction {at:read}°, ω = 0, "
+    "about.translation": ("Link {link} [is in translation at this instant|translates in every position]: {p} lies at infinity in the direction {at:read}°, ω = 0, "
                           "{alpha}.",
-                          "构件 {link} 作瞬时平动：瞬心 {p} 在方向 {at:read}° 的无穷远处，ω = 0，{alpha}。"),
+                          "构件 {link} [作瞬时平动|始终作平动]：瞬心 {p} 在方向 {at:read}° 的无穷远处，ω = 0，{alpha}。"),
     "about.rest": ("Link {link} stands still at this instant.", "构件 {link} 此刻静止。"),
     "about.acceleration": ("Acceleration pole J {place}: the acceleration of this point of the link is 0.",
                            "加速度瞬心 J {place}：构件上该点的加速度为零。"),
@@ -125,9 +125,9 @@ PHRASES: Phrases = {
     "about.moving pole": ("The pole moves along the centrodes with u = {u:read} m/s; the pole tangent makes an angle "
                           "of {tangent:read}° with +x.",
                           "瞬心沿瞬心线移动的速度 u = {u:read} m/s；极切线与 x 轴正向成 {tangent:read}°。"),
-    "about.inflection": ("Inflection circle: through {p}, diameter |u/ω| = {diameter:read} mm along the pole normal; "
-                         "centre {place}. The paths of its points are straight at this instant.",
-                         "拐点圆：过 {p}，直径 |u/ω| = {diameter:read} mm，沿极法线；圆心 {place}。圆上各点的轨迹此刻曲率为零。"),
+    "about.inflection": ("Inflection circle: through {p}, diameter |u/ω| = {diameter:read} mm along the pole normal to "
+                         "the inflection pole W {w}; centre {place}. The paths of its points are straight at this instant.",
+                         "拐点圆：过 {p}，直径 |u/ω| = {diameter:read} mm，沿极法线至拐极 W {w}；圆心 {place}。圆上各点的轨迹此刻曲率为零。"),
     "about.return": ("Cuspidal circle: its mirror image in the pole tangent, centre {place}.",
                      "尖点圆：拐点圆对极切线的镜像，圆心 {place}。"),
     "about.inflection line": ("The inflection circle has become a line through {place}, at an angle of {at:read}° "

@@ -180,8 +180,9 @@ PHRASES: Phrases = {
     "derivation.sense rule": ("{sense}: {stretch}, carried to {head} in the mechanism, turns {head} about {tail} in "
                               "the sense of {rate}",
                               "{sense}：将 {stretch} 平移至机构图上的 {head} 点，其绕 {tail} 点的转向即为 {rate} 的方向"),
-    "derivation.rest now": ("{name} = 0: at this instant link {link} is [in translation|at rest].",
-                            "{name} = 0，此瞬时构件 {link} [作瞬时平动|静止]。"),
+    "derivation.rest now": ("{name} = 0: [at this instant link {link} is in translation|at this instant link {link} is "
+                            "at rest|link {link} translates, here as in every position].",
+                            "{name} = 0，[此瞬时构件 {link} 作瞬时平动|此瞬时构件 {link} 静止|构件 {link} 始终作平动]。"),
     "derivation.held": ("Links {links} [form a sliding pair|are joined by sliding pairs alone], so they have no relative "
                         "rotation:",
                         "构件 {links} 之间[组成移动副|只经移动副相连]，无相对转动："),
