@@ -17,10 +17,10 @@ from graphkin.say.catalogue import say
 from graphkin.say.centre_about import bobillier_words, link_words
 from graphkin.sheet import symbols
 from graphkin.sheet.centre_figure import INFINITY, centre_label, coordinates
-from graphkin.sheet.drafting_figure import DraftingFigure, angle, named, spot
+from graphkin.sheet.drafting_figure import DraftingFigure, angle, named, pointer, spot
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label, quantity_label
-from graphkin.sheet.marks import Fill, Place
+from graphkin.sheet.marks import Fill
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
@@ -37,9 +37,9 @@ _LONGEST = 28.0  # the longest velocity arrow [mm]
 _AXIS = 38.0  # half of the pole tangent, and of the normal [mm]
 _TOWARDS = 30.0  # how far a ray goes to a pole that is not on the paper [mm]
 
-_CURVATURE, _ARC, _WITHIN = 2.6, 12.0, 0.8
+_CURVATURE, _ARC, _WITHIN, _INSIDE = 2.6, 12.0, 0.8, 14.0
 """So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm], and how far out
-on the shortest of their lines they lie at most."""
+on the shortest of their lines they lie at most; how far from the edge an arrow to what is too far ends [mm]."""
 
 
 def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
@@ -101,8 +101,7 @@ class _LinkDrawing:
             foot, along = window(link.inflection.through), window.turned(link.inflection.direction)
             reach = abs(room.size) + abs(foot - room.middle)
             line = list(clipped([foot - reach * along, foot + reach * along], room, "thin"))
-            yield from line
-            yield from named(line, plain(say("about.sheet inflection line", self.lang)))
+            yield from (*line, *named(line, plain(say("about.sheet inflection line", self.lang))))
         if not link.diameter or link.returning is None or not isinstance(link.inflection, Circle):
             return
         pens: tuple[PenName, ...] = ("thin", "dashed")
@@ -110,8 +109,7 @@ class _LinkDrawing:
         rims = [circle(window(each.centre), each.radius / window.scale, room) for each in both]
         every = [list(clipped(rim, room, pen)) for rim, pen in zip(rims, pens, strict=True)]
         for own, others, words in zip(every, every[::-1], ("inflection", "return"), strict=True):
-            yield from own
-            yield from named(own, plain(say(f"about.sheet {words}", self.lang)), others)
+            yield from (*own, *named(own, plain(say(f"about.sheet {words}", self.lang)), others))
         yield from self._spot(link.pole + link.diameter, plain("W", italic=True))
 
     def axes(self) -> Iterator[Entry]:
@@ -130,20 +128,18 @@ class _LinkDrawing:
         link, window, room = self.link, self.on.window, self.on.room
         if not link.moves:
             return
-        far, last = cmath.isinf(link.pole), list[tuple[Place, complex]]()
+        far, last = cmath.isinf(link.pole), list[Entry]()
+        where = INFINITY if far else (Run(" "), *coordinates(link.found, link.pole), Run(" mm"))
+        name = (*centre_label(link.found.name(FRAME, link.link)), *where)
         for at, carried in ((window(carried.place), carried) for carried in link.points.values()):
             along = window.turned(link.towards if far else link.pole - carried.place)
             if not far and room.holds(window(link.pole)):
                 yield from clipped([at, window(link.pole)], room, "construction")
             elif abs(along) > 0:
-                along /= abs(along)
-                for ray in clipped([at, at + along * _TOWARDS], room, "construction"):
-                    last = [(ray.places[-1], along)]
-                    yield from (ray, symbols.arrow_head(ray.places[-1], along, None))
-        for at, along in last:
-            name = centre_label(link.found.name(FRAME, link.link))
-            where = INFINITY if far else (Run(" "), *coordinates(link.found, link.pole), Run(" mm"))
-            yield LabelRequest((*name, *where), at, gap=1.0, away=along)
+                arrow = [*pointer(at, at + along / abs(along) * _TOWARDS, room, name)]
+                yield from arrow[:-1]
+                last = arrow[-1:] or last
+        yield from last
 
     def velocities(self) -> Iterator[Entry]:
         """The velocity of each point, to the scale of velocities."""
@@ -211,8 +207,8 @@ class _BobillierDrawing:
             return
         turn = cmath.phase((ends[carried.end] / ends[carried.start]) ** 2) / 2  # of lines: by less than a right angle
         radius = min(_ARC / min(abs(turn) + 1e-9, 1.0), _WITHIN * min(map(abs, ends.values())))
-        for name in (carried.end, carried.name):
-            yield from angle(pole, ends[name] * cmath.rect(1, -turn), turn, radius, plain("δ", italic=True), stage)
+        for first in (ends[name] * cmath.rect(1, -turn) for name in (carried.end, carried.name)):
+            yield from angle(pole, first, turn, radius, plain("δ", italic=True), stage, heads=False)
 
     def points(self, new: bool) -> Iterator[Entry]:
         """The points of the construction; new: and the point itself, where the mechanism does not show it."""
@@ -221,6 +217,11 @@ class _BobillierDrawing:
                   solution.answer: quantity_label("K", point)}  # fmt: skip
         made = (step.name for step in solution.construction.steps if isinstance(step, PointStep))
         for name, stage in [*[(point, None)] * new, *((name, solution.construction.born(name)) for name in made)]:
-            for at in filter(self.on.room.holds, self.on.at(name)):
-                own = plain(name.replace("'", "′"), italic=True)
-                yield from spot(at, labels.get(name, own), step=stage)
+            label = labels.get(name, plain(name.replace("'", "′"), italic=True))
+            for at in self.on.at(name):
+                if self.on.room.holds(at):
+                    yield from spot(at, label, step=stage)
+                elif name == solution.answer:  # too far off: its direction from the point, and its distance
+                    start, inside = *self.on.at(point), self.on.room.inset(_INSIDE, _INSIDE, _INSIDE)
+                    far = Run(", "), Run("ρ", True), Run(" = "), *number(1e3 * self.on.window.scale * abs(at - start))
+                    yield from pointer(start, at, inside, (*label, *far, Run(" mm")), stage)

@@ -20,10 +20,10 @@ from graphkin.construction.drafting import Bisector, Board, Drafting, LineStep, 
 from graphkin.say.numbers import circled
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, joined, plain, width
-from graphkin.sheet.marks import Disc, Fill, Place, Stroke
+from graphkin.sheet.marks import ArcMark, Disc, Fill, Place, Stroke
 from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.path_figure import clipped
-from graphkin.sheet.symbols import HINGE, angle_arc
+from graphkin.sheet.symbols import HINGE, angle_arc, arrow_head
 from graphkin.sheet.window import Entry, Window
 
 NEAR = 0.25  # points nearer than this on paper are one [mm]
@@ -111,14 +111,23 @@ def spot(at: Place, label: Label, radius: float = 0.6, fill: Fill = "ink", step:
     yield LabelRequest(label, at, gap=radius + 0.3, step=step)
 
 
+def pointer(start: Place, at: Place, room: Room, label: Label, step: int | None = None) -> Iterator[Entry]:
+    """An arrow from a place on the paper towards one beyond its edge, with the name of that."""
+    along = (at - start) / abs(at - start)
+    for ray in clipped([start, at], room, "construction", step):
+        yield from (ray, arrow_head(ray.places[-1], along, step))
+        yield LabelRequest(label, ray.places[-1], gap=1.0, away=along, step=step)
+
+
 def angle(
-    at: Place, first: complex, sweep: float, radius: float, label: Label, step: int | None = None
+    at: Place, first: complex, sweep: float, radius: float, label: Label, step: int | None = None, heads: bool = True
 ) -> Iterator[Entry]:
     """An arc from a direction on [rad, clockwise on paper] with its value; nothing for no angle."""
     if abs(sweep) > 1e-6:
         first /= abs(first)
         middle = first * cmath.rect(1, sweep / 2)
-        yield from angle_arc(at, radius, first, sweep, step)
+        bare = ArcMark(at, radius, cmath.phase(first), sweep, "thin", step)
+        yield from angle_arc(at, radius, first, sweep, step) if heads else [bare]
         yield LabelRequest(label, at + radius * middle, gap=0.6, away=middle, size=LABEL, step=step)
 
 

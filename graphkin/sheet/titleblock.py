@@ -21,9 +21,8 @@ from graphkin.sheet.text_blocks import Ladder, WrittenLines, broken
 PITCH = 4.9  # from base line to base line [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _WHOLE, _MOST_ROWS = 6, 12  # a table of up to so many rows is whole; one of more than so many is not
-_PLANES: dict[str, Plane] = {**dict.fromkeys(("ω", "v", "ds/dt"), "velocity"),
-                             **dict.fromkeys(("α", "a", "d²s/dt²"), "acceleration")}  # fmt: skip
-"""The plane whose colour the values of a column have, by its letter."""
+_PLANES: dict[str, Plane] = {"s]": "velocity", "s²]": "acceleration"}
+"""The plane whose colour the values of a column have, by how its unit ends."""
 
 
 @frozen
@@ -141,7 +140,7 @@ class TableBlock:
                     for column, (cell, wide, gap) in enumerate(zip(row, part.widths, part.gaps, strict=True)):
                         if cell:
                             head = part.head[column]
-                            accent = _PLANES.get(head[0].text) if k and head and "[" in head[-1].text else None
+                            accent = _PLANES.get(head[-1].text.partition("/")[2]) if k and head else None
                             step = part.steps[k - 1] if k and part.steps else None
                             before = part.before(cell, column) if k else 0.0
                             marks.append(Text(cell, at + before, LABEL, step, accent=accent))
