@@ -198,11 +198,11 @@ class _BobillierDrawing:
 
     def _equal_angles(self, carried: CarriedAngle, stage: int) -> Iterator[Entry]:
         """The angle between two rays of the pole, and the same between the axes: lettered arcs of one radius."""
-        lines, ends = self.solution.construction.made_by, dict[str, complex]()
-        (pole,) = self.on.at(carried.at)
+        lines, ends, (pole,) = self.solution.construction.made_by, dict[str, complex](), self.on.at(carried.at)
         for name in (carried.start, carried.end, carried.line, carried.name):
             if isinstance(line := lines[name], LineStep):
-                ends[name] = max(self.on.ends(line), key=lambda at: abs(at - pole), default=pole) - pole
+                shown = (at for stroke in self.on.line(line, stage) for at in stroke.places)
+                ends[name] = max(shown, key=lambda at: abs(at - pole), default=pole) - pole
         if not all(ends.values()) or not self.on.room.holds(pole):
             return
         turn = cmath.phase((ends[carried.end] / ends[carried.start]) ** 2) / 2  # of lines: by less than a right angle
