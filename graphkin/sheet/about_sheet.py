@@ -101,7 +101,8 @@ class _LinkDrawing:
             foot, along = window(link.inflection.through), window.turned(link.inflection.direction)
             reach = abs(room.size) + abs(foot - room.middle)
             line = list(clipped([foot - reach * along, foot + reach * along], room, "thin"))
-            yield from (*line, *named(line, plain(say("about.sheet inflection line", self.lang))))
+            yield from line
+            yield from named(line, plain(say("about.sheet inflection line", self.lang)))
         if not link.diameter or link.returning is None or not isinstance(link.inflection, Circle):
             return
         pens: tuple[PenName, ...] = ("thin", "dashed")
@@ -109,7 +110,8 @@ class _LinkDrawing:
         rims = [circle(window(each.centre), each.radius / window.scale, room) for each in both]
         every = [list(clipped(rim, room, pen)) for rim, pen in zip(rims, pens, strict=True)]
         for own, others, words in zip(every, every[::-1], ("inflection", "return"), strict=True):
-            yield from (*own, *named(own, plain(say(f"about.sheet {words}", self.lang)), others))
+            yield from own
+            yield from named(own, plain(say(f"about.sheet {words}", self.lang)), others)
         yield from self._spot(link.pole + link.diameter, plain("W", italic=True))
 
     def axes(self) -> Iterator[Entry]:
