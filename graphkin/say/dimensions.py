@@ -9,7 +9,7 @@ from cmath import phase, rect
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations, permutations
-from math import degrees, fmod, isclose, pi, tau
+from math import degrees, fmod, isclose, sin, tau
 
 from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
@@ -339,12 +339,13 @@ def sizes(reading: Reading) -> list[Size]:
             every.append(replace(also[0], value=1.0, written=values))
         every += [rate if rate.symbol.startswith(SIGNED) else rate.bare for rate in rates if rate.value]
     seen = (size for size in every if size.value or isinstance(size.shape, DrawnAngle))
-    return [*{size.text: size for size in seen if not _straight(size)}.values()]
+    return [*{size.text: size for size in seen if not in_line(size)}.values()]
 
 
-def _straight(size: Size) -> bool:
-    """The angle of a point between two others on one line, which a drawing shows."""
-    return isinstance(size.shape, DrawnAngle) and len(size.shape.points) > 2 and abs(abs(size.shape.turn) - pi) < 1e-9
+def in_line(size: Size) -> tuple[str, ...]:
+    """The three points of an angle of 0 or 180 degrees, which a drawing shows; none of other data."""
+    points = size.shape.points if isinstance(size.shape, DrawnAngle) and abs(sin(size.shape.turn)) < 1e-9 else ()
+    return points if len(points) > 2 else ()
 
 
 def measured_lengths(reading: Reading) -> list[tuple[str, str]]:

@@ -14,7 +14,17 @@ from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME, Driver, KeyPath, Pose
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.dimensions import SIGNED, beside, drawn_value, driven, guide_angle, link_sizes, radii, stated_angle
+from graphkin.say.dimensions import (
+    SIGNED,
+    beside,
+    drawn_value,
+    driven,
+    guide_angle,
+    in_line,
+    link_sizes,
+    radii,
+    stated_angle,
+)  # fmt: skip
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
 from graphkin.say.numbers import direction, given_figure, heading, inclination, number
@@ -126,9 +136,11 @@ def _dimensions(reading: Reading) -> Iterator[str]:
     say, mechanism = reading.say, reading.mechanism
     placed = [link for link in mechanism.moving if _by_coordinates(reading, link)]
     measured = [link for link in mechanism.moving if link not in placed]
-    lengths = [size.whole for link in measured for size in link_sizes(reading, link)]
-    if lengths:
+    stated = [(link, size) for link in measured for size in link_sizes(reading, link)]
+    if lengths := [size.whole for _, size in stated if not in_line(size)]:
         yield say("solution.lengths", lengths=reading.joined(lengths))
+    if lines := [_on_line(reading, link, on) for link, size in stated if (on := in_line(size))]:
+        yield say("solution.on lines", lines=reading.joined(lines))
     shapes = [reading.way_round(*corners) for link in measured for corners in beside(reading, link)]
     if shapes:
         yield say("solution.lettered", shapes=reading.joined(shapes))
@@ -144,6 +156,16 @@ def _dimensions(reading: Reading) -> Iterator[str]:
     for kind, sentence in PAIR_SENTENCES.items():
         for pair in mechanism.of(kind):
             yield sentence(reading, pair)
+
+
+def _on_line(reading: Reading, link: str, points: Collection[str]) -> str:
+    """`P lies on AB produced`: the last of three points on a line of a link, by the two before it."""
+    first, second, last = (point for point in reading.mechanism.named(link) if point in points)
+    part = (reading.arm(first, last) / reading.arm(first, second)).real
+    ends = (first, second) if part > 0 else (second, first)
+    within = 0 < part < 1
+    words = {"point": names.point(last), "line": names.pair(*ends) if within else names.stretch(*ends)}
+    return reading.say("solution.on line", which=int(within), **words)
 
 
 def _by_coordinates(reading: Reading, link: str) -> bool:

@@ -180,6 +180,8 @@ def told(key: str, stated: str | float, text: str) -> bool:
         along += ("points the other way along the guide",) if key == "tilt" and abs(value) == 180 else ()
         if any(said in text for said in (("horizontally", "vertically")[round(value / 90) % 2], *along)):
             return True
+    if unit in ("", "deg") and value in (0, 180) and len(corners := split_points(key)) == 3:  # it is on the line of two
+        return any(f"{names.point(corner)} lies on " in text for corner in corners)
     unit = {"rpm": "r/min", "deg": "°"}.get(unit, unit)
     for printed in re.finditer(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text):
         same = math.isclose(abs(float(printed[0])), abs(value), rel_tol=close, abs_tol=1e-9)

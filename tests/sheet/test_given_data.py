@@ -6,14 +6,18 @@ import math
 from cmath import phase
 from collections import Counter
 
+import pytest
 from library_sheets import plain_text, textbook_sheet
 
 from graphkin.base.geometry import place
 from graphkin.construction import Plot
+from graphkin.errors import Lang
 from graphkin.files import loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.say.dimensions import measured_lengths, sizes
+from graphkin.say.entry import Sentence
+from graphkin.say.problem_data import problem_data
 from graphkin.say.reading import Reading
 from graphkin.sheet import sheet
 from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text
@@ -237,3 +241,35 @@ def test_the_place_of_a_rack_that_only_a_wheel_touches_is_told() -> None:
     page = sheet(*solved(RACK), style="given")
     written = ["".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)]
     assert any(text == "32.5 mm" or "srack = −32.5 mm" in text for text in written)
+
+
+ON_A_LINE = """
+ask = ["v S"]
+frame = { A = [0, 0] }
+links = { 1.AB = 30, 2 = { BC = 110, BS = 45, CBS = 0 }, 3.points = ["C"] }
+slide = [{ block = "3", point = "C", guide = "frame", through = [0, 20], angle = 0 }]
+driver = [{ vector = "AB", angle = 135, omega = -31 }]
+sketch = { C = [90, 20], S = [30, 20] }
+"""
+LINES = {
+    ("BS = 45", "CBS = 0"): ("S lies on BC.", "S 在 BC 上。"),
+    ("BS = 145", "CBS = 0"): ("S lies on BC produced.", "S 在 BC 的延长线上。"),
+    ("BS = 45", "CBS = 180"): ("S lies on CB produced.", "S 在 CB 的延长线上。"),
+    ("CS = 45", "BCS = 180"): ("S lies on BC produced.", "S 在 BC 的延长线上。"),
+}
+"""A point on the line of two others: how a file has it, and in words."""
+
+
+@pytest.mark.parametrize(("stated", "words"), LINES.items())
+def test_a_point_on_the_line_of_two_others_has_no_angle(stated: tuple[str, str], words: tuple[str, str]) -> None:
+    """The drawing shows it, and words say it: an angle of 0 or 180 degrees stands nowhere."""
+    text = ON_A_LINE.replace("BS = 45, CBS = 0", ", ".join(stated))
+    text = text.replace("S = [30, 20]", "S = [-60, 30]") if words[0].startswith("S lies on CB") else text
+    method, plot = solved(text)
+    lettered = {plain_text(mark.label) for mark in sheet(method, plot).marks if isinstance(mark, Text)}
+    assert not {"0°", "180°"} & lettered
+    langs: tuple[Lang, ...] = ("en", "zh")
+    for lang, words_ in zip(langs, words, strict=True):
+        texts = [entry.text for entry in problem_data(Reading(method, plot, {}, lang)) if isinstance(entry, Sentence)]
+        assert words_ in texts
+        assert not [line for line in texts if "∠" in line]

@@ -229,6 +229,8 @@ PHRASES: Phrases = {
                                 "以下求解位置 #1；其余各位置的结果列于最后。"),
     "solution.elsewhere": ("At the other positions, solved in the same way:", "其余各位置解法相同，结果如下："),
     "solution.lengths": ("Lengths: {lengths}.", "各构件尺寸：{lengths}。"),
+    "solution.on line": ("{point} lies on {line}[ produced|]", "{point} 在 {line} [的延长线|]上"),
+    "solution.on lines": ("{lines}.", "{lines}。"),
     "solution.lettered": ("Corners in order: {shapes}.", "各构件上点的绕行方向：{shapes}。"),
     "solution.frame points": ("[Link {link} is the frame; fixed|Fixed] points ({unit}): {points}.",
                               "[构件 {link} 为机架，固定点|机架上的固定点]（{unit}）：{points}。"),
