@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import groupby
 from typing import TYPE_CHECKING, assert_never
@@ -43,8 +43,7 @@ class SolutionGoal:
     @cached_property
     def centred(self) -> CentrePart | None:
         """The part of the solution that finds the instant centres asked for, and that of a pushed link."""
-        centres = [one for one in self.wanted if isinstance(one, Centre)]
-        centres += [Centre("P", "", links) for links in self.pushed]
+        centres = _centres(self.reading.mechanism, self.wanted, self.pushed)
         if not centres:
             return None
         from graphkin.say.centre_steps import centre_part
@@ -54,11 +53,7 @@ class SolutionGoal:
     @cached_property
     def pushed(self) -> Mapping[tuple[str, str], list[Quantity]]:
         """The velocities asked of a link that the driven one pushes in sliding contact, both joined to the frame."""
-        mechanism = self.reading.mechanism
-        links = mechanism.pushed if len(mechanism.drivers) == 1 and self.reading.ruler is None else ()
-        speeds = {pair: [one for one in self.wanted if one is not None and pair[1] in _moved(one, mechanism)]
-                  for pair in links}  # fmt: skip
-        return {pair: asked for pair, asked in speeds.items() if asked}
+        return _pushed(self.reading.mechanism, self.wanted) if self.reading.ruler is None else {}
 
     @property
     def levers(self) -> tuple[tuple[str, str], ...]:
@@ -153,6 +148,30 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
             parts = {plane: led[plane] for plane in planes}
         return SolutionGoal(reading, wanted, tuple(one.text for one in wanted), parts, False)
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
+
+
+def solution_centres(mechanism: Mechanism) -> list[Centre]:
+    """The instant centres that a solution finds: those asked for, and those by which a contact gives a velocity."""
+    asked = [one for text in mechanism.ask if (one := read(mechanism, text)) is not None]
+    every = asked if not all(map(_placed, asked)) else [*asked, *all_motions(mechanism, PLANES[1:2])]
+    return _centres(mechanism, every, _pushed(mechanism, every))
+
+
+def _centres(
+    mechanism: Mechanism, wanted: Iterable[Quantity | None], pushed: Iterable[tuple[str, str]]
+) -> list[Centre]:
+    """The centres that are wanted, and those of pushed links."""
+    from graphkin.studies.centres.search import centre_name
+
+    asked = [one for one in wanted if isinstance(one, Centre)]
+    return asked + [Centre("P", centre_name(mechanism, *links)[1:], links) for links in pushed]
+
+
+def _pushed(mechanism: Mechanism, wanted: Sequence[Quantity | None]) -> dict[tuple[str, str], list[Quantity]]:
+    """The velocities wanted of a link that the driven one pushes in sliding contact, both joined to the frame."""
+    links = mechanism.pushed if len(mechanism.drivers) == 1 else ()
+    speeds = {pair: [one for one in wanted if one is not None and pair[1] in _moved(one, mechanism)] for pair in links}
+    return {pair: asked for pair, asked in speeds.items() if asked}
 
 
 def _placed(quantity: Quantity) -> bool:

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping
 from graphkin.base import geometry
 from graphkin.construction import Along, Meet, Plot, Ray, Site, Swing, Touch
 from graphkin.model.mechanism import FRAME
-from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
 from graphkin.planning.method import pages
 from graphkin.proof.readings import readings
 from graphkin.say.reading import Reading
+from graphkin.say.solution_goal import solution_centres
 from graphkin.say.tangents import feet
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain, point_label, quantity_label
@@ -52,9 +52,8 @@ def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping
 
 
 def _asked(method: Method, plot: Plot) -> dict[str, complex]:
-    """Asked instant centres, and the origin "" where there are such, off the origin [m]."""
-    quantities = (read(method.mechanism, text) for text in method.mechanism.ask if plot.omega)
-    centres = [quantity for quantity in quantities if isinstance(quantity, Centre)]
+    """Instant centres that a solution finds, and the origin "" where there are such, off the origin [m]."""
+    centres = solution_centres(method.mechanism) if plot.omega else []
     motions = readings(method, plot) if centres else None
     every = {centre.text: geometry.place(centre.place(motions)) for centre in centres if motions is not None}
     places = {name: at for name, at in every.items() if cmath.isfinite(at)}

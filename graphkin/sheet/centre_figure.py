@@ -19,8 +19,8 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.construction.drafting import Far, Stage
 from graphkin.model.pairs import Cam, Rod
-from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
+from graphkin.say.solution_goal import solution_centres
 from graphkin.sheet.added_points import drawn_when
 from graphkin.sheet.arrows import free_pieces
 from graphkin.sheet.drafting_figure import DraftingFigure, together
@@ -134,9 +134,8 @@ def centre_lines(paper: OnPaper) -> Figure:
 
 
 def asked_lines(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
-    """Kennedy's lines to the asked centres that a figure shows; those of a special point's legs are there already."""
-    plot = skeleton.plot
-    asked = [one for one in (read(method.mechanism, text) for text in method.mechanism.ask) if isinstance(one, Centre)]
+    """Kennedy's lines to the solution's centres that are shown; those of a special point's legs are there already."""
+    plot, asked = skeleton.plot, solution_centres(method.mechanism)
     if not asked or not isinstance(plot, Plot) or not plot.omega:
         return Figure()
     found, near = centres(method, plot), SAME * skeleton.window.scale

@@ -13,7 +13,6 @@ from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
-from graphkin.model.quantities import Centre, read
 from graphkin.planning import Method
 from graphkin.planning.at_rest import held_labels
 from graphkin.planning.method import births, pages
@@ -24,6 +23,7 @@ from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import Size
+from graphkin.say.solution_goal import solution_centres
 from graphkin.sheet.added_points import touched
 from graphkin.sheet.arrows import heads_apart, left_out, side_by_side, with_break_signs
 from graphkin.sheet.construction_lines import PolygonConstruction, Rings, pencil_lines
@@ -98,7 +98,7 @@ class Planes:
         if self.style != "construction":
             return figure
         added = touched(self.method, self.plot, skeleton)
-        if any(isinstance(read(self.method.mechanism, text), Centre) for text in self.method.mechanism.ask):
+        if solution_centres(self.method.mechanism):
             from graphkin.sheet.centre_figure import asked_lines
 
             added += asked_lines(self.method, skeleton, self.values(plane))

@@ -17,6 +17,8 @@ from graphkin.model.quantities import Centre, read
 from graphkin.planning import plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
+from graphkin.say.entry import Sentence
+from graphkin.say.explained import derivation
 from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.marks import Disc, PointMark, Stroke, Text
 
@@ -223,3 +225,31 @@ def test_no_gap_cuts_a_crumb_off_the_end_of_a_link() -> None:
     marks = sheet(method, replay_all(method)).marks
     bars = {m.shows.link: m for m in marks if isinstance(m, Stroke) and m.shows and m.shows.form == "bar"}
     assert [link for link, mark in bars.items() if mark.dashes] == ["3"]
+
+
+PUSHED = """
+ask = ["v F"]
+frame = { name = "3", A = [0, 0] }
+links = { 1.AB = 25, 2.points = ["F"] }
+cam = [{ links = ["1", "2"], profiles = [{ centre = "B", radius = 45 }, { through = "F", angle = 0 }] }]
+slide = [{ block = "2", point = "F", guide = "frame", through = "A", angle = 90 }]
+driver = [{ vector = "AB", angle = 35, omega = -12 }]
+sketch = { F = [0, 60] }
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "shown"), [('["v F"]', 1), ('["v F", "P12"]', 1), ('["a F"]', 0), ("[]", 1), ('["theta 1"]', 1)]
+)
+def test_the_centre_by_which_a_contact_gives_a_velocity_is_shown(asked: str, shown: int) -> None:
+    """With its common normal, where the solution takes that road, and once where it is asked for, too."""
+    method = plan(loads(PUSHED.replace('["v F"]', asked)))
+    plot = replay_all(method)
+    letters = [plain_text(mark.label) for mark in sheet(method, plot).marks if isinstance(mark, Text)]
+    entries = derivation(method, plot, {"length": 1e-3, "velocity": 1e-2, "acceleration": 0.1}, "en", everything=False)
+    told = any("P12" in entry.text for entry in entries if isinstance(entry, Sentence))
+    assert told == bool(shown)
+    assert ("P12" in letters) == bool(shown)
+    assert letters.count("n") == 2 * shown
+    given = [plain_text(mark.label) for mark in sheet(method, plot, style="given").marks if isinstance(mark, Text)]
+    assert not {"P12", "n"} & {*given}
