@@ -159,7 +159,20 @@ class PositionReader(Tangents):
             line = names.pair(tail, head) if off <= reading.noise * abs(reading.arm(step.start, step.tip)) else ""
         if line:
             return reading.say("derivation.lay off on line", line=line, **words)
+        words["heading"] += self._held(part.link, arrow) if isinstance(part, terms.Arm) else ""
         return reading.say("derivation.lay off link", **words) + self._stand_in(step)
+
+    def _held(self, link: str, way: complex) -> str:
+        """`, ⊥AD`: how a line of a link lies to one that is drawn, of a link that turns as it does; "" of others."""
+        reading = self.reading
+        links = reading.group(link) if not reading.translates(link) else ()
+        for ends in (reading.method.structure.named(member)[:2] for member in links):
+            if len(ends) == 2 and self.placed.issuperset(ends):
+                arm = reading.arm(*ends)
+                for sign, off in (("∥", aside(arm, way)), ("⊥", aside(1j * arm, way))):
+                    if off <= reading.noise * abs(arm) * abs(way):
+                        return reading.say("common.and") + sign + names.pair(*ends)
+        return ""
 
     def _stand_in(self, step: kinds.LayOff) -> str:
         """A point that the mechanism has not, in words, as `W is where Q is when N lies at O`: its link is drawn from
@@ -239,9 +252,9 @@ class PositionReader(Tangents):
             case terms.AlongGuide(slide):
                 pair = reading.method.structure.slides[slide]
                 ends = reading.points_along(slide) if pair.guide != FRAME else None
-                if ends is not None and {*ends} <= self._before(locus) - {locus.through}:
+                if ends is not None and {*ends} <= self._before(locus):
                     words = {"through": reading.place(locus.through), "ends": names.pair(*ends)}
-                    return reading.say("derivation.line beside", **words)
+                    return reading.say("derivation.line beside", which=int(locus.through in ends), **words)
             case terms.Along() | terms.Across() | terms.AcrossGuide() | terms.Quarter():
                 pass
             case _:

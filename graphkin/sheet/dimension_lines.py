@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache, cached_property
 from itertools import product
@@ -86,9 +86,8 @@ class DimensionLines:
                 step = self.skeleton.step(*span.points)
                 shared = set.intersection(*(set(owners.get(point, ())) for point in span.points))
                 centres = {disc(self.skeleton, link) for link in shared} - {""}
-                parted = span.form == "bar" and (
-                    self._through(start, end, 0.3) or not (centres or self._joined(start, end))
-                )
+                parted = span.form == "bar" and (self._through(start, end, 0.3) or self._shared(start, end, shared)
+                                                 or not (centres or self._joined(start, end)))  # fmt: skip
                 label = formula(size.bare.figure)
                 named = formula(size.text) if parted or span.form in ("measured", "radius") else label
                 along = self.skeleton.window.turned(span.along)
@@ -105,6 +104,12 @@ class DimensionLines:
         """True where a bar goes from one to the other."""
         along = (end - start) / abs(end - start) if start != end else 1
         return any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in self.skeleton.drawn)
+
+    def _shared(self, start: Place, end: Place, own: Collection[str]) -> bool:
+        """True of a line that a bar of another link covers at one of its ends."""
+        along = (end - start) / abs(end - start) if start != end else 1
+        bars = [bar for link in self.skeleton.mechanism.moving if link not in own for bar in self.skeleton.bars(link)]
+        return any(_lies_on(start, along, bar) or _lies_on(end, -along, bar) for bar in bars)
 
     def _through(self, start: Place, end: Place, near: float) -> bool:
         """True of a line that passes a joint between its ends, as near as that."""

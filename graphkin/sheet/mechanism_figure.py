@@ -17,7 +17,7 @@ from graphkin.planning import Method
 from graphkin.planning.method import births
 from graphkin.sheet import symbols, wheels
 from graphkin.sheet.added_points import asked_centres, contacts, named_specials, specials
-from graphkin.sheet.fixed_link import drives, grounds
+from graphkin.sheet.fixed_link import clearance, drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import BREAK, Disc, Fill, Mark, Place, PointMark, Shows, Stroke
@@ -27,6 +27,7 @@ from graphkin.sheet.window import Figure, Window
 
 _ASIDE = 7.0  # so far from a joint of others a number is its own link's [mm]
 _JOINED = 4.8  # lines that cross so near to a joint meet there: a break would leave a crumb [mm]
+_OUTSIDE = symbols.BLOCK.real / 2 + symbols.SQUARE  # a square about a block reaches so far from its middle [mm]
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 
@@ -180,18 +181,30 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     at, along = skeleton.at(slide.point), skeleton.direction(slide.line)
     step = skeleton.step(slide.point, slide.line.origin)
     if (rod := wheels.follower(skeleton, slide)) is not None:
-        return [*rod]
+        return [*rod, *_square(skeleton, slide, rod[0].places[1] - rod[0].places[0])]
     if skeleton.is_cylinder(slide) or (slide.block is None and slide.guide == FRAME):
         return []
     if slide.block is not None:
         shows = Shows(slide.block, "block", (slide.point,), slide.name)
         corners = symbols.block_corners(at, along)
-        return [Stroke(corners, "outline", closed=True, fill="paper", shows=shows, step=step)]
+        block = Stroke(corners, "outline", closed=True, fill="paper", shows=shows, step=step)
+        return [block, *_square(skeleton, slide, along, -along, side=_OUTSIDE)]
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
     shows = Shows(slide.guide, "slot", (slide.point,), slide.name)
     rims = {way: symbols.SLOT / max(0.2, abs((way / along).imag)) for way in skeleton.directions(slide.point)}
     bars = [Stroke((at, at + rim * way), "visible", step=step) for way, rim in rims.items()]  # they go on to the pin
     return [*symbols.slot((at - reach * along, at + 9.0 * along), shows, step), *bars]
+
+
+def _square(skeleton: Skeleton, slide: Slide, *guide: complex, side: float = symbols.SQUARE) -> list[Stroke]:
+    """The right angle between the ways of a guide and a line of its block, where the file says that there is one."""
+    if abs(math.cos(slide.tilt)) > 1e-9 or (*skeleton.mechanism.path(slide), "tilt") not in skeleton.mechanism.given:
+        return []
+    at, ways = skeleton.at(slide.point), [way / abs(way) for way in guide]
+    lines = [line for line in skeleton.directions(slide.point) if abs((line / ways[0]).real) < 1e-6]
+    quarters = product(ways, lines)
+    one, other = max(quarters, key=lambda legs: clearance(skeleton, at + side * sum(legs)), default=(1, 1))
+    return symbols.right_angle(at, one, other, side, skeleton.step(slide.point))
 
 
 OVER_LINKS: Signs = {Cam: wheels.profiles, Slide: _sliding}  # signs of pairs that stand over links; hinges are points

@@ -13,7 +13,7 @@ from dataclasses import replace
 from graphkin.construction import Plane
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows, Stroke
 
-_SQUARE, _SQUARE_DEG = 2.3, 1e-6  # side of the square in a right angle [mm]; its cosine is no larger
+SQUARE, _SQUARE_DEG = 2.3, 1e-6  # side of the square in a right angle [mm]; its cosine is no larger
 HINGE = 1.3  # radius of a hinge [mm]
 PIVOT_DEPTH = 4.6  # from a pivot's centre to the ground [mm]
 BLOCK = complex(10.0, 5.6)  # length and height of a block [mm]
@@ -180,7 +180,7 @@ def dimension_line(
 
 
 def right_angle(
-    at: Place, one: complex, other: complex, side: float = _SQUARE, step: int | None = None
+    at: Place, one: complex, other: complex, side: float = SQUARE, step: int | None = None
 ) -> list[Stroke]:
     """A square between two lines; nothing where the angle is another."""
     if abs(one.real * other.real + one.imag * other.imag) > _SQUARE_DEG * abs(one) * abs(other):

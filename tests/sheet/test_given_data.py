@@ -17,6 +17,7 @@ from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.say.dimensions import measured_lengths, sizes
 from graphkin.say.entry import Sentence
+from graphkin.say.explained import derivation
 from graphkin.say.problem_data import problem_data
 from graphkin.say.reading import Reading
 from graphkin.sheet import sheet
@@ -273,3 +274,40 @@ def test_a_point_on_the_line_of_two_others_has_no_angle(stated: tuple[str, str],
         texts = [entry.text for entry in problem_data(Reading(method, plot, {}, lang)) if isinstance(entry, Sentence)]
         assert words_ in texts
         assert not [line for line in texts if "∠" in line]
+
+
+OLDHAM = """
+ask = ["omega 3"]
+frame = { A = [0, 0], B = [20, 0] }
+links = { 1.AD = 40, 2.shape = { C = [0, 0], E = [30, 0], F = [0, 30] }, 3.BG = 40 }
+slide = [
+    { block = "2", point = "C", guide = "1", through = "A", toward = "D", tilt = 0 },
+    { block = "2", point = "C", guide = "3", through = "B", toward = "G", tilt = -90 },
+]
+driver = [{ vector = "AD", angle = 35, omega = 60 }]
+sketch = { C = [14, 10], D = [32, 23], E = [40, 28], F = [0, 35], G = [0, 34] }
+"""
+
+
+def test_a_right_angle_between_guides_is_drawn_and_told() -> None:
+    """As a square about the blocks; a length that another link's bar covers stands with its symbol."""
+    method, plot = solved(OLDHAM)
+    page = sheet(method, plot)
+    points = {mark.name: mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"}
+    squares = [mark.places for mark in page.marks if isinstance(mark, Stroke) and mark.pen == "construction"
+               and len(mark.places) == 3 and abs(abs(mark.places[1] - points["C"]) - 7.3 * math.sqrt(2)) < 0.1]  # fmt: skip
+    [(one, corner, other)] = squares
+    assert abs(((one - corner) * (other - corner).conjugate()).real) < 1e-9
+    lettered = {plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)}
+    assert "lCE = 30 mm" in lettered
+    assert not {"30 mm", "40 mm"} & lettered
+
+
+def test_a_line_that_turns_with_one_that_is_drawn_lies_across_it() -> None:
+    """Not under an angle that comes from nowhere; a guide between two points that are drawn is their line."""
+    method, plot = solved(OLDHAM)
+    scales = {"length": 5e-4, "velocity": 0.01, "acceleration": 1.0}
+    texts = [entry.text for entry in derivation(method, plot, scales, "en") if isinstance(entry, Sentence)]
+    assert any("BG = " in text and text.endswith("at 125° to +x, ⊥AD: G.") for text in texts)
+    assert any("CE = " in text and text.endswith("at 35° to +x, ∥AD: E.") for text in texts)
+    assert "Draw the line AD; draw the line BG. They cross at C." in texts

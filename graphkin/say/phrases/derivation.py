@@ -45,7 +45,7 @@ PHRASES: Phrases = {
     "derivation.lay off slide": ("From {start} lay off {length} along {guide} ({heading}): {tip}.",
                                  "由 {start} 沿{guide}（{heading}）取 {length}，得 {tip}。"),
     "derivation.circle": ("draw the circle about {about} with radius {length}", "以 {about} 为圆心、{length} 为半径作弧"),
-    "derivation.line beside": ("draw the line through {through} ∥{ends}", "过 {through} 作 ∥{ends} 的直线"),
+    "derivation.line beside": ("draw the line [through {through} ∥|]{ends}", "[过 {through} 作 ∥{ends} 的直线|作直线 {ends}]"),
     "derivation.line parallel": ("draw the line through {through} {direction}", "过 {through} 作{direction} 的直线"),
     "derivation.meet circles": ("{first}; {second}. They cross at {point}{where}.",
                                 "{first}；{second}；两者交于 {point}{where}。"),
