@@ -15,15 +15,15 @@ from functools import cache, cached_property
 from itertools import product
 from typing import NamedTuple
 
-from graphkin.base.lines import off_stretch
+from graphkin.base.lines import crossing, off_stretch
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME
 from graphkin.say.sizes import DrawnAngle, DrawnLength, Size
-from graphkin.sheet.fixed_link import clearance, ground_way
+from graphkin.sheet.fixed_link import clearance, feet, ground_way
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, box, formula, plain
-from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
+from graphkin.sheet.marks import ArcMark, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
@@ -54,7 +54,7 @@ class DimensionLines:
     free: FreeRoom
 
     def once(self, data: Iterable[Size]) -> Iterator[Size]:
-        """Data without those that would stand twice: of the same places, or of a rim as far off as a point on it."""
+        """Data without those that would stand twice: of the same places, or measured to a rim whose radius is given."""
         drawn = set[tuple[frozenset[str], str]]()
         for size in data:
             if isinstance(span := size.shape, DrawnLength):
@@ -62,16 +62,22 @@ class DimensionLines:
                 places = map(self.skeleton.at, self.skeleton.points if span.form == "radius" else ())
                 ends += [at for at in places if abs(abs(at - start) - abs(ends[0] - start)) < 0.05]
                 keys = {(frozenset(f"{at:.1f}" for at in (start, end)), size.bare.figure) for end in ends}
-                if keys & drawn:
+                if keys & drawn and (size.derived or span.form != "radius"):
                     continue
                 drawn |= keys
             yield size
 
-    def draw(self, size: Size) -> list[Mark]:
+    def draw(self, *sizes: Size) -> list[Mark]:
+        """Data where there is room for all of them, else nothing."""
+        trial = replace(self, free=self.free.also(()))
+        together = len(sizes) == 1 or all(map(trial._drawn, sizes))
+        return [mark for size in sizes for mark in self._drawn(size)] if together else []
+
+    def _drawn(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""
-        for free, crossing, touching in self.free.fitting(self._trials(size), lambda trial: trial[:2]):
+        for free, over, touching in self.free.fitting(self._trials(size), lambda trial: trial[:2]):
             marks = [replace(mark, accent="grey") if size.derived and isinstance(mark, Stroke | Text) else mark
-                     for mark in (*touching, *crossing, *free)]  # fmt: skip
+                     for mark in (*touching, *over, *free)]  # fmt: skip
             self.free.add(marks)
             return marks
         return []
@@ -116,6 +122,14 @@ class DimensionLines:
         inside = (at for at in self._joints if min(abs(at - start), abs(at - end)) > HINGE)
         return any(off_stretch(at, start, end) < near for at in inside)
 
+    def _crossed(self, start: Place, end: Place) -> int:
+        """The number of bars that an extension line crosses; a point on it and the ground of a pivot count as many."""
+        points = (mark.at for mark in self.free.marks if isinstance(mark, PointMark))
+        passed = any(off_stretch(at, start, end) < HINGE for at in points)
+        count = sum(crossing(start, end, *bar) is not None for bar in self.skeleton.drawn)
+        ground = any(crossing(start, end, *foot) is not None for foot in feet(self.skeleton))
+        return count + 2 * (passed or ground)
+
     @cached_property
     def _joints(self) -> dict[Place, tuple[bool, list[complex], set[str]]]:
         """Where hinges and blocks are: True of a block, the ways down to the ground under it, and its links."""
@@ -137,7 +151,8 @@ class DimensionLines:
             on = [at for at in level_with if joints[at][1]]
         at = min(on, key=lambda at: abs(end + way - at), default=end)
         block, grounds, _ = self._joints.get(at, (False, [], set()))
-        if any(abs(down - way / abs(way)) < 0.1 for down in grounds):
+        ahead = across * (level - (at / across).real)
+        if any(abs(down * abs(ahead) - ahead) < 0.1 * abs(ahead) for down in grounds):
             return at, _GROUND
         return at, _BLOCK if block else 2 * HINGE
 
@@ -176,23 +191,23 @@ class DimensionLines:
         orders = [(start, end, along), (end, start, -along)][: 2 if past else 1]
 
         @cache  # of each level and order once, if they come to it
-        def lines(level: float, one: Place, other: Place) -> tuple[Stroke, list[Stroke], list[Stroke], bool]:
+        def lines(level: float, one: Place, other: Place) -> tuple[Stroke, list[Stroke], list[Stroke], int]:
             (one, near), (other, far) = self._from(one, across, level), self._from(other, across, level)
             line, both, heads = dimension_line((one, other), across, level, past, step, (near, far))
-            return line, both, heads, any(self._through(each.places[0], each.places[1], HINGE) for each in both)
+            return line, both, heads, sum(self._crossed(*each.places) for each in both)
 
-        for through, crossing, level, order in product((False, True), (0, 1, 2), levels, orders):
-            line, both, heads, joints = lines(level, *order[:2])
-            if through != joints:
-                continue  # past joints only where there is no other room
+        for through, touching, level, order in product((0, 1), (0, 1, 2), levels, orders):
+            line, both, heads, crossed = lines(level, *order[:2])
+            if through != crossed:
+                continue  # across a bar only where there is no other room, never across more
             way = order[2]
             middle = line.places[1] - way * (past - wide / 2 - 4 if past else long / 2)
             text = self._text(label, middle, along, 0.8, step)
-            if crossing == 2:  # extension lines, broken at letters
+            if touching == 2:  # extension lines, broken at letters
                 pieces = [Stroke(piece, "thin", step=step) for each in both for piece in self.free.pieces(*each.places)]
                 yield [line, text], heads, pieces
             else:
-                yield ([line, text], both, heads) if crossing else ([line, text, *both], (), heads)
+                yield ([line, text], both, heads) if touching else ([line, text, *both], (), heads)
 
     def _radius(self, span: DrawnLength, label: Label) -> Iterator[_Trial]:
         """A line from a centre to its rim, with letters along it, inside or beyond."""

@@ -219,12 +219,12 @@ def _bare(radius: float, middle: complex, arcs: Sequence[ArcMark]) -> bool:
 def clearance(skeleton: Skeleton, *places: Place, more: Sequence[Ends] = ()) -> float:
     """Distance of places from the nearest link, or of more lines, as far as it matters to the eye [mm]."""
     gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
-    return float(free_about(np.array(places), [*skeleton.segments, *_feet(skeleton), *more], min(gaps)).min())
+    return float(free_about(np.array(places), [*skeleton.segments, *feet(skeleton), *more], min(gaps)).min())
 
 
 @kept(2)
-def _feet(skeleton: Skeleton) -> list[Ends]:
-    """The signs of fixed pivots, as lines."""
+def feet(skeleton: Skeleton) -> list[Ends]:
+    """Lines along the signs of pivots, and along the ground under them."""
     pivots = [point for point in skeleton.points if FRAME in skeleton.mechanism.owners[point]]
     ways = [(skeleton.at(point), symbols.PIVOT_DEPTH * ground_way(point, skeleton)) for point in pivots]
     return [each for at, way in ways for each in ((at, at + way), (at + (1 + 1j) * way, at + (1 - 1j) * way))]

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
 from functools import cached_property, partial
-from itertools import chain, combinations, islice, pairwise, product, tee
+from itertools import chain, combinations, groupby, islice, pairwise, product, tee
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -75,11 +75,13 @@ class MechanismNotes:
         lettered = {mark.label for mark in free.marks if isinstance(mark, Text)}
         at, levers = self.skeleton.at, measured_lengths(self.reading) if self.planes else ()
         measured = [length_size(self.reading, *ends) for ends in levers if abs(at(ends[0]) - at(ends[1])) >= _TOLD]
-        for datum in lines.once([*self.given, *measured]):
-            added += (marks := lines.draw(datum))
-            lettered_too = isinstance(datum.shape, DrawnAngle) and angle_label(datum) in lettered
-            if not marks and datum not in measured and not lettered_too:
-                unsaid.setdefault(datum.derived, []).append(formula(datum.text))
+        every = groupby(lines.once([*self.given, *measured]), key=lambda datum: datum.ends or id(datum))
+        for data in ([*alike] for _, alike in every):  # both coordinates of a point, or one datum
+            added += (marks := lines.draw(*data))
+            for datum in data if not marks else ():
+                lettered_too = isinstance(datum.shape, DrawnAngle) and angle_label(datum) in lettered
+                if datum not in measured and not lettered_too:
+                    unsaid.setdefault(datum.derived, []).append(formula(datum.text))
         for derived, labels in sorted(unsaid.items()) if self.planes else ():  # what is given first
             words = self._written(labels, free, (LABEL,) if derived or self.told else (LABEL, LEAST))
             added += (replace(mark, accent="grey") for mark in words) if derived else words

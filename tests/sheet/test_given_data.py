@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from cmath import phase
 from collections import Counter
 
@@ -10,6 +11,7 @@ import pytest
 from library_sheets import plain_text, textbook_sheet
 
 from graphkin.base.geometry import place
+from graphkin.base.lines import crossing, off_stretch
 from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.files import loads
@@ -205,7 +207,8 @@ def test_an_extension_line_begins_at_what_is_measured() -> None:
     assert abs((points["C"] - points["A"]).real) < 0.1, "they are in line"
     level = [mark.places for mark in page.marks if isinstance(mark, Stroke) and mark.pen == "thin"
              and abs(mark.places[0].real - points["A"].real) < 0.1 and mark.places[0].real == mark.places[-1].real]  # fmt: skip
-    assert level
+    lettered = " ".join(plain_text(mark.label) for mark in page.marks if isinstance(mark, Text))
+    assert level or "xD = −380 mm" in lettered, "a line that passes that joint would be no better"
     assert all(abs(place - points["C"]) > 8 for places in level for place in places)
 
 
@@ -311,3 +314,55 @@ def test_a_line_that_turns_with_one_that_is_drawn_lies_across_it() -> None:
     assert any("BG = " in text and text.endswith("at 125° to +x, ⊥AD: G.") for text in texts)
     assert any("CE = " in text and text.endswith("at 35° to +x, ∥AD: E.") for text in texts)
     assert "Draw the line AD; draw the line BG. They cross at C." in texts
+
+
+STEPHENSON = """
+ask = ["omega 3"]
+frame = { A = [0, 0], B = [95, 0], C = [150, 60] }
+links = { 2.AD = 32, 3 = { DG = 90, DE = 70, GDE = 40, ccw = ["D", "G", "E"] }, 4.BG = 75, 5.EF = 80, 6.CF = 62 }
+driver = [{ vector = "AD", angle = 70, omega = 12 }]
+sketch = { G = [89, 75], E = [36, 97], F = [115, 108] }
+"""
+
+
+def test_both_coordinates_of_a_point_are_dimensions_or_both_are_written() -> None:
+    """Half of a place in the drawing, half of it below: one looks for the other."""
+    lettered = " ".join(plain_text(mark.label) for mark in sheet(*solved(STEPHENSON)).marks if isinstance(mark, Text))
+    written = {axis: f"{axis}C = " in lettered for axis in "xy"}
+    drawn = {axis: re.search(rf"(?<!= ){size} mm", lettered) is not None for axis, size in (("x", 150), ("y", 60))}
+    assert drawn == {axis: not told for axis, told in written.items()}
+    assert written["x"] == written["y"]
+
+
+HYPOCYCLIC = """
+ask = ["v D"]
+frame = { O = [0, 0] }
+links = { 1.OC = 60, 2.CD = 30 }
+gear = [{ links = ["2", "frame"], centres = ["C", "O"], radii = [30, 90], internal = true }]
+driver = [{ vector = "OC", angle = 50, omega = 10 }]
+pose = [{ vector = "CD", angle = -40 }]
+sketch = { D = [60, 30] }
+"""
+
+
+def test_a_radius_is_told_beside_a_bar_that_is_as_long() -> None:
+    """Both are given: that a point lies on the rim is not."""
+    lettered = " ".join(plain_text(mark.label) for mark in sheet(*solved(HYPOCYCLIC)).marks if isinstance(mark, Text))
+    assert "r2 = 30 mm" in lettered
+    assert len(re.findall("30 mm", lettered)) == 2
+
+
+@pytest.mark.parametrize("name", ["crusher", "atkinson", "draglink"])
+def test_no_extension_line_passes_a_joint_or_crosses_two_bars(name: str) -> None:
+    """What has no better place is written in the line of givens."""
+    page = textbook_sheet(name)
+    joints = [mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"]
+    strokes = [mark for mark in page.marks if isinstance(mark, Stroke) and mark.places]
+    bars = [mark.places for mark in strokes if mark.shows is not None and mark.shows.form == "bar" and len(mark.places) == 2]
+    thin = [mark.places for mark in strokes if mark.pen == "thin" and len(mark.places) == 2 and mark.accent is None]
+    assert bars
+    assert thin
+    for start, end in thin:
+        assert sum(crossing(start, end, *bar) is not None for bar in bars) < 2
+        inside = [at for at in joints if min(abs(at - start), abs(at - end)) > 1.3]
+        assert all(off_stretch(at, start, end) > 1.2 for at in inside)
