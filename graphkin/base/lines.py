@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
+
+_SLANT = math.sin(math.radians(1.0))  # a line lies on another under less
 
 
 def off_stretch(at: complex, start: complex, end: complex) -> float:
@@ -79,3 +81,29 @@ def within(start: complex, end: complex, centre: complex, radius: float) -> tupl
     half = (radius**2 - aside**2) ** 0.5 / abs(along)
     first, last = max(0.0, foot - half), min(1.0, foot + half)
     return (start + first * along, start + last * along) if first < last else None
+
+
+def leaves(at: complex, arm: complex, stretch: tuple[complex, complex]) -> bool:
+    """True where a stretch of a line leaves a place in a direction, within a degree [mm]."""
+    offs = [(end - at) / arm for end in stretch]
+    level = all(abs(off.imag) < max(0.05, _SLANT * abs(off)) for off in offs)
+    return level and min(off.real for off in offs) < 0.1 and max(off.real for off in offs) > 1
+
+
+def free_pieces(length: float, taken: Iterable[tuple[float, float]]) -> Iterator[tuple[float, float]]:
+    """The pieces of a line that others, from where to where they lie on it, leave free, from its start."""
+    at = 0.0
+    for begin, stop in (*sorted(taken), (length, length)):
+        if (end := min(begin, length)) > at:
+            yield at, end
+        at = max(at, stop)
+
+
+def away_from(at: complex, along: complex, places: list[complex]) -> complex:
+    """The side of a line away from points [mm, y downwards]; below where that does not decide."""
+    normal = along * 1j
+    weight = sum((normal.conjugate() * (place - at)).real for place in places)
+    below = normal if (normal.imag, normal.real) > (0, 0) else -normal
+    if abs(weight) < 5:
+        return below
+    return -normal if weight > 0 else normal

@@ -13,13 +13,14 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import count, pairwise
 
 import numpy as np
 
 from graphkin.base.geometry import Array, place
+from graphkin.base.lines import free_pieces
 from graphkin.construction import Construction, Plot
 from graphkin.planning import Method
 from graphkin.planning.needed import PartsReader
@@ -103,15 +104,6 @@ def _pieces_on(vector: VectorMark, starts: Array, ends: Array) -> tuple[Array, A
     near = (np.maximum(np.abs(one.imag), np.abs(other.imag)) < _ON) & (high - low > _ALONG)
     near &= (abs(starts - vector.start) > _SAME) | (abs(ends - vector.end) > _SAME)  # not the arrow itself
     return low * near, high * near
-
-
-def free_pieces(length: float, taken: Iterable[_Piece]) -> Iterator[_Piece]:
-    """The pieces of a line that others, from where to where they lie on it, leave free, from its start."""
-    at = 0.0
-    for begin, stop in (*sorted(taken), (length, length)):
-        if (end := min(begin, length)) > at:
-            yield at, end
-        at = max(at, stop)
 
 
 def heads_apart(figure: Figure) -> Figure:

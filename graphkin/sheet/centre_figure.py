@@ -15,6 +15,7 @@ import numpy as np
 from graphkin.base import geometry
 from graphkin.base.boxes import xy
 from graphkin.base.geometry import place
+from graphkin.base.lines import free_pieces
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.construction.drafting import Far, Stage
@@ -22,7 +23,6 @@ from graphkin.model.pairs import Cam, Rod
 from graphkin.planning import Method
 from graphkin.say.solution_goal import solution_centres
 from graphkin.sheet.added_points import drawn_when
-from graphkin.sheet.arrows import free_pieces
 from graphkin.sheet.drafting_figure import DraftingFigure, together
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain, quantity_label

@@ -15,7 +15,7 @@ from functools import cache, cached_property
 from itertools import product
 from typing import NamedTuple
 
-from graphkin.base.lines import crossing, off_stretch
+from graphkin.base.lines import crossing, leaves, off_stretch
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME
 from graphkin.say.sizes import DrawnAngle, DrawnLength, Size
@@ -36,7 +36,6 @@ _OFFSETS = (7.5, 11.0, 16.0, 22.0)  # of a dimension line from what it measures 
 _RADII = (9.5, 12.5, 16.0, 20.0, 7.0)  # of the arcs of angles [mm]
 _BLOCK, _GROUND = 6.2, 7.0  # from the middle of a block, from a pivot past its ground to an extension line [mm]
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
-_SLANT = math.sin(math.radians(1.0))  # a bar lies on an arm under less
 _SHORT, _LIKED = 8.5, 0.5
 """The arm of an angle on a shorter crank is drawn on past the arc, where on the crank that has less room [mm]."""
 _CLEAR = 2.2  # between an arc and what else there is [mm]
@@ -54,17 +53,14 @@ class DimensionLines:
     free: FreeRoom
 
     def once(self, data: Iterable[Size]) -> Iterator[Size]:
-        """Data without those that would stand twice: of the same places, or measured to a rim whose radius is given."""
+        """Data without those that would stand twice, at the same places."""
         drawn = set[tuple[frozenset[str], str]]()
         for size in data:
             if isinstance(span := size.shape, DrawnLength):
-                start, *ends = map(self.skeleton.window, (span.start, span.end))
-                places = map(self.skeleton.at, self.skeleton.points if span.form == "radius" else ())
-                ends += [at for at in places if abs(abs(at - start) - abs(ends[0] - start)) < 0.05]
-                keys = {(frozenset(f"{at:.1f}" for at in (start, end)), size.bare.figure) for end in ends}
-                if keys & drawn and (size.derived or span.form != "radius"):
+                places = frozenset(f"{self.skeleton.window(end):.1f}" for end in (span.start, span.end))
+                if (key := (places, size.bare.figure)) in drawn:
                     continue
-                drawn |= keys
+                drawn.add(key)
             yield size
 
     def draw(self, *sizes: Size) -> list[Mark]:
@@ -109,13 +105,13 @@ class DimensionLines:
     def _joined(self, start: Place, end: Place) -> bool:
         """True where a bar goes from one to the other."""
         along = (end - start) / abs(end - start) if start != end else 1
-        return any(_lies_on(start, along, bar) and _lies_on(end, -along, bar) for bar in self.skeleton.drawn)
+        return any(leaves(start, along, bar) and leaves(end, -along, bar) for bar in self.skeleton.drawn)
 
     def _shared(self, start: Place, end: Place, own: Collection[str]) -> bool:
         """True of a line that a bar of another link covers at one of its ends."""
         along = (end - start) / abs(end - start) if start != end else 1
         bars = [bar for link in self.skeleton.mechanism.moving if link not in own for bar in self.skeleton.bars(link)]
-        return any(_lies_on(start, along, bar) or _lies_on(end, -along, bar) for bar in bars)
+        return any(leaves(start, along, bar) or leaves(end, -along, bar) for bar in bars)
 
     def _through(self, start: Place, end: Place, near: float) -> bool:
         """True of a line that passes a joint between its ends, as near as that."""
@@ -274,7 +270,7 @@ def _arms(skeleton: Skeleton, corner: DrawnAngle, lines: Sequence[tuple[Place, P
     at, first = skeleton.window(corner.at), skeleton.window.turned(corner.start)
     driven = corner.points in {driver.vector for driver in skeleton.mechanism.drivers}
     for way in (first, first * cmath.rect(1, -corner.turn)):
-        bars = [bar for bar in (*skeleton.segments, *lines) if _lies_on(at, way, bar)]
+        bars = [bar for bar in (*skeleton.segments, *lines) if leaves(at, way, bar)]
         reach = max((abs(end - at) for bar in bars for end in bar), default=0.0)
         yield _Arm(way, reach, driven and reach < _SHORT)
 
@@ -311,13 +307,6 @@ def _angle(size: Size, corner: DrawnAngle, skeleton: Skeleton, arms: Sequence[_A
             x = plain("x", italic=True)
             figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm.way, step=step, spare=True))
     return figure
-
-
-def _lies_on(at: Place, arm: complex, bar: tuple[Place, Place]) -> bool:
-    """True where a bar leaves a place in a direction."""
-    offs = [(end - at) / arm for end in bar]
-    level = all(abs(off.imag) < max(0.05, _SLANT * abs(off)) for off in offs)
-    return level and min(off.real for off in offs) < 0.1 and max(off.real for off in offs) > 1
 
 
 def angle_label(size: Size) -> Label:

@@ -11,7 +11,7 @@ import numpy as np
 
 from graphkin.base.boxes import free_about
 from graphkin.base.cache import kept
-from graphkin.base.lines import crossing
+from graphkin.base.lines import away_from, crossing
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Pair, RollingContact, Slide
@@ -146,16 +146,6 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _FixedStretch:
 
 def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:
     return away_from(at, along, [skeleton.at(point) for skeleton in skeletons for point in skeleton.points])
-
-
-def away_from(at: Place, along: complex, places: list[Place]) -> complex:
-    """The side of a fixed line away from the mechanism's points; below where that does not decide."""
-    normal = along * 1j
-    weight = sum((normal.conjugate() * (place - at)).real for place in places)
-    below = normal if (normal.imag, normal.real) > (0, 0) else -normal
-    if abs(weight) < 5:
-        return below
-    return -normal if weight > 0 else normal
 
 
 def drives(skeleton: Skeleton, method: Method) -> Figure:

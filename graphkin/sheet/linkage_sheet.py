@@ -15,6 +15,7 @@ from itertools import combinations
 
 import numpy as np
 
+from graphkin.base.lines import away_from
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
@@ -23,7 +24,7 @@ from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.say.reading import capitalized
 from graphkin.sheet import lettering, symbols
 from graphkin.sheet.drafting_figure import angle
-from graphkin.sheet.fixed_link import away_from, grounds
+from graphkin.sheet.fixed_link import grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, Run, number, plain, point_label, points_label, quantity_label, valued
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, Text
