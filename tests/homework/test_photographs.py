@@ -22,7 +22,7 @@ from graphkin.marking.consequences import rewrites
 
 pytest.importorskip("typst")
 
-WRONG = "normal-omitted", "a^n_CD"
+WRONG = "normal-omitted", ("a^n_CD",)
 TEMPLATE = """
 title = "Crank and rocker"
 ask = ["omega 3", "omega 4", "v C", "alpha 4"]
