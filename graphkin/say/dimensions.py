@@ -299,7 +299,9 @@ def drawn_value(reading: Reading, driver: Driver | Pose, value: float, path: Key
     """The angle or the displacement of a driver or a pose."""
     if driver.kind == "slide":
         slot = reading.method.structure.slides[driver.link]
-        point, start = slot.point, reading.at(slot.line.origin)
+        pair, point = reading.mechanism.pair(driver.link), slot.point
+        track = pair.line if isinstance(pair, RollingContact) and pair.line and pair.line.named else slot.line
+        start = reading.at(track.origin)
         span = DrawnLength(start, reading.at(point), reading.guide(driver.link), (point,))
         return sized(reading, names.of_slide("s", driver.link), value, "length", (*path, "at"), shape=span)
     corner = None

@@ -215,12 +215,12 @@ def equivalents(skeleton: Skeleton) -> Figure:
 
 
 def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:
-    """A fixed guide's block that a cam moves at its point: a rod with its tip, face or roller, guided above."""
+    """A fixed guide's block that a cam moves, or its roller: a rod with its tip, face or roller, guided above."""
     if slide.guide != FRAME or slide.block is None:
         return None
     for cam in skeleton.mechanism.of(Cam):
         for link, profile, other in zip(cam.links, cam.profiles, cam.profiles[::-1], strict=True):
-            if link == slide.block and other.centre is not None and other.radius > 0:
+            if (link == slide.block or profile.centre == slide.point) and other.centre is not None and other.radius > 0:
                 cam_centre, at = skeleton.at(other.centre), skeleton.at(slide.point)
                 if profile.centre == slide.point:
                     return _rod(skeleton, slide, at, cam_centre, profile.radius / skeleton.window.scale)

@@ -22,6 +22,7 @@ from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.problem_data import problem_data
 from graphkin.say.reading import Reading
+from graphkin.say.sizes import DrawnLength
 from graphkin.sheet import sheet
 from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text
 
@@ -366,3 +367,38 @@ def test_no_extension_line_passes_a_joint_or_crosses_two_bars(name: str) -> None
         assert sum(crossing(start, end, *bar) is not None for bar in bars) < 2
         inside = [at for at in joints if min(abs(at - start), abs(at - end)) > 1.3]
         assert all(off_stretch(at, start, end) > 1.2 for at in inside)
+
+
+def test_a_wheel_s_displacement_is_measured_from_where_its_track_begins() -> None:
+    """From the point with its letter, not from the air above it."""
+    text = ROLLER.replace("frame = { }", "frame = { F = [90, 0] }").replace("through = [0, 0]", 'through = "F"')
+    method, plot = solved(text)
+    [size] = [size for size in sizes(Reading(method, plot, {}, "en")) if size.symbol == "s_roll"]
+    assert size.shape is not None
+    assert isinstance(size.shape, DrawnLength)
+    assert abs(size.shape.start - 0.09) < 1e-12
+    assert abs(abs((size.shape.end - size.shape.start).real) - 0.3048) < 1e-9
+
+
+ROLLER_ON_A_PIN = """
+ask = ["v C"]
+frame = { A = [0, 0] }
+links = { 1.AB = 20, 2.points = ["C"], 3.points = ["C"] }
+cam = [{ links = ["1", "3"], profiles = [{ centre = "B", radius = 40 }, { centre = "C", radius = 12 }] }]
+slide = [{ block = "2", point = "C", guide = "frame", through = [15, 0], angle = 90 }]
+driver = [{ vector = "AB", angle = 20, omega = 12 }]
+sketch = { C = [15, 58] }
+"""
+
+
+def test_a_follower_with_a_roller_on_a_pin_is_guided_beyond_its_roller() -> None:
+    """A stem from the pin, not a block with its guide within the roller."""
+    method, plot = solved(ROLLER_ON_A_PIN)
+    page = sheet(method, plot)
+    [centre] = [mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.name == "C"]
+    walls = [mark.places for mark in page.marks if isinstance(mark, Stroke) and mark.pen == "hatch" and not mark.closed]
+    above = [places for places in walls if abs(places[0] - centre) < 40 and places[0].imag < centre.imag]
+    assert above
+    assert all(abs(place - centre) > 12 for places in above for place in places)
+    assert not [mark for mark in page.marks if isinstance(mark, Stroke) and mark.shows is not None
+                and mark.shows.form == "block"]  # fmt: skip
