@@ -52,7 +52,8 @@ def link_sizes(reading: Reading, link: str) -> Iterator[Size]:
         place = "links", link, "".join(pair)
         bar, arm = _bar(reading, link, pair), shape.arm(*pair)
         size = sized(reading, f"l_{names.pair(*pair)}", abs(arm), "length", place, *coordinates, shape=bar)
-        yield replace(size, derived=bool(coordinates) and min(abs(arm.real), abs(arm.imag)) > reading.noise)
+        typed = [[machine.given[*path[:3], p, k].si or 0.0 for p in pair] for path in coordinates[:1] for k in (0, 1)]
+        yield replace(size, derived=bool(typed) and all(abs(a - b) > reading.noise for a, b in typed))
     for one, corner, other in triples:
         angle = phase(shape.arm(corner, other) / shape.arm(corner, one))
         at = (one, corner, other)

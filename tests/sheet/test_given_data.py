@@ -402,3 +402,10 @@ def test_a_follower_with_a_roller_on_a_pin_is_guided_beyond_its_roller() -> None
     assert all(abs(place - centre) > 12 for places in above for place in places)
     assert not [mark for mark in page.marks if isinstance(mark, Stroke) and mark.shows is not None
                 and mark.shows.form == "block"]  # fmt: skip
+
+
+def test_a_length_that_follows_from_coordinates_is_derived_along_the_first_arm_too() -> None:
+    """Only what lies along an axis of the file stands in the file."""
+    text = OLDHAM.replace("E = [30, 0], F = [0, 30]", "E = [30, 40], F = [0, 30]")
+    every = {size.symbol: size for size in sizes(Reading(*solved(text), {}, "en"))}
+    assert [every[symbol].derived for symbol in ("l_CE", "l_CF", "l_EF", "l_AD")] == [True, False, True, False]
