@@ -13,6 +13,7 @@ from graphkin.base.value import bulky
 from graphkin.construction import Plane, Plot
 from graphkin.planning import Method
 from graphkin.planning.method import births, pages
+from graphkin.planning.polygon_arrows import arrows
 from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
 from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
@@ -20,7 +21,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.motion_frames import MotionFigure, lettered
 from graphkin.sheet.paper import KEYS, Room
-from graphkin.sheet.polygons import PolygonFigure, arrows, named_site
+from graphkin.sheet.polygons import PolygonFigure, named_site
 from graphkin.sheet.window import PLANES, Extent, Figure, Window
 
 _ROOMS: Mapping[Plane, Room] = {

@@ -1,9 +1,9 @@
 """Arrows of a polygon on one line, heads that would melt, and an arrow that is far longer than all others.
 
 Arrows on one line lie on one another, as books draw them: each from its point to its point. The name of one stands
-where no shorter one lies, if it has such a piece; else they lie side by side, tied to their points. Heads that meet at
-one point under a small angle open outwards only; what would still become one to the eye stands back from its point,
-the longer arrow's.
+where no shorter one lies, if it has such a piece; else they lie side by side, tied to their points, as does one to
+whose tail a shorter one comes back: it would seem to start where that does. Heads that meet at one point under a small
+angle open outwards only; what would still become one to the eye stands back from its point, the longer arrow's.
 
 An arrow over five times as long as most is drawn broken where nothing hangs on where its head is. It has its direction,
 a gap between two strokes in its middle, and its size at its name; the scale is chosen by the others.
@@ -60,6 +60,9 @@ def side_by_side(figure: Figure) -> Figure:
     free = {(v.name, v.start): max(each, key=lambda piece: piece[1] - piece[0])
             for v, each in zip(vectors, pieces, strict=True)}  # fmt: skip
     hidden = np.array([high - low < _NAMED for low, high in (free[v.name, v.start] for v in vectors)], dtype=bool)
+    for k, (vector, (low, high)) in enumerate(zip(vectors, on, strict=True)):
+        back = ((end - start)[:k] * (vector.end - vector.start).conjugate()).real < 0
+        hidden[k] |= (back & (low[:k] < _SAME) & (high[:k] - low[:k] > _NAMED)).any()
     lanes, moved = np.full(len(vectors), np.nan), dict[_Key, VectorMark]()
     for k, (low, high) in enumerate(on):
         taken = lanes[(high - low > _NAMED) & (hidden | hidden[k])]

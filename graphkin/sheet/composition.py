@@ -337,6 +337,6 @@ class SheetContents:
         if self.stages and plane == "position":
             before += pencil_lines(drawing.method.construction(plane), drawing.plot, window, pages(drawing.method))
         return Panel(
-            drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), plane,
+            drawing.figure(plane, window), window, room.inset(2, 1, 2), tuple(before), plane,
             drawing.last(plane, window, layout.scales, rings), tuple(beside),
         )  # fmt: skip

@@ -1,8 +1,8 @@
 """The construction of a polygon: direction lines with their marks, right angles, and the numbers of what was drawn.
 
-It is drawn last, where labels leave room: a line is shortened before it runs into letters, and a mark or a number for
-which there is no room is left out. The numbers are those of the sentences that tell of the same acts. On the mechanism
-the pencil's own lines and arcs are shown in the drawings of single steps.
+It is drawn last, where labels leave room: a line is shortened before it runs into letters, and a mark for which there
+is no room is left out; a number stands with its equation then. The numbers are those of the sentences that tell of the
+same acts. On the mechanism the pencil's own lines and arcs are shown in the drawings of single steps.
 """
 
 from __future__ import annotations
@@ -10,28 +10,29 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cached_property
 from itertools import pairwise
 
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import Arc, Construction, Drawn, Image, LayOff, Meet, Plane, Plot, Ray, Step, Term
 from graphkin.planning.method import Act
+from graphkin.planning.polygon_arrows import arrows
 from graphkin.say.plane import PolygonReading
 from graphkin.sheet.arrows import TIP
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LEAST, formula, plain
-from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, VectorMark
-from graphkin.sheet.polygons import PolygonFigure, arrows
+from graphkin.sheet.lettering import formula
+from graphkin.sheet.marks import ArcMark, Mark, Place, PointMark, Stroke
+from graphkin.sheet.polygons import PolygonFigure
 from graphkin.sheet.symbols import right_angle
-from graphkin.sheet.text_blocks import RING, ringed
+from graphkin.sheet.text_blocks import RING, ROW, ringed
 from graphkin.sheet.window import Window
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
 """Lengths of a direction line past its end; for labels to keep off if they can; shorter it says nothing [mm]."""
 _SQUARE = 1.9  # side of the square in a right angle [mm]
-_NOTHING = 0.05  # arrows up to this have no length [mm]
+_NOTHING, _SAME, _EXACT = 0.05, 0.15, 1e-6
+"""Arrows up to the first have no length; points closer than the second bear one label, than the third are one [mm]."""
 Rings = Callable[[Sequence[int]], Iterator[Mark]]  # the numbers before equations, with more of them
 _RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))  # parts of one motion that stand at right angles to each other
 
@@ -73,7 +74,6 @@ class PolygonConstruction:
         for start, end, page in self._carried():
             added.extend(Stroke(piece, "measured", step=page) for piece in free.pieces(start, end))
         free.add([*added, *(Stroke((start, tip), "construction") for _, start, _, tip in laid)])
-        added.extend(self._numbers(free))
         letters = free.letters([LabelRequest(formula(line.text), tip, gap=-0.2, away=tip - last, step=line.page)
                                 for line, _, last, tip in laid if tip != last])  # fmt: skip
         for line, start, last, tip in laid:  # it goes on only to bear its mark
@@ -81,7 +81,7 @@ class PolygonConstruction:
             added += marks
             if abs((end := tip if marks else last) - start) > _NOTHING:
                 added.append(Stroke((start, end), "construction", step=line.page))
-        return added
+        return [*added, *self._numbers(free)]
 
     def _lines(self) -> Iterator[_DirectionLine]:
         points = self.polygon.points
@@ -131,58 +131,60 @@ class PolygonConstruction:
                                 yield from right_angle(at, a - at, b - at, _SQUARE, step)
 
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
-        """A number in a circle beside each thing drawn, at the next or a name, or with the equations, else beside the
-        number before it; images first."""
-        drawn, circle = dict[int, Sequence[Mark]](), complex(RING, RING)
-        images = [act for act in self.acts if isinstance(act.done, Image)]
-        for acts in (images, [act for act in self.acts if act not in images]):
-            waiting = [(act, requests) for act in acts if (requests := [*self._beside(act)])]
-            while waiting:
-                middles = free.places([first for _, (first, *_) in waiting], [circle] * len(waiting))
-                tried, waiting = waiting, []
-                for (act, (first, *others)), middle in zip(tried, middles, strict=True):
-                    at = free.beside(act.page, circle, first.of) if first.of else None  # an arrow's is best at its name
-                    if not (at or middle) and others:
-                        waiting.append((act, others))
-                    elif at := at or middle or free.beside(act.page, circle):
-                        drawn[act.number] = marks = [*ringed([act.number], at, act.page)]
-                        free.add(marks)
-                        yield from marks
-        lost = [act for act in self.acts if act.number not in drawn]
+        """A number in a circle at each arrow that is laid off, and at each point that is found: in the detail where
+        that bears its letters. Those at one place stand side by side and rise as one reads; one that has no room there
+        stands at an arrow that comes with it, else with the equations."""
+        acts = [act for act in self.acts if isinstance(act.done, LayOff | Meet | Image)]
+        arrows, nodes = ({act: [*sites(act, free)] for act in acts} for sites in (self._at_arrows, self._at_nodes))
+        laid = {act: arrows[act] for act in acts if isinstance(act.done, LayOff)}  # where that has a length
+        placed, drawn = dict[LabelRequest, list[tuple[Act, Place]]](), set[Act]()
+        for sites, alone in ((laid, False), (nodes, False), (arrows, True), (nodes, True)):
+            groups = dict[tuple[LabelRequest, Act | None], list[Act]]()
+            for act in (act for act in sites if act not in drawn):
+                for site in sites[act]:
+                    groups.setdefault((site, act if alone else None), []).append(act)
+            halves = [complex(ROW * (len(group) - 1) / 2 + RING, RING) for group in groups.values()]
+            middles = free.places([site for site, _ in groups], halves, wide=alone)
+            for ((site, _), group), half, middle in zip(groups.items(), halves, middles, strict=True):
+                named = free.beside(site, half) if site.of or middle is None else None  # an arrow's is best at its name
+                if (at := named or middle) is not None and not drawn & {*group}:
+                    row = [(act, at + ROW * (k - (len(group) - 1) / 2)) for k, act in enumerate(group)]
+                    placed.setdefault(site, []).extend(row)
+                    drawn |= {*group}
+                    free.add([mark for act, at in row for mark in ringed([act.number], at, act.page)])
+        for each in placed.values():
+            order = sorted((act for act, _ in each), key=lambda act: act.number)
+            for act, at in zip(order, sorted((at for _, at in each), key=_as_one_reads), strict=True):
+                yield from ringed([act.number], at, act.page)
         if self.rings is not None:
-            yield from self.rings([act.number for act in lost])
-        for act in lost if self.rings is None else ():
-            near = drawn.get(act.number - 1, drawn.get(act.number + 1))
-            if near and (middle := free.next_to(near, circle)) is not None:
-                drawn[act.number] = marks = [*ringed([act.number], middle, act.page)]
-                free.add(marks)
-                yield from marks
+            yield from self.rings([act.number for act in self.acts if act not in drawn])
 
-    def _beside(self, act: Act) -> Iterator[LabelRequest]:
-        """Requests for its number: at what it finds, then at each arrow that comes with it; none without a length."""
-        points, label = self.polygon.points, plain(str(act.number))
-        match act.done:
-            case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
-                start, end = points[term.tail], points[term.head]
-                if abs(end - start) > _NOTHING:
-                    name = term.name(self.polygon.construction.plane)
-                    yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page, of=name)
-                    yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
-            case Meet() as meet if not self._shown(meet):
-                return
-            case Meet(point=point) | Image(point=point) if point in points:
-                yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
-                for vector in self._arrows.get(act.page, ()):
-                    yield LabelRequest(label, vector.start, vector.end, gap=0.6, size=LEAST, step=act.page,
-                                       of=vector.name)  # fmt: skip
-
-    @cached_property
-    def _arrows(self) -> dict[int | None, list[VectorMark]]:
-        """The arrows that come with each act."""
-        arrows = dict[int | None, list[VectorMark]]()
+    def _at_arrows(self, act: Act, free: FreeRoom) -> Iterator[LabelRequest]:
+        """The arrow that it lays off, or those that come with it, where their names stand; none without a length."""
+        plane, done = self.polygon.construction.plane, act.done
         for vector in self.polygon.vectors():
-            arrows.setdefault(vector.step, []).extend([vector] * (vector.length > _NOTHING))
-        return arrows
+            laid = isinstance(done, LayOff) and done.term.name(plane) in (vector.name, *vector.also)
+            if laid or (vector.step == act.page and not isinstance(done, LayOff)):
+                wanted = [want for want in free.wanted if want.of == vector.name]
+                for want in wanted or [LabelRequest((), vector.start, vector.end, of=vector.name)]:
+                    if want.end is not None and abs(want.end - want.start) > _NOTHING:
+                        yield LabelRequest((), want.start, want.end, gap=0.6, away=want.away, of=want.of)
+
+    def _at_nodes(self, act: Act, free: FreeRoom) -> Iterator[LabelRequest]:
+        """The point that it finds: in the detail that bears its letters, but for the pole, whose stand outside."""
+        match act.done:
+            case LayOff(tip=name) | Meet(point=name) | Image(point=name) if name in self.polygon.points:
+                at = self.polygon.points[name]
+                if abs(at - self.polygon.points[self.polygon.construction.pole]) > _EXACT:
+                    seen = (mark for mark in free.marks if isinstance(mark, PointMark) and mark.name == name)
+                    at = [at, *(mark.at for mark in seen)][-1]
+                near = (want.start for want in free.wanted if not want.of and abs(want.start - at) < _SAME)
+                yield LabelRequest((), next(near, at), gap=0.8)
+
+
+def _as_one_reads(at: Place) -> tuple[int, float]:
+    """Line by line, from left to right."""
+    return round(at.imag / RING), at.real
 
 
 def _lay(line: _DirectionLine, free: FreeRoom) -> tuple[Place, Place, Place]:

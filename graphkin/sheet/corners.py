@@ -22,7 +22,7 @@ from graphkin.sheet.window import CLOSE, Extent, Window
 
 _AIR = 6.0  # from a block to the figure beside it, with room for letters [mm]
 _LEAST = 5.0  # points in less room than this are no figure [mm]
-_EDGE, _RIM, _TIGHT = 3.0, 1.0, 1.5  # from a block to the side of its corner, to the other, and to other blocks [mm]
+_EDGE, _RIM, _TIGHT = 3.0, 2.0, 1.5  # from a block to the side of its corner, to the other, and to other blocks [mm]
 _OTHER_SIDE, _OTHER_END = (0.24, 0.04), 0.1
 """The cost of a block on the right, where it should stand under the heading and where at the foot; or at the end that
 it is not meant for."""

@@ -31,7 +31,8 @@ from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window, corners, magnified
 
 _RADII = (1.2, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
-_TIMES = (20.0, 15.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.5)
+_SCALES, _LESS, _MORE = (400.0, 200.0, 100.0, 50.0, 40.0, 20.0, 10.0, 5.0, 4.0, 2.5), 2.0, 20.0
+"""The scales of details, after ISO 5455 and GB/T 14690; so many times as large as where its part is seen is each."""
 _LARGEST = 45.0  # radius of a detail [mm]
 DETAILS = (44 + 52j, 60 + 68j)  # the rooms for a small one and a large one [mm]
 _AROUND, _HEAD = 6.0, 4.0  # room for letters around a detail, and for its own heading over it [mm]
@@ -127,7 +128,9 @@ class _DetailDrawing:
         """A part of the figure, or of a detail, as large as there is room for; None where there is none."""
         seen = next((view for view in self.views if view.shown.holds(knot.centre)), None)
         window, before = (seen.window, seen.times) if seen is not None else (self.panel.window, 1.0)
-        for times in (times for times in _TIMES if knot.radius * times <= _LARGEST):
+        for times in (scale / before for scale in _SCALES):
+            if not _LESS <= times <= min(_MORE, _LARGEST / knot.radius):
+                continue
             side = 2 * (knot.radius * times + _AROUND)
             if (corner := free.corner(complex(side, side + _HEAD))) is not None:
                 shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, knot.radius * times)

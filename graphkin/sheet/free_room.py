@@ -44,6 +44,11 @@ class FreeRoom:
         self._lying, self._new, self._letters = scene.known, list[Mark](), _boxes(self.marks, scene.taken)
         self.add(labels)
 
+    @property
+    def wanted(self) -> Sequence[LabelRequest]:
+        """What its labels asked for."""
+        return self._scene.wanted
+
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
         self.marks += marks
@@ -116,20 +121,23 @@ class FreeRoom:
             cost = np.where(left, every.cost[own], np.inf)
             yield complex(every.middle[own][cost.argmin()]) if left.any() else None
 
-    def beside(self, step: int | None, half: complex, of: str = "") -> Place | None:
-        """The first free middle of a box beside a name of a step, or its arrow `of`, near no other letters, if any."""
-        texts = {mark.label: mark for mark in self.marks[len(self._scene.drawn) :] if isinstance(mark, Text)}
-        wanted = sorted((want for want in self._scene.wanted if want.gap < SIGN), key=lambda want: not want.of)
-        wanted = [want for want in wanted if want.of == of] if of else wanted  # names of arrows first, circles last
-        names = (label for want in wanted for label, born in want.parts or ((want.label, want.step),) if born == step)
-        every = (self.next_to([texts[name]], half) for name in names if name in texts)
-        return next((at for at in every if at is not None), None)
+    def beside(self, site: LabelRequest, half: complex) -> Place | None:
+        """The first free middle of a box beside the letters of the label at the same place, near no others, if any."""
+        for want in (want for want in self.wanted if want.of == site.of and want.start == site.start):
+            names = [label for label, _ in want.parts] or [want.label]
+            texts = [mark for mark in self.marks[len(self._scene.drawn) :] if isinstance(mark, Text)]
+            near = sorted((text for text in texts if text.label in names), key=lambda text: abs(text.at - want.place))
+            if want.gap < SIGN and near:
+                return self.next_to(near[: len(names)], half)
+        return None
 
     def next_to(self, marks: Sequence[Mark], half: complex) -> Place | None:
         """The first free middle of a box beside marks, near no letters but theirs, if any is."""
         first, last = np.array(bounds(marks)).reshape(2, 2, 1)
         wide, high = (last - first)[:, 0] / 2 + (half.real + _OFF, half.imag + _OFF)
-        at = complex(*(first + last)[:, 0]) / 2 + np.array([wide, -wide, 1j * high, -1j * high])
+        aside = abs((last - first)[0, 0] / 2 - half.real)  # in line with an end of them
+        off = [side + x for side in (1j * high, -1j * high) for x in (0, aside, -aside)]
+        at = complex(*(first + last)[:, 0]) / 2 + np.array([wide, -wide, *off])
         low, most = xy(at - half).T, xy(at + half).T
         own = overlap(self._letters[:, 0].T, self._letters[:, 1].T, first, last)
         free = self.free(low, most) & ~_beside(low, most, self._letters[~own])

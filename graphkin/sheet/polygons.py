@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from itertools import chain
@@ -14,12 +14,13 @@ from graphkin.base.boxes import free_about
 from graphkin.base.geometry import place
 from graphkin.base.lines import hull, in_line
 from graphkin.base.value import frozen
-from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
+from graphkin.construction import LETTER, Construction, Drawn, Plot, Site
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.planning.at_rest import relabelled
 from graphkin.planning.images import imaged_gears
 from graphkin.planning.method import rate_found
+from graphkin.planning.polygon_arrows import Arrow, arrows
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, vector_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark
@@ -55,17 +56,29 @@ def gear_images(method: Method, plot: Plot) -> Iterator[GearImage]:
 
 
 def gear_circles(images: Sequence[GearImage], window: Window, others: Sequence[tuple[Place, Place]]) -> Figure:
-    """Thin circles with their letters, each where it is far from other lines."""
-    figure, drawn = Figure(), [(window(image.at), image.radius / window.scale) for image in images]
-    for image, (at, radius) in zip(images, drawn, strict=True):
+    """Thin circles with their letters, each where it is far from other lines; circles that lie on one another are
+    one."""
+    figure, drawn = Figure(), dict[tuple[Place, float], list[GearImage]]()
+    for image in sorted(images, key=lambda image: image.step or 0):
+        at, radius = window(image.at), image.radius / window.scale
+        same = (ring for ring in drawn if max(abs(ring[0] - at), abs(ring[1] - radius)) < _SAME)
+        drawn.setdefault(next(same, (at, radius)), []).append(image)
+    for (at, radius), own in drawn.items():
         if radius >= _LEAST:
             rim = at + radius * np.exp(1j * np.radians(np.arange(15, 360, 30)))
             rims = [abs(abs(rim - centre) - other) for centre, other in drawn if (centre, other) != (at, radius)]
             spot = complex(rim[np.min([*rims, free_about(rim, others, 9.0)], axis=0).argmax()])
-            away = (spot - at) / radius
-            figure.marks.append(Disc(at, radius, "thin", step=image.step))
-            figure.wanted.append(LabelRequest(image.label, spot, gap=0.4, away=away, step=image.step))
+            figure.marks.append(Disc(at, radius, "thin", step=own[0].step))
+            names = dict.fromkeys((image.label, image.step) for image in own)
+            figure.wanted.append(_named_together([*names], spot, 0.4, (spot - at) / radius))
     return figure
+
+
+def _named_together(names: Sequence[tuple[Label, int | None]], at: Place, gap: float, away: complex) -> LabelRequest:
+    """The label of what has several names, each of which joins at its own step."""
+    parts = [names[0], *((joined([(), label]), step) for label, step in names[1:])]
+    label, steps = tuple(run for part, _ in parts for run in part), {step for _, step in parts}
+    return LabelRequest(label, at, gap=gap, away=away, step=parts[0][1], parts=tuple(parts) if len(steps) > 1 else ())
 
 
 _SAME = 0.15  # closer than this two points are one on paper [mm]
@@ -73,37 +86,6 @@ _LETTERS = 8  # of the points in one place so many are lettered at most
 _NAMES = 4  # so many names an arrow bears; others are read from the letters at its head
 _NOTHING = 0.1  # shorter arrows are points [mm]
 _EXACT = 5  # arrows whose ends are the same to so many digits of a millimetre are one
-
-
-@frozen
-class Arrow:
-    """An arrow between two points of a polygon; part, size: as in `Term`; sites: of the motion, and seen from which;
-    of_equation: whether it is a term of the construction's, else an absolute motion that none of them is."""
-
-    name: str
-    tail: str
-    head: str
-    sites: tuple[Site, ...]
-    part: str = ""
-    size: Size | None = None
-    of_equation: bool = True
-
-
-def arrows(mechanism: Mechanism, construction: Construction, there: Collection[str]) -> Iterator[Arrow]:
-    """The arrows of the equations, then the absolute motions that are not among them; between points that are there."""
-    terms, pole = construction.vectors(), construction.pole
-    sites = {node.of: node.site for node in construction.nodes.values() if node.site is not None}
-    for name, term in terms.items():
-        if term.tail in there and term.head in there:
-            of = term.sites or tuple(sites[text] for text in (term.of, term.seen_from) if text in sites)
-            yield Arrow(name, term.tail, term.head, of, term.part, term.size)
-    besides = {term.head for term in terms.values() if term.tail == pole}  # and the points that never move
-    given = (step for step in construction.steps if isinstance(step, Given))
-    besides |= {name for step in given for name in (step.point, *step.also)}
-    for name, node in construction.nodes.items() if pole in there else ():
-        site = node.site if name in there and name not in besides else None
-        if site is not None and site.point not in mechanism.unnamed:
-            yield Arrow(f"{LETTER[construction.plane]}_{node.of}", pole, name, (site,), of_equation=False)
 
 
 @frozen
@@ -150,7 +132,7 @@ class PolygonFigure:
             start, end, step = self.points[one.tail], self.points[one.head], self.step(one.tail, one.head)
             sizes = [arrow.size for arrow in (one, *others) if arrow.of_equation] if self.solving else []
             thin = bool(sizes) and None not in sizes and not isinstance(sizes[0], Drawn)
-            named = {arrow.name.replace("^", "_") for arrow in (one, *others)}
+            named = {arrow.name.replace("^", "_") for arrow in (one, *others) if self.solving}
             yield VectorMark(
                 self.construction.plane, one.name, one.tail, one.head, start, end, step,
                 sites=tuple(map(named_site, one.sites)), also=tuple(other.name for other in others), part=one.part,
@@ -160,8 +142,8 @@ class PolygonFigure:
 
     @cached_property
     def _asked(self) -> set[str]:
-        """The arrows that the problem asks for, as `v_C`, `a_k_B3B2`; none where arrows are not told apart."""
-        asked = {text.replace(" ", "_") for text in self.mechanism.ask} if self.solving else set()
+        """The arrows that the problem asks for, as `v_C`, `a_k_B3B2`."""
+        asked = {text.replace(" ", "_") for text in self.mechanism.ask}
         return asked | {name.replace("v_r_", "v_") for name in asked}
 
     @cached_property
@@ -182,7 +164,9 @@ class PolygonFigure:
     def names(self, vector: VectorMark) -> list[tuple[Label, int | None]]:
         """The names that are written at an arrow, and the step with which each comes."""
         first, *others = self._shared[vector.tail, vector.head]
-        most = [first, *sorted(others, key=lambda one: one.name not in self._carried)[: _NAMES - 1]]
+        ranked = sorted(others, key=lambda one: one.name not in self._carried)
+        ranked.sort(key=lambda one: one.name.replace("^", "_") not in self._asked)
+        most = [first, *ranked[: _NAMES - 1]]
         names = [(vector_label(self.written(one.name)), self.step(one.tail, one.head)) for one in (first, *others)
                  if one in most]  # fmt: skip
         more = [(plain("\u2026"), names[-1][1])] if len(others) >= _NAMES else []
@@ -273,10 +257,7 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
         gears = ((image.label, image.step) for name in names for image in points if image.centre == name)
         every = [*labels.items(), *dict.fromkeys(gears)]
         every = every if len(every) <= _LETTERS else [*every[: _LETTERS - 1], (plain("…"), every[_LETTERS - 1][1])]
-        parts = [every[0], *((joined([(), label]), step) for label, step in every[1:])]
-        label, steps = tuple(run for part, _ in parts for run in part), {step for _, step in parts}
-        own = tuple(parts) if len(steps) > 1 else ()
-        requests.append(LabelRequest(label, at, gap=0.5, away=at - middle, step=parts[0][1], parts=own))
+        requests.append(_named_together(every, at, 0.5, at - middle))
     return requests
 
 

@@ -80,6 +80,7 @@ class WrittenLines:
 
 RING = 0.76 * LEAST  # radius of the circle about the number of a step [mm]
 _ASIDE = 0.6  # between two of them [mm]
+ROW = 2 * RING + _ASIDE  # from middle to middle in a row of them [mm]
 
 
 def ringed(numbers: Sequence[int], middle: Place, step: int | None) -> Iterator[Mark]:

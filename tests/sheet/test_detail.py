@@ -19,7 +19,7 @@ from graphkin.sheet.detail import detailed
 from graphkin.sheet.label_candidates import Arrows
 from graphkin.sheet.label_requests import LabelRequest, tangled
 from graphkin.sheet.lettering import plain
-from graphkin.sheet.marks import Disc, PointMark, Shows, Stroke, VectorMark
+from graphkin.sheet.marks import Disc, PointMark, Shows, Stroke, Text, VectorMark
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window
@@ -181,3 +181,22 @@ def test_an_arrow_that_its_head_hides_stands_in_a_detail_even_where_that_has_lit
     assert 0 < arrow.length < 1
     assert any(abs(place - one.centre) <= one.radius + 0.1 for one in circles for place in (arrow.start, arrow.end))
     assert any(mark.length > arrow.length * 4 for mark in magnified)
+
+
+@pytest.mark.parametrize("turn", [1, 1j, cmath.rect(1, 2.5)])
+def test_an_arrow_to_whose_tail_a_shorter_one_comes_back_stands_beside_it(turn: complex) -> None:
+    """At any size: on that line it would seem to start where the shorter one does."""
+    for times in (1.0, 2.5):
+        marks = on_one_line((0j, 20 * times * turn), (20 * times * turn, -10 * times * turn)).marks
+        short, long = sorted((mark for mark in marks if isinstance(mark, VectorMark)), key=lambda mark: mark.length)
+        assert short.aside == 0
+        assert long.aside != 0
+
+
+@pytest.mark.parametrize("size", [0.05, 0.4, 1.0, 2.0, 4.0])
+def test_details_have_scales_of_the_standard(size: float) -> None:
+    after = detailed(panel(draw := fan(12, size)), draw, "velocity")
+    scales = [mark.label[0].text for mark in after.figure.marks if isinstance(mark, Text)]
+    assert scales
+    first = {float(text.split("(")[1].split(":")[0]) for text in scales}
+    assert first <= {digit * ten for digit in (1, 2, 2.5, 4, 5) for ten in (1, 10, 100)}

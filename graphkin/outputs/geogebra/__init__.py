@@ -22,9 +22,9 @@ from graphkin.outputs.geogebra.state import Drives, GeogebraState
 from graphkin.outputs.geogebra.steps import Draughtsman, Nearly
 from graphkin.outputs.typesetting import ggb_text
 from graphkin.planning import Method
+from graphkin.planning.polygon_arrows import arrows
 from graphkin.sheet.lettering import point_label, vector_label
 from graphkin.sheet.paper import LETTERS, UNITS
-from graphkin.sheet.polygons import arrows
 from graphkin.sheet.window import PLANES
 
 __all__ = ["TriedOut", "ggb"]
