@@ -44,11 +44,6 @@ class FreeRoom:
         self._lying, self._new, self._letters = scene.known, list[Mark](), _boxes(self.marks, scene.taken)
         self.add(labels)
 
-    @property
-    def wanted(self) -> Sequence[LabelRequest]:
-        """What its labels asked for."""
-        return self._scene.wanted
-
     def add(self, marks: Sequence[Mark]) -> None:
         """These lie on the paper now, too."""
         self.marks += marks
