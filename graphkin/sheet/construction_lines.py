@@ -141,7 +141,7 @@ class PolygonConstruction:
         for sites, alone in ((laid, False), (nodes, False), (arrows, True), (nodes, True)):
             groups = dict[tuple[LabelRequest, Act | None], list[Act]]()
             for act in (act for act in sites if act not in drawn):
-                for site in sites[act]:
+                for site in dict.fromkeys(sites[act]):
                     groups.setdefault((site, act if alone else None), []).append(act)
             halves = [complex(ROW * (len(group) - 1) / 2 + RING, RING) for group in groups.values()]
             middles = free.places([site for site, _ in groups], halves, wide=alone)

@@ -73,3 +73,15 @@ def test_numbers_side_by_side_rise_as_one_reads(name: str, plane: str) -> None:
     rows = [(one, other) for one in at for other in at if 0 < (at[other] - at[one]).real < 4.5
             and abs((at[other] - at[one]).imag) < 0.1]  # fmt: skip
     assert all(one < other for one, other in rows)
+
+
+@pytest.mark.parametrize("name", ["p3-17", "ex3-1", "p3-22"])
+@pytest.mark.parametrize("plane", ["velocity", "acceleration"])
+def test_a_number_stands_once(name: str, plane: str) -> None:
+    """Also where its vector is drawn twice, and on a number's ring lies one number only."""
+    marks = polygon(name, plane).marks
+    discs = [mark.centre for mark in marks if isinstance(mark, Disc) and mark.pen == "construction"]
+    found = [read(mark.label) for mark in marks if isinstance(mark, Text) and read(mark.label).isdigit()
+             and any(abs(mark.at - centre) < 3 for centre in discs)]  # fmt: skip
+    assert found
+    assert len({*found}) == len(found)
