@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 _SLANT = math.sin(math.radians(1.0))  # a line lies on another under less
@@ -107,3 +107,13 @@ def away_from(at: complex, along: complex, places: list[complex]) -> complex:
     if abs(weight) < 5:
         return below
     return -normal if weight > 0 else normal
+
+
+def levels(outline: Sequence[complex], apart: float) -> Iterator[tuple[complex, complex]]:
+    """Level lines through an area, from rim to rim, no farther apart than that."""
+    low, high = min(place.imag for place in outline), max(place.imag for place in outline)
+    count = int((high - low) / apart)
+    for level in (low + (high - low) * k / (count + 1) for k in range(1, count + 1)):
+        sides = [(a, b) for a, b in pairwise(outline) if (a.imag <= level) != (b.imag <= level)]
+        cuts = sorted(a.real + (b - a).real * (level - a.imag) / (b - a).imag for a, b in sides)
+        yield from ((complex(x, level), complex(other, level)) for x, other in zip(cuts[::2], cuts[1::2], strict=True))

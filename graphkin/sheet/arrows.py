@@ -15,12 +15,13 @@ import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from itertools import count, pairwise
+from itertools import count
 
 import numpy as np
 
 from graphkin.base.geometry import Array, place
 from graphkin.base.lines import free_pieces
+from graphkin.base.triangles import shares_of
 from graphkin.construction import Construction, Plot
 from graphkin.planning import Method
 from graphkin.planning.needed import PartsReader
@@ -40,8 +41,6 @@ _ONE, _MELT = math.radians(2), math.radians(22)
 _BACK = (0.0, 2.0, 3.0, 4.0)  # so far a head may stand back [mm]
 _SIDES: tuple[Half, Half] = ("left", "right")
 _SHARE = 0.08  # so much of a head may lie in another
-_SQUARE = np.stack(np.meshgrid(*2 * [np.linspace(0.04, 0.96, 12)])).reshape(2, -1)
-_GRID = np.where(_SQUARE.sum(axis=0) > 1, 1 - _SQUARE, _SQUARE)  # places in a triangle, in parts of two of its sides
 _Piece = tuple[float, float]
 _Key = tuple[str, complex]  # the name of an arrow, and where it starts: points of two links may move alike
 Head = tuple[complex, complex, complex]
@@ -157,17 +156,7 @@ def _melting(corners: Head, heads: Sequence[Head]) -> float:
     others = np.array([each for each in heads if abs(sum(each) - sum(corners)) < 6 * TIP]).T
     if not others.size:
         return 0.0
-    alike, larger = np.array(corners)[:, None] + 0 * others, abs(_across(*corners)) > abs(_across(*others))
-    small, large, (u, v) = np.where(larger, others, alike), np.where(larger, alike, others), _GRID[:, :, None]
-    inside = small[0] + u * (small[1] - small[0]) + v * (small[2] - small[0])
-    sides = np.array([_across(a, b, inside) for a, b in pairwise((*large, large[0]))])
-    shares = ((sides >= 0).all(axis=0) | (sides <= 0).all(axis=0)).mean(axis=0)
-    return max(0.0, float(shares.max()) - _SHARE)
-
-
-def _across(a: complex | Array, b: complex | Array, c: complex | Array) -> Array:
-    """Twice the area of a triangle, with the sense of its turn."""
-    return np.imag((b - a).conjugate() * (c - a))
+    return max(0.0, float(shares_of(corners, others).max()) - _SHARE)
 
 
 # --- an arrow that is drawn broken ----------------------------------------------------------------------------------

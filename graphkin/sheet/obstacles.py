@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
 
 import numpy as np
 
 from graphkin.base.boxes import xy
 from graphkin.base.geometry import Array
+from graphkin.base.lines import levels
 from graphkin.base.segments import Segments
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
@@ -27,20 +27,10 @@ def obstacles(drawn: Iterable[Mark], hollow: bool = False) -> Segments:
         for outline, filled in _outlines(mark):
             lines.append(outline)
             if filled and not hollow:
-                lines += _levels(outline)
+                lines += levels(outline, _LETTER)
     places = xy(np.array([place for line in lines for place in line], dtype=complex))
     start = np.delete(np.arange(places.shape[1]), np.cumsum([len(line) for line in lines], dtype=np.intp) - 1)
     return Segments(places.take(start, axis=1), places.take(start + 1, axis=1))
-
-
-def _levels(outline: Sequence[Place]) -> Iterator[tuple[Place, Place]]:
-    """Level lines through an area, from rim to rim, so close that no letter has room between them."""
-    low, high = min(place.imag for place in outline), max(place.imag for place in outline)
-    count = int((high - low) / _LETTER)
-    for level in (low + (high - low) * k / (count + 1) for k in range(1, count + 1)):
-        sides = [(a, b) for a, b in pairwise(outline) if (a.imag <= level) != (b.imag <= level)]
-        cuts = sorted(a.real + (b - a).real * (level - a.imag) / (b - a).imag for a, b in sides)
-        yield from ((complex(x, level), complex(other, level)) for x, other in zip(cuts[::2], cuts[1::2], strict=True))
 
 
 def _outlines(mark: Mark) -> Iterator[tuple[Sequence[Place], bool]]:
