@@ -209,12 +209,12 @@ class Scene:
         return abs(place(self.plot.arm(first, second)))
 
     def other_lengths(self, link: str, lever: tuple[str, str]) -> dict[str, float]:
-        """Lengths that may be taken for that of a lever [m], by name: of its link, of the links it is hinged to."""
+        """Lengths that may be taken for that of a lever [m], by name: of its link, of moving links it is hinged to."""
         own = dict.fromkeys((*self.points(link), *lever))
         pairs = dict.fromkeys(combinations(own, 2))
         for hinge in self.points(link):
             for other in self.method.structure.owners.get(hinge, ()):
-                if other != link:
+                if other not in (link, FRAME):
                     pairs |= dict.fromkeys((hinge, point) for point in self.points(other) if point != hinge)
         right, lengths = self.length(*lever), dict[str, float]()
         for pair in pairs:

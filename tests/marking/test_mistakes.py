@@ -421,3 +421,29 @@ def test_the_coriolis_acceleration_of_a_pin_in_a_slot_is_handed_in_as_it_was_lai
     assert values["coriolis-half"] == pytest.approx(right / 2)
     assert values["coriolis-omitted"] == pytest.approx(0.0, abs=1e-12)
     assert values["coriolis-reversed"] == pytest.approx(right)
+
+
+WHEELS = """
+ask = ["v M", "omega 5"]
+frame = { name = "4", A = [0, 0], D = [90, 0], E = [180, 0] }
+links = { 1.AB = 30, 5.DF = 30, 2 = { BC = 180, BF = 90, BM = 50, CBF = 0, CBM = 0 }, 3.EC = 30 }
+driver = [{ vector = "AB", angle = 130, omega = -21 }]
+sketch = { F = [71, 23], C = [161, 23], M = [30, 23] }
+"""
+ON_THREE_LEGS = """
+ask = ["omega 3", "v D", "alpha 3"]
+frame = { name = "6", A = [0, 0], F = [40, -70], G = [130, 10] }
+links = { 1.AB = 25, 2.BC = 60, 3 = { CD = 45, DE = 50, CE = 60, ccw = ["C", "D", "E"] }, 4.FD = 65, 5.GE = 55 }
+driver = [{ vector = "AB", angle = 100, omega = 9.4 }]
+sketch = { C = [50, 45], D = [60, 0], E = [110, 60] }
+"""
+
+
+@pytest.mark.parametrize(("text", "id"), [(WHEELS, "wrong-length"), (ON_THREE_LEGS, "absolute-for-relative")])
+def test_nobody_divides_by_the_frame_or_what_is_at_rest(text: str, id: str):
+    """No length between fixed points is taken for a link's, and no velocity of a point at rest for a relative one."""
+    method = plan(loading.loads(text, name="file"))
+    plot = replay_all(method)
+    forms = [rewrite.name[1:] for rewrite in rewrites(method, plot, (read(method.mechanism, method.mechanism.ask[0]),)) if rewrite.id == id]
+    assert forms
+    assert not [form for form in forms if "l_AD" in str(form) or "l_DE" in str(form) or "v_S3" in str(form)]

@@ -51,13 +51,13 @@ def omega_sense(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("absolute-for-relative", "rotation", "3-2.1 (3-1)")
 def absolute_for_relative(scene: Scene) -> Iterator[Rewrite]:
-    """omega = v_C / l_BC of a link whose other point moves too."""
-    pole = scene.method.velocity.pole
+    """omega = v_C / l_BC of a link whose other point moves too; not with a point that is just at rest."""
+    pole, points = scene.method.velocity.pole, scene.plot.points("velocity")
     for step, name in measured(scene, "velocity"):
         sites = (scene.method.velocity.nodes[node].site for node in (step.tail, step.head) if node != pole)
         if pole in (step.tail, step.head) or any(site is not None and scene.fixed(site.point) for site in sites):
             continue
-        for node in (step.head, step.tail):
+        for node in (node for node in (step.head, step.tail) if points[node] != points[pole]):
             form = f"{scene.velocity_name(node)}/{scene.length_name(*step.lever)}"
             change = over("velocity", pole, node, scene.length(*step.lever))
             yield Rewrite((name,), form, reading("velocity", step, change))
