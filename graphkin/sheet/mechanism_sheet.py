@@ -206,12 +206,12 @@ def _arranged(
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure. A figure for
     another document stays on the smallest. None is composed further once another is known to be cheaper."""
-    larger, every = [] if contents.tight else papers_for(paper)[2:], _arrangements(contents, papers_for(paper))
+    larger, every = [] if contents.tight else papers_for(paper)[::-1], _arrangements(contents, papers_for(paper))
     tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
     while True:
         price, number, best, bounds = tried[0]
         if price > _MANY and larger:
-            larger.sort(key=lambda other: other.lying == best.layout.paper.lying)
+            larger.sort(key=lambda other: (-other.area, other.lying == best.layout.paper.lying))
             if (other := larger.pop()) != best.sold:
                 with suppress(TooLargeForPaper):
                     for each in _arrangements(contents, [other]):
