@@ -212,7 +212,7 @@ M = [50, 46]
 @pytest.mark.parametrize("lang", ["en", "zh"])
 @pytest.mark.parametrize("family", ["cylinder", "PPR", "six_bar", "train"])
 def test_asked_turns_have_arcs_where_links_are_short_and_crowded(family: str, lang: Lang) -> None:
-    """For which the number of a link moves, or is left out where the letter tells it."""
+    """For which the number of a link moves, or is left out where the letter tells it; in the densest one letter is alone."""
     machine = FAMILIES[family](8401)
     driven = {driver.link for driver in machine.drivers}
     links = [machine.called(link) for link in machine.moving if link not in driven]
@@ -222,8 +222,11 @@ def test_asked_turns_have_arcs_where_links_are_short_and_crowded(family: str, la
     turns = Reading(method, plot, {}, "en").asked_turns(("velocity", "acceleration"))
     page = sheet(method, plot, lang=lang)
     shown = {(head.shows.link, head.shows.form) for head, _ in turning_arcs(page) if head.shows}
-    assert shown == {(turn.link, {"ω": "omega", "α": "alpha"}[turn.letter]) for turn in turns}
-    assert len(turns) > 1
+    bare = [turn for turn in turns if (turn.link, {"ω": "omega", "α": "alpha"}[turn.letter]) not in shown]
+    written = ["".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)]
+    assert all(any(turn.letter in text and turn.link in text for text in written) for turn in bare)
+    assert len(shown) == len(turns) - len(bare) > 1
+    assert len(bare) <= (family == "six_bar")
 
 
 def bar_of(page: Sheet, link: str) -> tuple[complex, complex]:
