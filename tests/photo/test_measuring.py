@@ -43,7 +43,7 @@ def test_right_work_is_called_right(name, seed):
     assert len(unsure) < len(sure) / 3
 
 
-@pytest.mark.parametrize(("name", "seed"), [("ex3-1", 1024), ("ex3-7", 1002), ("p3-3a", 1020), ("p3-3a", 1284), ("p3-3a", 1032), ("p3-3a", 1030)])
+@pytest.mark.parametrize(("name", "seed"), [("ex3-1", 1024), ("ex3-7", 1003), ("p3-3a", 1020), ("p3-3a", 1284), ("p3-3a", 1032), ("p3-3a", 1030)])
 def test_a_mistake_is_named(name, seed):
     work = work_of(name, "mistake", seed, wobble=True)
     assert work.habits is HAND
