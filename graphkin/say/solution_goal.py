@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import groupby
 from typing import TYPE_CHECKING, assert_never
 
+from graphkin.base.cache import kept
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Image, LayOff, Normal, Plane, Tangential, Turning
 from graphkin.model.mechanism import Mechanism
@@ -150,6 +151,7 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
 
 
+@kept(4)  # each trial of a figure asks for them
 def solution_centres(mechanism: Mechanism) -> list[Centre]:
     """The instant centres that a solution finds: those asked for, and those by which a contact gives a velocity."""
     asked = [one for text in mechanism.ask if (one := read(mechanism, text)) is not None]
@@ -158,12 +160,14 @@ def solution_centres(mechanism: Mechanism) -> list[Centre]:
 
 
 def _centres(
-    mechanism: Mechanism, wanted: Iterable[Quantity | None], pushed: Iterable[tuple[str, str]]
+    mechanism: Mechanism, wanted: Iterable[Quantity | None], pushed: Collection[tuple[str, str]]
 ) -> list[Centre]:
     """The centres that are wanted, and those of pushed links."""
+    asked = [one for one in wanted if isinstance(one, Centre)]
+    if not pushed:
+        return asked
     from graphkin.studies.centres.search import centre_name
 
-    asked = [one for one in wanted if isinstance(one, Centre)]
     return asked + [Centre("P", centre_name(mechanism, *links)[1:], links) for links in pushed]
 
 
