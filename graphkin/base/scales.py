@@ -23,7 +23,7 @@ def finest(size: complex, room: complex) -> float:
 
 def finest_each(least: Array) -> Array:
     """The scale of the series next above each of many values (0.01 where there is none)."""
-    if not least.min() > _NONE:
+    if not (least > _NONE).all():
         return np.full(least.shape, 0.01)
     return _ALL[np.searchsorted(_ALL, least * _CLOSE)]
 

@@ -120,11 +120,15 @@ def division(
         for some in np.array_split(order, range(_AT_ONCE, len(order), _AT_ONCE)):
             if most[some[0]] <= best:
                 break
-            worths = {plane: _worth(rooms[plane][:, some], plane, own, field, len(rooms)) if own.blocks
-                      else alone[plane][:, some] for plane, own in extents.items()}  # fmt: skip
+            worths = dict[Plane, Array]()
+            for plane, own in extents.items():  # of those in which the figures before it fit
+                room = rooms[plane][:, some]
+                worths[plane] = _worth(room, plane, own, field, len(rooms)) if own.blocks else alone[plane][:, some]
+                fits = _fine(plane, worths[plane], bare)
+                some, worths = some[fits], {plane: worth[:, fits] for plane, worth in worths.items()}
             values = _values(worths, bare)
-            share = int(np.argmax(values))
-            if values[share] > best:
+            if values.max(initial=best) > best:
+                share = int(np.argmax(values))
                 each = {plane: Room(*map(float, room[:, some[share]])) for plane, room in rooms.items()}
                 chosen = {plane: float(worth[2, share]) for plane, worth in worths.items()}
                 best, layout = values[share], Layout(paper, each, chosen, strip)
@@ -134,9 +138,13 @@ def division(
 def _values(worths: Mapping[Plane, Array], bare: Layout | None) -> Array:
     """The worth of many divisions (n,), none where a figure is much coarser than in a bare one, or does not fit."""
     value, ink, _ = np.sum([*worths.values()], axis=0)
-    value = np.round(value + _INK * np.log(ink), 9)
-    fine = [worths[plane][2] <= _COARSER * least for plane, least in (bare.scales if bare else {}).items()]
-    return np.where(np.all(fine, axis=0) & ~np.isnan(value), value, -math.inf)
+    fine = np.all([_fine(plane, worth, bare) for plane, worth in worths.items()], axis=0)
+    return np.where(fine, np.round(value + _INK * np.log(ink), 9), -math.inf)
+
+
+def _fine(plane: Plane, worth: Array, bare: Layout | None) -> Array:
+    """Where a figure fits (n,), not much coarser than in a bare division."""
+    return np.asarray(worth[2] <= (_COARSER * bare.scales[plane] if bare else math.inf))
 
 
 @lru_cache(16)

@@ -6,7 +6,7 @@ on leaders, and what stands in the strip off its figure. Larger papers are tried
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache, cached_property, partial
@@ -36,7 +36,8 @@ from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_MANY = 6.0  # at a higher price, that of a fifth leader on one figure, other papers are tried
+_FEW, _MANY, _FAR = 3.0, 6.0, 12.0
+"""At higher prices polygons with details are tried larger; other papers, as for a fifth leader; the largest alone."""
 _CROWD = 32  # labels without a good place, of which details relieve no more
 _SMALLER = 1.26  # so much smaller no figure is drawn to have the scale of a handout, whose page has less room
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
@@ -155,6 +156,13 @@ class Arrangement:
                 for plane, panel in zip(planes, map(self.panel, planes), strict=True)
                 if (panel.burdens >= UNCLEAR).sum() <= _CROWD and knots(panel.figure, panel.burdens)}  # fmt: skip
 
+    def enlarged(self) -> Iterator[Arrangement]:
+        """On the same paper with larger polygons where these have details, and the mechanism as it is."""
+        contents, scales = self.contents, self.layout.scales
+        if contents.detailed and not contents.tight and not contents.larger:
+            own: dict[Plane, float] = {plane: scale for plane, scale in scales.items() if plane == "position"}
+            yield Arrangement.on(replace(contents, larger=frozenset(contents.detailed), scales=own), [self.sold])
+
     @cached_property
     def panel(self) -> Callable[[Plane], Panel]:
         """The figure of each plane."""
@@ -205,34 +213,37 @@ def _arranged(
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure. A figure for
-    another document stays on the smallest. None is composed further once another is known to be cheaper."""
-    larger, every = [] if contents.tight else papers_for(paper)[::-1], _arrangements(contents, papers_for(paper))
-    tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(every)]
+    another document stays on the smallest. None is composed further once another is known to be cheaper; where the
+    cheapest is far too dear, the largest papers are tried next."""
+    papers, enlarged = papers_for(paper), set[int]()
+    others, largest = [] if contents.tight else papers[::-1], max(each.area for each in papers)
+    tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(_arrangements(contents, papers))]
     while True:
         price, number, best, bounds = tried[0]
-        if price > _MANY and larger:
-            larger.sort(key=lambda other: (-other.area, other.lying == best.layout.paper.lying))
-            if (other := larger.pop()) != best.sold:
-                with suppress(TooLargeForPaper):
-                    for each in _arrangements(contents, [other]):
-                        heappush(tried, (0.0, len(tried), each, each.bounds()))
+        more: Iterable[Arrangement] = ()
+        if price > _FEW and number not in enlarged and (price < _FAR or not others):
+            enlarged.add(number)
+            more = best.enlarged()
+        elif price > _MANY and others:
+            others.sort(key=lambda other: (-other.area, other.lying == best.layout.paper.lying))
+            other = others.pop()
+            if other != best.sold and (price < _FAR or other.area == largest):
+                more = _arrangements(contents, [other])
         elif (price := next(bounds, -1.0)) >= 0:
             heapreplace(tried, (price, number, best, bounds))
         else:
             return best if paper else best.cut
+        with suppress(TooLargeForPaper):
+            for each in more:
+                heappush(tried, (0.0, len(tried), each, each.bounds()))
 
 
 def _arrangements(contents: SheetContents, papers: Sequence[Paper]) -> Iterator[Arrangement]:
-    """Those on papers: without details, with those that it wants (large ones, too, where cut), with larger polygons."""
+    """Those on papers: without details, and with those that it wants (large ones, too, where cut)."""
     yield (one := Arrangement.on(contents, papers))
     if small := one.knotted:
         for rooms in (small, dict.fromkeys(small, DetailRoom(DETAILS[1])))[: 1 + contents.tight]:
-            yield (one := Arrangement.on(replace(contents, detailed=rooms), papers))
-        if not contents.tight:  # and larger, with the mechanism as it is
-            own: dict[Plane, float] = {p: scale for p, scale in one.layout.scales.items() if p == "position"}
-            same = [paper for paper in papers if paper.area == one.sold.area]
-            with suppress(TooLargeForPaper):
-                yield Arrangement.on(replace(contents, detailed=small, larger=frozenset(small), scales=own), same)
+            yield Arrangement.on(replace(contents, detailed=rooms), papers)
 
 
 def _staged(best: Arrangement, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
