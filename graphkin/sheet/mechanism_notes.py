@@ -40,7 +40,8 @@ _TOLD = 5.0  # a shorter length is told by words alone [mm]
 _CLOSER = (7.5, 10.5, 13.5, 17.0, 20.0, 5.0)  # tried where none of these has room [mm]
 _SHARES = (1, 1), (2, 1), (1, 2), (3, 1), (1, 3)  # how much each of two points counts in a place along their link
 _SMALL = (7.0, 5.5, 4.0)  # radii of arcs about such places, where there is no room for others [mm]
-_TRIED, _ASKED = 48, 3  # places that are tried for an arc and its letter, and numbers of links that make way for it
+_TRIED, _PAIRS, _ASKED = 48, 12, 3
+"""Places that are tried for an arc and its letter; with a good one for another arc; numbers of links that make way."""
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _OTHER, _AROUND_IT = 4.0, math.radians(115)
@@ -151,16 +152,28 @@ class MechanismNotes:
         return [replace(text, accent=plane) for text in next(letters, ())]
 
     def _chosen(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> tuple[Arc, list[Mark]] | None:
-        """The first place of an arc with its letter, if any; only if need be one where this letter, or another's,
-        is nearer to a foreign head; the first of two where the other has room beside it, if there is such a place."""
+        """The best place of an arc with its letter, if any: of two for one link the first is where the other has a good
+        one beside it, else any, if there is such a place."""
         beside, new = drawn.get(turn.link), turn.link not in drawn
         also = [each for each in self._turns if new and each.link == turn.link and each != turn]
+        first, again, rest = tee((way for _, way in self._ranked(turn, free, beside)), 3)
+        for most, ways in ((0, islice(first, _PAIRS)), (math.inf, again)):
+            for place, marks in ways:
+                others = (self._ranked(each, free.also(marks), place) for each in also)
+                if all(next(ranked, (math.inf,))[0] <= most for ranked in others):
+                    return place, marks
+        return next(rest, None)
+
+    def _ranked(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[int, tuple[Arc, list[Mark]]]]:
+        """Places of an arc with its letter: about the link's pivot first, elsewhere only if need be; and of these first
+        where this letter and all others are nearer to their own heads."""
         alike = [mark for mark in free.marks
                  if _is_head(mark) or (isinstance(mark, Text) and mark.accent in PLANES[1:])]  # fmt: skip
-        one, other = tee((way, _apart(way[1], alike)) for way in self._lettered(turn, free, beside))
-        ways, again = tee(chain((way for way, clear in one if clear), (way for way, clear in other if not clear)))
-        both = (way for way in ways if all(any(self._lettered(each, free.also(way[1]), way[0])) for each in also))
-        return next(both, None) or next(again, None)
+        pivot = self._pivot(turn.link)
+        every = ((2 * (pivot is not None and place[0] != (pivot,)) + (not _apart(marks, alike)), (place, marks))
+                 for place, marks in self._lettered(turn, free, beside))  # fmt: skip
+        for rank, ways in enumerate(tee(every, 4)):
+            yield from (way for way in ways if way[0] == rank)
 
     def _lettered(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
         """Places of an arc with room for its letter, then those a little farther off, in the colour of the polygon."""
@@ -211,14 +224,13 @@ class MechanismNotes:
         return all(abs(self.skeleton.at(point) - crossing) > _OTHER for point in self.skeleton.points)
 
     def _arcs(self, link: str, radii: Sequence[float], second: bool) -> Iterator[Arc]:
-        owners, skeleton, centre = self.reading.mechanism.owners, self.skeleton, disc(self.skeleton, link)
-        points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
+        skeleton, pivot, points = self.skeleton, self._pivot(link), self.skeleton.named(link)
         bars = sorted(skeleton.bars(link), key=lambda bar: -abs(bar[0] - bar[1]))
-        pivot = centre or (points[0] if points and FRAME in owners[points[0]] else None)
         if pivot is not None:
             at = skeleton.at(pivot)
-            arms = [far - at for bar in bars for near, far in (bar, bar[::-1]) if abs(near - at) < 0.1]
-            for radius, arm in product(radii, arms):
+            arms = [far - at for bar in bars[::-1] for near, far in (bar, bar[::-1]) if abs(near - at) < 0.1]
+            ways = {round(cmath.phase(arm), 3): arm for arm in arms}  # the longest of those one way
+            for radius, arm in product(radii, [*ways.values()][::-1]):
                 if abs(arm) > radius + 2:
                     yield (pivot,), radius, arm / abs(arm), True, SWEEP
         pairs = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2) if not pivot]
@@ -231,11 +243,16 @@ class MechanismNotes:
             about = (pair[way < 0],)
             if abs(arm) > 2 * radius and self._alone(about, radius, way * arm):
                 yield about, radius, way * arm / abs(arm), True, SWEEP
-        hub = centre or next((wheel.centre for wheel in wheels_of(self.reading.mechanism) if wheel.link == link), "")
+        hub = disc(skeleton, link) or next((wheel.centre for wheel in wheels_of(self.reading.mechanism) if wheel.link == link), "")
         rims = [radius for at, radius in circles(skeleton) if hub and at == skeleton.at(hub)]
         for point, radius, middle in product([hub] if hub else points if not bars else (), radii, _AROUND):
             if radius < max(rims, default=math.inf) + _RIM:
                 yield (point,), radius, middle, False, SWEEP
+
+    def _pivot(self, link: str) -> str | None:
+        """The centre of a wheel, or the point about which the link turns on the frame."""
+        owners = self.reading.mechanism.owners
+        return disc(self.skeleton, link) or next((p for p in self.skeleton.named(link) if FRAME in owners[p]), None)
 
     def _small(self, link: str) -> Iterator[Arc]:
         """Small ones far around a place anywhere along a link."""
