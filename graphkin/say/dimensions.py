@@ -185,7 +185,7 @@ def _eccentricities(reading: Reading) -> list[Size]:
             places = [*_coordinates(path, points[0]), *_coordinates(("frame", line.origin), points[0])]
             off, symbol = aside(along, place - fixed[points[0]]), f"e_{names.point(name)}"
             size = sized(reading, symbol, off, "length", *places, shape=span)
-            size = replace(size, derived=abs(along.real * along.imag) > 1e-9)
+            size = replace(size, derived=abs(along.real * along.imag) > 1e-9, since=points[0])
             if not line.named and (pair.named or size.derived):
                 stated = (1 + 0j, 1j) if size.derived else (1 + 0j if abs(along.real) > abs(along.imag) else 1j,)
                 every += _start(reading, line, points[0], path, name, stated)

@@ -51,6 +51,7 @@ class Size:
     shape    where it lies in the drawing
     derived  it follows from data of the file, which does not state it
     moved    another value than the one told is drawn: its symbol alone stands there
+    since    the fixed point from which a guide's distance is measured
     """
 
     symbol: str
@@ -61,6 +62,7 @@ class Size:
     shape: DrawnLength | DrawnAngle | None = None
     derived: bool = False
     moved: bool = False
+    since: str = ""
 
     @property
     def figure(self) -> str:

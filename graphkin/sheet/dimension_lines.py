@@ -38,6 +38,7 @@ _BLOCK, _GROUND = 6.2, 7.0  # from the middle of a block, from a pivot past its 
 _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SHORT, _LIKED = 8.5, 0.5
 """The arm of an angle on a shorter crank is drawn on past the arc, where on the crank that has less room [mm]."""
+_CROSS = 1.5 * cmath.rect(1, math.pi / 4)  # arms of the cross where a guide begins [mm]
 _CLEAR = 2.2  # between an arc and what else there is [mm]
 
 
@@ -67,7 +68,17 @@ class DimensionLines:
         """Data where there is room for all of them, else nothing."""
         trial = replace(self, free=self.free.also(()))
         together = len(sizes) == 1 or all(map(trial._drawn, sizes))
-        return [mark for size in sizes for mark in self._drawn(size)] if together else []
+        marks = [mark for size in sizes for mark in self._drawn(size)] if together else []
+        ends = {point for size in sizes if isinstance(size.shape, DrawnLength) for point in size.shape.points}
+        return [*marks, *(mark for point in sorted(ends) if marks for mark in self._beginning(point))]
+
+    def _beginning(self, origin: str) -> Iterator[Stroke]:
+        """A cross where a fixed guide begins that goes through no point, and the line from there to its block."""
+        guides = self.skeleton.guides(FRAME) if origin not in self.skeleton.points else ()
+        for slide in (slide for slide in guides if slide.line.origin == origin):
+            start, block = self.skeleton.at(origin), self.skeleton.at(slide.point)
+            yield from (Stroke((start - way, start + way), "thin") for way in (_CROSS, _CROSS * 1j))
+            yield from (Stroke(piece, "centre", accent="grey") for piece in self.free.pieces(start, block))
 
     def _drawn(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""
@@ -183,6 +194,8 @@ class DimensionLines:
         low, high = sorted((place / across).real for place in (start, end))
         levels = [level for offset in _OFFSETS for level in (low - offset, high + offset)]
         levels += [low + part * (high - low) for part in _ALONG if high - low > 2 * _OFFSETS[0]]
+        every = [(self.skeleton.at(point) / across).real for point in self.skeleton.points]
+        levels += [level for offset in _OFFSETS for level in (min(every) - offset, max(every) + offset)]
         past = 0.0 if wide + 1 <= long else wide + 5
         orders = [(start, end, along), (end, start, -along)][: 2 if past else 1]
 

@@ -9,7 +9,7 @@ from itertools import combinations, pairwise, product
 from typing import Any
 
 from graphkin.base.geometry import place
-from graphkin.base.lines import crossing, hull, in_line, lines_through, off_stretch
+from graphkin.base.lines import crossing, hull, in_line, leaves, lines_through, off_stretch
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, RollingContact, Slide
@@ -26,8 +26,8 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window
 
 _ASIDE = 7.0  # so far from a joint of others a number is its own link's [mm]
+_SEEN = symbols.BLOCK.real / 2 + symbols.SQUARE  # a line that goes on so far, past a block and a square, is seen [mm]
 _JOINED = 4.8  # lines that cross so near to a joint meet there: a break would leave a crumb [mm]
-_OUTSIDE = symbols.BLOCK.real / 2 + symbols.SQUARE  # a square about a block reaches so far from its middle [mm]
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
 
@@ -188,7 +188,7 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
         shows = Shows(slide.block, "block", (slide.point,), slide.name)
         corners = symbols.block_corners(at, along)
         block = Stroke(corners, "outline", closed=True, fill="paper", shows=shows, step=step)
-        return [block, *_square(skeleton, slide, along, -along, side=_OUTSIDE)]
+        return [block, *_square(skeleton, slide, along, -along, block=True)]
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
     shows = Shows(slide.guide, "slot", (slide.point,), slide.name)
     rims = {way: symbols.SLOT / max(0.2, abs((way / along).imag)) for way in skeleton.directions(slide.point)}
@@ -196,15 +196,22 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     return [*symbols.slot((at - reach * along, at + 9.0 * along), shows, step), *bars]
 
 
-def _square(skeleton: Skeleton, slide: Slide, *guide: complex, side: float = symbols.SQUARE) -> list[Stroke]:
-    """The right angle between the ways of a guide and a line of its block, where the file says that there is one."""
+def _square(skeleton: Skeleton, slide: Slide, *guide: complex, block: bool = False) -> list[Stroke]:
+    """The right angle between the ways of a guide and a line of its block, where the file says that there is one: where
+    a line that is drawn leaves the block, if no other block is there; about two that lie across each other."""
     if abs(math.cos(slide.tilt)) > 1e-9 or (*skeleton.mechanism.path(slide), "tilt") not in skeleton.mechanism.given:
         return []
-    at, ways = skeleton.at(slide.point), [way / abs(way) for way in guide]
+    at, ways, step = skeleton.at(slide.point), [way / abs(way) for way in guide], skeleton.step(slide.point)
     lines = [line for line in skeleton.directions(slide.point) if abs((line / ways[0]).real) < 1e-6]
-    quarters = product(ways, lines)
-    one, other = max(quarters, key=lambda legs: clearance(skeleton, at + side * sum(legs)), default=(1, 1))
-    return symbols.right_angle(at, one, other, side, skeleton.step(slide.point))
+    reach = {line: max((((end - at) / line).real for bar in skeleton.drawn if leaves(at, line, bar) for end in bar),
+                       default=0.0) for line in lines}  # fmt: skip
+    others = [skeleton.at(other.point) for other in skeleton.blocks.values() if other is not slide]
+    across = any(abs(place - at) < symbols.HINGE for place in others)
+    off, side = (symbols.BLOCK.imag / 2 if block and not across else 0.0), _SEEN if across else symbols.SQUARE
+    corners = [(at + off * line, way, line) for way, line in product(ways, lines) if reach[line] > _SEEN
+               and (across or all(abs(at + off * line - place) > _SEEN for place in others))]  # fmt: skip
+    room = [clearance(skeleton, corner + side * (way + line)) for corner, way, line in corners]
+    return symbols.right_angle(*corners[room.index(max(room))], side, step) if corners else []
 
 
 OVER_LINKS: Signs = {Cam: wheels.profiles, Slide: _sliding}  # signs of pairs that stand over links; hinges are points

@@ -16,6 +16,7 @@ from graphkin.model.quantities import Rotation
 from graphkin.model.wheels import wheels_of
 from graphkin.planning.asked import plane_of
 from graphkin.planning.method import rate_found
+from graphkin.say.catalogue import say
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import DrawnAngle, Size
@@ -82,11 +83,16 @@ class MechanismNotes:
             for datum in data if not marks else ():
                 lettered_too = isinstance(datum.shape, DrawnAngle) and angle_label(datum) in lettered
                 if datum not in measured and not lettered_too:
-                    unsaid.setdefault(datum.derived, []).append(formula(datum.text))
+                    unsaid.setdefault(datum.derived, []).append(formula(self._in_words(datum)))
         for derived, labels in sorted(unsaid.items()) if self.planes else ():  # what is given first
             words = self._written(labels, free, (LABEL,) if derived or self.told else (LABEL, LEAST))
             added += (replace(mark, accent="grey") for mark in words) if derived else words
         return added
+
+    def _in_words(self, datum: Size) -> str:
+        """A datum; of a guide's distance, too, from which point it is."""
+        point = datum.since if datum.since in self.skeleton.points else ""
+        return say("sheet.since", self.reading.lang, datum=datum.text, point=point) if point else datum.text
 
     def _written(self, labels: Sequence[Label], free: FreeRoom, sizes: Sequence[float]) -> list[Text]:
         """Data in lines, as low as there is room: together, else in parts; in smaller letters where large have none."""
@@ -164,7 +170,9 @@ class MechanismNotes:
                     return place, marks
         return next(rest, None)
 
-    def _ranked(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[int, tuple[Arc, list[Mark]]]]:
+    def _ranked(
+        self, turn: Rotation, free: FreeRoom, beside: Arc | None
+    ) -> Iterator[tuple[int, tuple[Arc, list[Mark]]]]:
         """Places of an arc with its letter: about the link's pivot first, elsewhere only if need be; and of these first
         where this letter and all others are nearer to their own heads."""
         alike = [mark for mark in free.marks
@@ -243,7 +251,8 @@ class MechanismNotes:
             about = (pair[way < 0],)
             if abs(arm) > 2 * radius and self._alone(about, radius, way * arm):
                 yield about, radius, way * arm / abs(arm), True, SWEEP
-        hub = disc(skeleton, link) or next((wheel.centre for wheel in wheels_of(self.reading.mechanism) if wheel.link == link), "")
+        wheels = wheels_of(self.reading.mechanism)
+        hub = disc(skeleton, link) or next((wheel.centre for wheel in wheels if wheel.link == link), "")
         rims = [radius for at, radius in circles(skeleton) if hub and at == skeleton.at(hub)]
         for point, radius, middle in product([hub] if hub else points if not bars else (), radii, _AROUND):
             if radius < max(rims, default=math.inf) + _RIM:

@@ -260,3 +260,21 @@ def test_the_arc_of_a_driver_crosses_its_link_where_its_vector_is_short() -> Non
     [arc] = [mark for mark in page.marks if isinstance(mark, ArcMark) and abs(mark.centre - pivot) < 0.05
              and mark.pen == "vector"]  # fmt: skip
     assert 0 < cmath.phase((far - pivot) * cmath.rect(1, -arc.start)) / arc.sweep < 1
+
+
+def test_both_arcs_of_a_pivoted_link_are_about_its_pivot() -> None:
+    """About another place of the link an arc looks as if it turned the other way: here alpha goes against omega."""
+    text = """
+ask = ["omega 3", "alpha 3"]
+frame = { D = [0, 0] }
+links = { 1.points = ["B"], 2.BC = 100, 3 = { DC = 70, DE = 150, CE = 80 } }
+slide = [{ name = "s", block = "1", point = "B", guide = "frame", through = [0, -20], angle = 180 }]
+driver = [{ slide = "s", at = 120, velocity = "200 mm/s", acceleration = -0.5 }]
+sketch = { B = [-120, -20], C = [-40, 55], E = [-90, 120] }
+"""
+    method = plan(loads(text))
+    page = sheet(method, replay_all(method))
+    at = next(mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.name == "D")
+    arcs = [mark for mark in page.marks if isinstance(mark, ArcMark) and mark.accent in ("velocity", "acceleration")]
+    assert {arc.accent for arc in arcs} == {"velocity", "acceleration"}
+    assert all(abs(arc.centre - at) < 1e-9 for arc in arcs)

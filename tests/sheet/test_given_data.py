@@ -409,3 +409,72 @@ def test_a_length_that_follows_from_coordinates_is_derived_along_the_first_arm_t
     text = OLDHAM.replace("E = [30, 0], F = [0, 30]", "E = [30, 40], F = [0, 30]")
     every = {size.symbol: size for size in sizes(Reading(*solved(text), {}, "en"))}
     assert [every[symbol].derived for symbol in ("l_CE", "l_CF", "l_EF", "l_AD")] == [True, False, True, False]
+
+
+LIFT = """
+ask = ["omega 3", "alpha 3", "v S", "a S"]
+frame = { name = "5", D = [0, 0] }
+slide = [
+    { name = "s", block = "1", point = "B", guide = "frame", through = [0, -20], angle = 180 },
+    { block = "4", point = "E", guide = "6", through = "S", toward = "T" },
+    { block = "6", point = "S", tilt = -90, guide = "frame", through = [-120, 0], angle = 90 },
+]
+driver = [{ slide = "s", at = 120, velocity = "200 mm/s", acceleration = -0.5 }]
+sketch = { B = [-120, -20], C = [-40, 55], E = [-90, 120], S = [-120, 120], T = [-60, 120], U = [-90, 170] }
+[links]
+1.points = ["B"]
+2.BC = 100
+3 = { DC = 70, DE = 150, CE = 80 }
+4.points = ["E"]
+6.shape = { S = [0, 0], T = [60, 0], U = [30, 50] }
+"""
+PLUNGER = """
+ask = ["v T", "a T", "P12"]
+frame = { name = "3", A = [0, 0] }
+links = { 1.AC = 16, 2.shape = { T = [0, 0], U = [30, 0], V = [0, 50] } }
+slide = [{ block = "2", point = "T", tilt = -90, guide = "frame", through = [10, 0], angle = 90 }]
+driver = [{ vector = "AC", angle = 30, omega = "300 rpm" }]
+sketch = { T = [10, 43] }
+[[cam]]
+links = ["1", "2"]
+profiles = [{ centre = "C", radius = 35 }, { through = "T", toward = "U", side = "right" }]
+"""
+INCLINED = """
+frame = { A = [0, 0] }
+links = { 1.AB = 40, 2.BC = 120, 3.points = ["C"] }
+slide = [{ block = "3", point = "C", guide = "frame", through = [9.8, -17], angle = 30 }]
+driver = [{ vector = "AB", angle = 150, omega = 20 }]
+sketch = { C = [90, 30] }
+"""
+
+
+def test_dimensions_beyond_all_that_is_drawn_where_nothing_nearer_has_room() -> None:
+    """A guide's distance from a pivot is no symbol in a list; a right angle stands where its line leaves the block, and
+    nowhere if another block is there."""
+    page = sheet(*solved(LIFT))
+    lettered = [plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)]
+    assert lettered.count("120 mm") == 2  # B from D, and the guide of S
+    assert not any("eS" in text for text in lettered)
+    squares = [mark for mark in page.marks if isinstance(mark, Stroke) and mark.pen == "construction"]
+    assert not [mark for mark in squares if len(mark.places) == 3]
+
+
+@pytest.mark.parametrize(("lang", "told"), [("en", "eT = 10 mm from A"), ("zh", "eT = 10 mm（距 A）")])
+def test_a_distance_that_only_words_tell_says_from_where(lang: Lang, told: str) -> None:
+    page = sheet(*solved(PLUNGER), lang=lang)
+    assert any(told in plain_text(mark.label) for mark in page.marks if isinstance(mark, Text))
+
+
+def test_where_a_guide_begins_has_a_cross_on_its_line() -> None:
+    """Else the coordinates of that place end at nothing."""
+    method, plot = solved(INCLINED)
+    page = sheet(method, plot)
+    names = {mark.name: mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"}
+    scale = page.scales["position"]
+    begin = names["A"] + complex(0.0098, 0.017) / scale
+    strokes = [mark for mark in page.marks if isinstance(mark, Stroke) and len(mark.places) == 2]
+    cross = [mark for mark in strokes if abs(sum(mark.places) / 2 - begin) < 0.01 and abs(mark.places[0] - begin) < 2]
+    assert len(cross) == 2
+    line = [mark for mark in strokes if mark.pen == "centre" and mark.accent == "grey"]
+    assert line
+    assert all(off_stretch(end, begin, names["C"]) < 0.05 for mark in line for end in mark.places)

@@ -14,6 +14,7 @@ PHRASES: Phrases = {
     "sheet.together": ("solved together", "联立求解"),
     "sheet.no room equations": ("no room for all equations at these scales", "此比例尺下放不下全部矢量方程"),
     "sheet.no room tables": ("no room for all tables at these scales", "此比例尺下放不下全部数值表"),
+    "sheet.since": ("{datum} from {point}", "{datum}（距 {point}）"),
     "sheet.ruler": ("100 mm when printed to scale", "按实际尺寸打印时为 100 mm"),
     "sheet.centres": ("Mechanism and instant centres", "机构的速度瞬心"),
     "sheet.sense": ("[ccw|cw]", "[逆|顺]"),
