@@ -59,7 +59,8 @@ def lettered(text: str, letters: dict[str, str], free: Iterator[str]) -> str:
 
 def stretch(tail: str, head: str) -> str:
     """The line between two points: `pb3`, `n3′b3′`; longer names stand apart."""
-    between = " " if "@" in tail + head or len(_MARKED.sub("O", point(tail) + point(head))) > 8 else ""
+    long = len(_MARKED.sub("O", point(tail) + point(head))) > 8
+    between = " " if long or any(mark in tail + head for mark in "@_") else ""
     return point(tail) + between + point(head)
 
 

@@ -199,7 +199,7 @@ def valued(name: Label, value: float, unit: str, digits: int = 4) -> Label:
 
 
 _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
-_LOW = r"(?:[^\s()（）/|²³·、。，；：:,;.]|[,.](?=\w))+"
+_LOW = r"(?:[^\s()（）/|²³·→、。，；：:,;.]|[,.](?=\w))+"
 _SIGN = (
     r"(?P<letter>[A-Za-zα-ωṡ]\u0308?)(?P<part>[ⁿᵗᵏʳ]*)"
     rf"(?:_(?P<low>{_LOW})|(?P<digits>\d+))(?P<power>[²³]?)(?![A-Za-z])"
@@ -220,7 +220,7 @@ _STRETCH = (
 )
 _ALONE = (  # `θ`, `K`, `AD`, `p`, `A` and `a` of a sentence where they are no words
     r"[α-ωΑ-Ω](?!\w)|(?<![\w°′’'\-])(?:[B-HJ-Z]|[A-HK-S]{2}|[A-H]{3,4}|A(?=[,.;:)、，。；）]|$| [\u4e00-\u9fff(（]))"
-    r"(?![\w'’\-])|(?<=[^\s.:;] )A(?![\w'’\-])|A(?= (?:is|lies|moves|stays|above|below) )|(?<![\w'’./(（°\-])(?<!\d )"
+    r"(?![\w'’\-])|(?<=[^\s.:;] )A(?![\w'’\-])|A(?= (?:is|lies|moves|stays|above|below) )|(?<![\w'’./(（°\-])(?<![^a-z]\d )(?<!^\d )"
     r"(?:[b-ln-rt-z]|a(?=[,;:)、，。；）]| ?[⊥∥\u4e00-\u9fff]| (?:lies|is|[=∽]) | and [a-z]\d*′*[ ,.]))′*"
     r"(?![\w'’\-]|/min|\.[A-Za-z])"
 )

@@ -148,14 +148,16 @@ def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
 
 
 def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:
-    """A bar, or the outline of three and more points; points inside it hang on two corners."""
+    """A bar, or the outline of three and more points; thin lines go to points inside it, which are no bars."""
 
     def line(through: Sequence[int], pen: PenName, closed: bool) -> Stroke:
         shows = Shows(link, "bar", tuple(names[k] for k in through))
         fill: Fill = "tint" if closed else "none"
         return Stroke(tuple(places[k] for k in through), pen, closed, fill, shows, step)
 
-    return [line(through, "outline" if closed else "visible", closed) for through, closed in lines_through(places)]
+    lines = [*lines_through(places)]
+    inner: PenName = "thin" if any(closed for _, closed in lines) else "visible"
+    return [line(through, "outline" if closed else inner, closed) for through, closed in lines]
 
 
 def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:

@@ -36,6 +36,8 @@ def _set(text: str) -> str:
         ("由 p 作矢量 ⊥DE，得 w。", "由 *p* 作矢量 ⊥*DE*，得 *w*。"),
         ("so a and d4 lie on p", "so *a* and *d*[4] lie on *p*"),
         ("From A draw a line: e = 15 mm, n = 100 r/min", "From *A* draw a line: *e* = 15 mm, *n* = 100 r/min"),
+        ("（即 r_r2→f_r2）平移，作 d r_r2 = v_F", "（即 *r*[*r*][2]→*f*[*r*][2]）平移，作 *d* *r*[*r*][2] = *v*[*F*]"),
+        ("△a c_r1 d ∽ △ACD, 3 d later", "∆*a* *c*[*r*][1] *d* ∽ ∆*ACD*, 3 d later"),
         ("A line; A is not on (b), 3 h", "A line; *A* is not on (b), 3 h"),
     ],
 )

@@ -560,3 +560,18 @@ def test_data_that_have_no_room_together_are_written_in_parts(family: str, seed:
     assert {mark.size for mark in written} == {usual}
     drawn = [mark for mark in texts if re.fullmatch(r"[\d.]+ mm", plain_text(mark.label))]
     assert sum(plain_text(mark.label).count(" = ") for mark in written) + len(drawn) >= count
+
+
+def test_no_bar_goes_to_a_point_inside_a_plate() -> None:
+    """A bar over the plate looks like another link: thin lines tell where the point is."""
+    text = """
+frame = { A = [0, 0], B = [60, -25] }
+links = { 2.shape = { A = [0, 0], C = [180, 25], D = [210, 65], E = [420, 0] }, 3.CF = 90, 4.BF = 200 }
+driver = [{ vector = "AE", angle = 25, omega = 1 }]
+sketch = { C = [153, 99], F = [230, 60] }
+"""
+    method = plan(loads(text))
+    page = sheet(method, replay_all(method))
+    bars = [mark for mark in page.marks if isinstance(mark, Stroke) and mark.shows and mark.shows.link == "2"]
+    assert any(mark.pen == "outline" for mark in bars if mark.closed)
+    assert {mark.pen for mark in bars if not mark.closed and mark.shows and mark.shows.form == "bar"} == {"thin"}
