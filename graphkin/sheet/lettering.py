@@ -220,9 +220,9 @@ _STRETCH = (
 )
 _ALONE = (  # `θ`, `K`, `AD`, `p`, `A` and `a` of a sentence where they are no words
     r"[α-ωΑ-Ω](?!\w)|(?<![\w°′’'\-])(?:[B-HJ-Z]|[A-HK-S]{2}|[A-H]{3,4}|A(?=[,.;:)、，。；）]|$| [\u4e00-\u9fff(（]))"
-    r"(?![\w'’\-])|(?<=[^\s.:;] )A(?![\w'’\-])|A(?= (?:is|lies|moves|stays|above|below) )|(?<![\w'’./(（°\-])(?<![^a-z]\d )(?<!^\d )"
-    r"(?:[b-ln-rt-z]|a(?=[,;:)、，。；）]| ?[⊥∥\u4e00-\u9fff]| (?:lies|is|[=∽]) | and [a-z]\d*′*[ ,.]))′*"
-    r"(?![\w'’\-]|/min|\.[A-Za-z])"
+    r"(?![\w'’\-])|(?<=[^\s.:;] )A(?![\w'’\-])|A(?= (?:is|lies|moves|stays|above|below) )"
+    r"|(?<![\w'’./(（°\-])(?<![^a-z]\d )(?<!^\d )(?:[b-ln-rt-z]"
+    r"|a(?=[,;:)、，。；）]| ?[⊥∥\u4e00-\u9fff]| (?:lies|is|[=∽]) | and [a-z]\d*′*[ ,.]))′*(?![\w'’\-]|/min|\.[A-Za-z])"
 )
 _ANY = re.compile(f"(?P<worded>{_WORDED})|(?P<points>{_POINTS}|{_NUMBERED}|{_STRETCH})|{_SIGN}|(?P<alone>{_ALONE})")
 
