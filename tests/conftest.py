@@ -16,8 +16,9 @@ PART = 3  # of the cases of a test that is marked `many` one of so many runs; of
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """A law that is held against many mechanisms takes some of them; all with GRAPHKIN_RANDOM in the environment. One
-    whose cases take turns at something of their own is not to be marked: some turns would be nobody's."""
+    """A law that is held against many mechanisms takes some of them, and a single case that is marked `further` is left
+    out; all run with GRAPHKIN_RANDOM in the environment. A test whose cases take turns at something of their own is not
+    to be marked `many`: some turns would be nobody's."""
     if "GRAPHKIN_RANDOM" in os.environ:
         return
     there = Counter(map(function_of, items))
@@ -25,7 +26,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         name, many = function_of(item), item.get_closest_marker("many")
         part = 1 if many is None else min(*many.args, there[name]) if many.args else PART
-        (left if (seen[name] + len(name)) % part else taken).append(item)
+        is_left = (seen[name] + len(name)) % part > 0 or item.get_closest_marker("further") is not None
+        (left if is_left else taken).append(item)
         seen[name] += 1
     items[:] = taken
     if left:
