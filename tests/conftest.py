@@ -11,6 +11,8 @@ import pytest
 from library_sheets import loaded
 
 from graphkin.files import library
+from graphkin.sheet import mechanism_sheet
+from graphkin.sheet.paper import papers_for
 
 PART = 3  # of the cases of a test that is marked `many` one of so many runs; of `many(8)` one of eight
 
@@ -56,3 +58,12 @@ def _library_once(request: pytest.FixtureRequest) -> Iterator[None]:
     own, library.load = library.load, loaded
     yield
     library.load = own
+
+
+@pytest.fixture
+def one_paper() -> Iterator[None]:
+    """Every sheet is on A3: a solution has the scales of its sheet, and choosing its paper takes longer than all the rest of
+    it. For mechanisms of a test's own, as what is kept of one of the library is shown to other tests."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(mechanism_sheet, "papers_for", lambda name: papers_for(name or "A3"))
+        yield

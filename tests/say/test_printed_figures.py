@@ -98,6 +98,7 @@ def scales(name: str) -> dict[str, float]:
     return dict(scales_of(drawing.method, drawing.plot))
 
 
+@pytest.mark.usefixtures("one_paper")
 def test_a_train_read_by_hand_is_worth_what_it_prints() -> None:
     """Rotations that were read have not quite the ratio of the radii."""
     assert hold(Drawing.of(epicyclic(200)).explain("en", as_drawn=True)) > 5
