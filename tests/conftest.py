@@ -6,6 +6,7 @@ import gc
 import os
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from library_sheets import loaded
@@ -67,3 +68,12 @@ def one_paper() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(mechanism_sheet, "papers_for", lambda name: papers_for(name or "A3"))
         yield
+
+
+@pytest.fixture
+def own_folder(tmp_path: Path) -> Iterator[Path]:
+    """Commands are given in a folder of the test's own, in English: nothing that the package does is changed."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path)
+        patch.setenv("GRAPHKIN_LANG", "en")
+        yield tmp_path

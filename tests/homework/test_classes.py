@@ -30,9 +30,8 @@ VALUES = ("-3.92,62,2.5", "-5.65,68.7,3.62", "-3.7 m/s,,2.6", "-3.75,60,what", "
 
 
 @pytest.fixture(autouse=True)
-def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+def in_a_folder(own_folder: Path) -> None:
+    """Each test has one."""
 
 
 def run(*words: str) -> Result:
