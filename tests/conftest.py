@@ -6,18 +6,22 @@ import gc
 import os
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from library_sheets import loaded
 
 from graphkin.files import library
+from graphkin.sheet import mechanism_sheet
+from graphkin.sheet.paper import papers_for
 
 PART = 3  # of the cases of a test that is marked `many` one of so many runs; of `many(8)` one of eight
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """A law that is held against many mechanisms takes some of them; all with GRAPHKIN_RANDOM in the environment. One
-    whose cases take turns at something of their own is not to be marked: some turns would be nobody's."""
+    """A law that is held against many mechanisms takes some of them, and a single case that is marked `further` is left
+    out; all run with GRAPHKIN_RANDOM in the environment. A test whose cases take turns at something of their own is not
+    to be marked `many`: some turns would be nobody's."""
     if "GRAPHKIN_RANDOM" in os.environ:
         return
     there = Counter(map(function_of, items))
@@ -25,7 +29,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for item in items:
         name, many = function_of(item), item.get_closest_marker("many")
         part = 1 if many is None else min(*many.args, there[name]) if many.args else PART
-        (left if (seen[name] + len(name)) % part else taken).append(item)
+        is_left = (seen[name] + len(name)) % part > 0 or item.get_closest_marker("further") is not None
+        (left if is_left else taken).append(item)
         seen[name] += 1
     items[:] = taken
     if left:
@@ -54,3 +59,21 @@ def _library_once(request: pytest.FixtureRequest) -> Iterator[None]:
     own, library.load = library.load, loaded
     yield
     library.load = own
+
+
+@pytest.fixture
+def one_paper() -> Iterator[None]:
+    """Every sheet is on A3: a solution has the scales of its sheet, and choosing its paper takes longer than all the rest of
+    it. For mechanisms of a test's own, as what is kept of one of the library is shown to other tests."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(mechanism_sheet, "papers_for", lambda name: papers_for(name or "A3"))
+        yield
+
+
+@pytest.fixture
+def own_folder(tmp_path: Path) -> Iterator[Path]:
+    """Commands are given in a folder of the test's own, in English: nothing that the package does is changed."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path)
+        patch.setenv("GRAPHKIN_LANG", "en")
+        yield tmp_path

@@ -1,4 +1,5 @@
-"""Every kind of drawing that the commands write, of any mechanism, as the text of its file."""
+"""Every kind of drawing that the commands write, of any mechanism, as the text of its file; `draw` chooses its paper,
+others are given theirs."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from reading_back import PAPER
 from si_values import si
 
 from graphkin import Drawing
@@ -64,32 +66,32 @@ def draw(of: Of) -> Iterator[str]:
 
 
 def given(of: Of) -> Iterator[str]:
-    yield svg(of.drawing.sheet(lang=of.lang, style="given"))
+    yield svg(of.drawing.sheet(lang=of.lang, style="given", paper=PAPER))
 
 
 def elsewhere(of: Of) -> Iterator[str]:
     values = [float(value) + of.rng.uniform(-0.2, 0.2) * (1 if driver.kind == "angle" else 0.05)
               for driver, value in zip(of.mechanism.drivers, of.drawing.plot.facts.values, strict=True)]  # fmt: skip
-    yield svg(Drawing.of(of.mechanism, si(of.mechanism, values)).sheet(lang=of.lang))
+    yield svg(Drawing.of(of.mechanism, si(of.mechanism, values)).sheet(lang=of.lang, paper=PAPER))
 
 
 def steps(of: Of) -> Iterator[str]:
-    pages = list(of.drawing.step_sheets(lang=of.lang, tight=of.rng.random() < 0.2))
+    pages = list(of.drawing.step_sheets(lang=of.lang, tight=of.rng.random() < 0.2, paper=PAPER))
     yield from map(svg, of.rng.sample(pages, min(4, len(pages))))
 
 
 def by_centre(of: Of) -> Iterator[str]:
-    yield svg(Drawing.of(plan(of.mechanism, "", True)).sheet(lang=of.lang))
+    yield svg(Drawing.of(plan(of.mechanism, "", True)).sheet(lang=of.lang, paper=PAPER))
 
 
 def coincident(of: Of) -> Iterator[str]:
-    yield svg(Drawing.of(plan(of.mechanism, of.rng.choice(of.mechanism.points))).sheet(lang=of.lang))
+    yield svg(Drawing.of(plan(of.mechanism, of.rng.choice(of.mechanism.points))).sheet(lang=of.lang, paper=PAPER))
 
 
 def paths(of: Of) -> Iterator[str]:
     moving = [point for point in of.mechanism.points if FRAME not in of.mechanism.owners[point]]
     arrows, only = of.rng.random() < 0.5, of.rng.choice((None, "position"))
-    yield svg(of.drawing.sheet(lang=of.lang, only=only, paths=[of.rng.choice(moving)], arrows=arrows))
+    yield svg(of.drawing.sheet(lang=of.lang, only=only, paths=[of.rng.choice(moving)], arrows=arrows, paper=PAPER))
 
 
 def moving(of: Of) -> Iterator[str]:

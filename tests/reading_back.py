@@ -43,6 +43,8 @@ FAMILIES: dict[str, Callable[[int], Mechanism]] = {
     "circular": circular_slot,
     "line": lambda seed: loads(rolling_machines.rolling_line(10 + seed)),
 }  # fmt: skip
+PAPER = None if "GRAPHKIN_RANDOM" in os.environ else "A3"
+"""Of what is drawn to be read: choosing it takes longer than all the rest."""
 if "GRAPHKIN_RANDOM" in os.environ:
     FAMILIES |= {
         **{name: lambda seed, f=f: loads(f(seed)) for name, f in rolling_machines.FAMILIES.items()},
@@ -60,7 +62,7 @@ def make(family: str, seed: int) -> Mechanism:
 def drawn(family: str, seed: int) -> str | None:
     """A drawing; None at a dead point."""
     try:
-        return svg(Drawing.of(make(family, seed)).sheet())
+        return svg(Drawing.of(make(family, seed)).sheet(paper=PAPER))
     except (DeadPoint, TooLargeForPaper):
         return None
 

@@ -22,8 +22,10 @@ ROUNDING = 1e-14
 """What the roads may differ by, by the square of the condition: more than 1e-9 only where that is below 0.003."""
 ALIKE = 20
 """Random mechanisms of one topology."""
-COUNT, BATCH = max(ALIKE, int(os.environ.get("GRAPHKIN_RANDOM", "120"))), 250
+COUNT, BATCH = max(ALIKE, int(os.environ.get("GRAPHKIN_RANDOM", "60"))), 250
 """Random mechanisms of each kind, and of how many a test is made; more with GRAPHKIN_RANDOM in the environment."""
+DERIVED = 40 if "GRAPHKIN_RANDOM" in os.environ else 22
+"""Random mechanisms of each kind whose motion is held against its differences."""
 BATCHES = range(-(-COUNT // BATCH))
 
 

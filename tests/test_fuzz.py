@@ -13,7 +13,7 @@ from pathlib import Path
 import fuzzing
 import pytest
 
-COUNT = int(os.environ.get("GRAPHKIN_FUZZ", "200"))
+COUNT = int(os.environ.get("GRAPHKIN_FUZZ", "120"))
 HERE, PART = 200, 500
 """Cases run in this process; cases of each of the others."""
 

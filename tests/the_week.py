@@ -1,4 +1,4 @@
-"""A class of twenty, or sixty, and what it hands in: students who calculate by themselves from the pages that they were given, and
+"""A class of fifteen, or sixty, and what it hands in: students who calculate by themselves from the pages that they were given, and
 write numbers as they like, into files as they like, that Moodle packs.
 """
 
@@ -20,8 +20,8 @@ from pathlib import Path
 import openpyxl
 
 FAMILIES = "赵钱孙李周吴郑王冯陈褚卫蒋沈韩杨朱秦尤许"
-LEAST = 20
-MANY = 3 * LEAST if "GRAPHKIN_RANDOM" in os.environ else LEAST
+LEAST = 15
+MANY = 4 * LEAST if "GRAPHKIN_RANDOM" in os.environ else LEAST
 """Students."""
 GIVEN = ("霞洋", "明", "文博", "思远", "雨桐", "子涵")
 
@@ -43,7 +43,7 @@ class Pupil:
 def pupils(count: int = MANY) -> list[Pupil]:
     """Two are called 王明, one has a name in two parts; Moodle numbers them in an order of its own."""
     names = [FAMILIES[k % 20] + GIVEN[(k // 20 + k) % 6] for k in range(count)]
-    names[3], names[17], names[11] = "王明", "王明", "阿卜杜拉·买买提"
+    names[3], names[-3], names[11] = "王明", "王明", "阿卜杜拉·买买提"
     return [Pupil(f"202701{k + 1:02}", name, f"s{k + 1:02}@x.edu", 4401 + k * 37 % count) for k, name in enumerate(names)]
 
 
@@ -252,9 +252,10 @@ def packed(path: Path, files: Mapping[str, bytes]) -> Path:
 # --- who hands in what ------------------------------------------------------------------------------------------------
 
 FATES = (
-    ["again"] + ["slip"] * 2 + ["mistake"] * 3 + ["right"] * 4 + ["unread"] * 4 + ["photograph", "another's name"]
-    + ["copy"] + ["nothing"] + ["late"] * 2
+    ["another's name", "again", "slip"] + ["mistake"] * 2 + ["right"] * 2 + ["nothing"] + ["unread"] * 3
+    + ["copy", "photograph"] + ["late"] * 2
 ) * (MANY // LEAST)  # fmt: skip
+"""Seven students on are eleven fates on: what is copied is of one who hands in nothing, the other's name of who copies."""
 LATE = ("late", "again", "photograph")
 UNREAD = ("见图", "3.92或3.98", "算不出", "2.7~2.9", "?", "忘了", "3.9x")
 STRANGER = "张三丰_9001_assignsubmission_file_/作业.txt"

@@ -70,8 +70,9 @@ def test_a_sweep_is_saved_as_the_command_writes_it(kind: str, tmp_path: Path):
     assert swept.save(tmp_path / f"b{kind}").read_bytes() == (tmp_path / f"a{kind}").read_bytes()
 
 
-def test_the_bytes_of_a_file(tmp_path: Path):
+def test_the_bytes_of_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     """What a service sends is what would be saved."""
+    monkeypatch.setattr("graphkin.page.player._TOLD", 12)  # of a page with few words
     sheet, figure = graphkin.Drawing.of("ex3-1").sheet(), graphkin.sweep("ex3-1", "0:90:30")
     assert sheet.to_pdf() == sheet.save(tmp_path / "a.pdf").read_bytes()
     assert sheet.to_png() == sheet.save(tmp_path / "a.png").read_bytes()

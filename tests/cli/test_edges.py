@@ -47,9 +47,8 @@ B = [300, 87]
 
 
 @pytest.fixture(autouse=True)
-def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+def in_a_folder(own_folder: Path) -> None:
+    """Each test has one."""
 
 
 def run(*words: str) -> Result:
@@ -478,6 +477,7 @@ def test_whatever_takes_long_has_a_bar(words: str, tmp_path: Path, monkeypatch: 
     main_end, terminal = pty.openpty()
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(streams, "_PATIENCE", 0.0)
+    monkeypatch.setattr("graphkin.page.player._TOLD", 12)
     with os.fdopen(terminal, "w") as stderr, os.fdopen(main_end, "rb", 0) as shown:
         monkeypatch.setattr(sys, "stderr", stderr)
         main.main(shlex.split(words), standalone_mode=False)

@@ -813,7 +813,7 @@ def _words(text: str, draw: st.DrawFn) -> str:
     return text[: old.start()] + new.group() + text[old.end() :]
 
 
-@settings(deadline=None, max_examples=int(os.environ.get("GRAPHKIN_RANDOM", "500")))
+@settings(deadline=None, max_examples=int(os.environ.get("GRAPHKIN_RANDOM", "250")))
 @given(broken())
 def test_only_our_own_errors_come_out(text: str) -> None:
     try:

@@ -30,9 +30,8 @@ VALUES = ("-3.92,62,2.5", "-5.65,68.7,3.62", "-3.7 m/s,,2.6", "-3.75,60,what", "
 
 
 @pytest.fixture(autouse=True)
-def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+def in_a_folder(own_folder: Path) -> None:
+    """Each test has one."""
 
 
 def run(*words: str) -> Result:
@@ -69,7 +68,7 @@ def told(judge, paths: list[str], **how) -> list:
 
 
 def test_workers_give_the_same_in_the_same_order():
-    paths = [table(200), "missing.toml", *bad_files(25), table(10, "again.csv")]
+    paths = [table(100), "missing.toml", *bad_files(25), table(10, "again.csv")]
     assert told(key_from("ex3-1"), paths, workers=2) == told(key_from("ex3-1"), paths)
 
 
@@ -83,7 +82,7 @@ def test_workers_of_a_clone():
 
 @pytest.mark.parametrize("processes", [False, True])
 def test_any_executor_will_do(processes: bool):
-    paths, judge = [table(300)], judge_from("ex3-1")
+    paths, judge = [table(150)], judge_from("ex3-1")
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(2, mp_context=spawn) if processes else ThreadPoolExecutor(2) as pool:
         assert told(judge, paths, executor=pool) == told(judge, paths)
@@ -205,9 +204,9 @@ def broken_off(path: Path, paths: list[str], after: int) -> None:
 
 
 def test_a_broken_off_marking_goes_on(marked: list[str]):
-    path, paths = Path("r.json"), [table(600)]
+    path, paths = Path("r.json"), [table(240)]
     with pytest.raises(KeyboardInterrupt):
-        broken_off(path, paths, 300)
+        broken_off(path, paths, 120)
     assert not path.exists()
     left = Path("r.json.journal")
     assert all(json.loads(line) for line in left.read_text("utf-8").splitlines())
@@ -215,12 +214,12 @@ def test_a_broken_off_marking_goes_on(marked: list[str]):
         with left.open("ab") as file:  # as a loss of power leaves it, or a hand
             file.write(cut if isinstance(cut, bytes) else cut.encode())
         with pytest.raises(KeyboardInterrupt):
-            broken_off(path, paths, 300)
+            broken_off(path, paths, 120)
     marked.clear()
     done = run("ex3-1", *paths, "-o", "r.json")
     assert done.exit_code == 0
-    assert len(marked) == 600 - 300
-    assert [one["student"] for one in marks()] == [f"s{k}" for k in range(600)]
+    assert len(marked) == 240 - 120
+    assert [one["student"] for one in marks()] == [f"s{k}" for k in range(240)]
     assert not left.exists()
     run("ex3-1", *paths, "-o", "whole.json")
     assert marks() == marks("whole.json")

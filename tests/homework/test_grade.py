@@ -22,9 +22,8 @@ LANGS: tuple[Lang, ...] = ("en", "zh")
 
 
 @pytest.fixture(autouse=True)
-def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+def in_a_folder(own_folder: Path) -> None:
+    """Each test has one."""
 
 
 def run(*words: str) -> Result:

@@ -15,9 +15,8 @@ RIGHT, WRONG = "-3.92,62,2.5", "-5.65,12,0.1"
 
 
 @pytest.fixture(autouse=True)
-def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+def in_a_folder(own_folder: Path) -> None:
+    """Each test has one."""
 
 
 def grade(*words: str, key: str = "ex3-1") -> Result:

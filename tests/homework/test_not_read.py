@@ -23,9 +23,7 @@ KEY = key_text(MARKER.key)
 
 
 @pytest.fixture(autouse=True)
-def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+def in_a_folder(own_folder: Path) -> None:
     Path("key.json").write_text(KEY, encoding="utf-8")
 
 

@@ -20,9 +20,8 @@ LIST = "学号,姓名,邮箱\n20231048,朱霞洋,zxy@x.edu\n20231049,王明,wm@x
 
 
 @pytest.fixture(autouse=True)
-def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("GRAPHKIN_LANG", "en")
+def in_a_folder(own_folder: Path) -> None:
+    """Each test has one."""
 
 
 def graded(roster: str | bytes, *given: str, name: str = "list.csv") -> list[dict]:

@@ -123,7 +123,7 @@ def held(page: Path) -> dict[str, Any]:
 # --- drawn as a student would
 
 
-@pytest.mark.parametrize("name", ["ex3-1", "ex3-7", "ex3-2"])
+@pytest.mark.parametrize("name", [pytest.param("ex3-1", marks=pytest.mark.further), "ex3-7", "ex3-2"])
 def test_drawn_with_the_pointer(name, browsing: Browsing, pages, tmp_path):
     page = browsing.open(pages(name), viewport=WIDE)
     problem = problem_of(name)
@@ -144,7 +144,7 @@ def test_drawn_with_the_pointer(name, browsing: Browsing, pages, tmp_path):
     assert json_of(Student(again, problem).hand_in(tmp_path / "again")) == record
 
 
-@pytest.mark.many
+@pytest.mark.many(5)
 @pytest.mark.parametrize("family", ["crosshead", "on_the_rim", "pinion_drives", "rack_in_a_slot", "road"])
 def test_random_mechanisms_are_drawn_with_the_pointer(family, browsing: Browsing, tmp_path):
     """Their files ask for nothing: what counts is what the board has boxes for."""

@@ -11,6 +11,7 @@ from browsing import Browsing, axe
 from graphkin import api
 from graphkin.analytic import motion
 from graphkin.files import loads
+from graphkin.page import player
 from graphkin.page.player import play
 from graphkin.proof.readings import mechanism_at
 
@@ -102,8 +103,9 @@ sketch = {C = [90, 40]}
 """
 
 
-def test_an_angle_that_turns_on_comes_round(browsing: Browsing, tmp_path):
+def test_an_angle_that_turns_on_comes_round(browsing: Browsing, tmp_path, monkeypatch):
     """Just before and after the driver has come round, where tracks go on from the last knot to the first."""
+    monkeypatch.setattr(player, "_TOLD", 12)  # its steps are not read
     mechanism = loads(_DOUBLE_CRANK)
     method = api.plan(mechanism)
     (tmp_path / "page.html").write_text(play(method).text, "utf-8")

@@ -24,6 +24,7 @@ from graphkin.model.quantities import EDGE, driven
 from graphkin.page import knots, player, writer
 from graphkin.page.player import play
 from graphkin.page.spoken import StepWords
+from graphkin.page.writer import joined
 from graphkin.planning.needed import without_aids
 from graphkin.running import replay_all
 from graphkin.say.entry import Sentence
@@ -167,7 +168,8 @@ sketch = {C = [70, 28]}
 """
 
 
-def test_change_points_are_said_and_passed(browsing: Browsing, tmp_path):
+def test_change_points_are_said_and_passed(browsing: Browsing, tmp_path, monkeypatch):
+    monkeypatch.setattr(player, "_TOLD", 12)  # its steps are not read
     machine = loads(_PARALLELOGRAM)
     (tmp_path / "page.html").write_text(play(api.plan(machine)).text, "utf-8")
     page = browsing.open(tmp_path / "page.html", "#AB=180", viewport=WIDE)
@@ -225,9 +227,9 @@ def two_cranks(tmp_path_factory) -> Path:
     """A page of two drivers with few positions that are calculated."""
     path = tmp_path_factory.mktemp("cranks") / "page.html"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(knots, "_OF_SEVERAL", 1500)
-        patch.setattr(knots, "_OF_GRID", (10, 20))
-        patch.setattr(player, "_WORD_KNOTS", 12)
+        patch.setattr(knots, "_OF_SEVERAL", 800)
+        patch.setattr(knots, "_OF_GRID", (10, 16))
+        patch.setattr(player, "_WORD_KNOTS", 8)
         path.write_text(play(loads(_TWO_CRANKS)).text, "utf-8")
     return path
 
@@ -328,8 +330,11 @@ def test_a_lecture_in_both_languages(browsing: Browsing, page_of):
     assert again.inner_text("h1") == page.inner_text("h1")
 
 
-def test_a_watched_page_is_read_again_while_nobody_works_on_it(browsing: Browsing, tmp_path):
-    """At the same hash; not under a hand."""
+def test_a_watched_page_is_read_again_while_nobody_works_on_it(browsing: Browsing, tmp_path, monkeypatch):
+    """At the same hash; not under a hand. Every 0.2 s here, not every two."""
+    own = writer.joined(["watched"])
+    assert own.count("2000") == 1
+    monkeypatch.setattr(writer, "joined", lambda names: own.replace("2000", "200") if names == ["watched"] else joined(names))
     path, text = tmp_path / "page.html", writer.page("one", "en", scripts=["words"], styles=[], data={"words": {}})
     writer.write(path, writer.watched(text))
     page = browsing.open(path, "#AB=70")
@@ -338,7 +343,7 @@ def test_a_watched_page_is_read_again_while_nobody_works_on_it(browsing: Browsin
     assert page.url.endswith("#AB=70")
     page.mouse.click(100, 100)
     page.evaluate("window.isSame = true")
-    page.wait_for_timeout(2500)
+    page.wait_for_timeout(500)
     assert page.evaluate("window.isSame")
     page.evaluate("dispatchEvent(new Event('blur'))")
     page.wait_for_function("() => !window.isSame")

@@ -81,6 +81,7 @@ def test_the_amount_is_what_was_put_in() -> None:
 
 
 @pytest.mark.many
+@pytest.mark.usefixtures("one_paper")
 @pytest.mark.parametrize("name", FAMILIES)
 def test_it_is_named_and_explained(name: str) -> None:
     mechanism = make(name, 6)

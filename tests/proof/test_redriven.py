@@ -52,6 +52,7 @@ def test_another_quantity_gives_the_same_motion(family: str, kind: str) -> None:
 
 
 @pytest.mark.many
+@pytest.mark.usefixtures("one_paper")
 @pytest.mark.parametrize(
     ("family", "kind"),
     [*((each, "link") for each in ("RRP", "PRR", "cylinder", "truss", "truss_on_links")),
@@ -77,6 +78,7 @@ def test_a_coincident_point_of_links_that_a_driver_turns_apart(family: str) -> N
             assert compare(other, replay_all(other), exact) < 1e-6, (seed, point)
 
 
+@pytest.mark.usefixtures("one_paper")
 @pytest.mark.parametrize("family", ["relative_angle", "six_bar", "triad"])
 def test_what_a_relative_driver_turns_does_not_stand_still(family: str) -> None:
     """The rates of links that are solved together hang on a driver that turns two of them against each other."""
@@ -145,6 +147,7 @@ def test_nothing_that_moves_is_taken_to_be_at_rest(family: str, kind: str) -> No
 
 
 @pytest.mark.many
+@pytest.mark.usefixtures("one_paper")
 @pytest.mark.parametrize("kind", POSED)
 @pytest.mark.parametrize("family", ["RRP", "geared_five_bar", "rolling", "truss"])
 def test_what_is_given_is_laid_off_and_the_driver_read_off(family: str, kind: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import pickle
 import threading
 from collections.abc import Callable, Sequence
@@ -63,7 +64,7 @@ def test_library_alike(name: str):
 @pytest.mark.parametrize("kind", MAKERS)
 def test_random_mechanisms_alike(kind: str):
     tried = 0
-    for seed in range(40):
+    for seed in range(40 if "GRAPHKIN_RANDOM" in os.environ else 14):
         try:
             method = plan(MAKERS[kind](seed))
         except GraphkinError:
@@ -78,7 +79,7 @@ def test_random_mechanisms_alike(kind: str):
 def test_what_moves_on_alike(kind: str):
     """Where links are fitted, or wheels roll, along the way from the drawn position; never without one."""
     tried = 0
-    for seed in range(3, 8):
+    for seed in range(3, 8 if "GRAPHKIN_RANDOM" in os.environ else 6):
         try:
             method = plan(MOVING_ON[kind](seed))
         except GraphkinError:

@@ -71,7 +71,7 @@ KINDS: dict[str, Callable[[], Mechanism]] = {
 }
 
 
-@pytest.mark.many(8)
+@pytest.mark.many(12)
 @pytest.mark.usefixtures("at_hand")
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_same_plot(kind: str, called: list[str]) -> None:

@@ -98,6 +98,7 @@ def scales(name: str) -> dict[str, float]:
     return dict(scales_of(drawing.method, drawing.plot))
 
 
+@pytest.mark.usefixtures("one_paper")
 def test_a_train_read_by_hand_is_worth_what_it_prints() -> None:
     """Rotations that were read have not quite the ratio of the radii."""
     assert hold(Drawing.of(epicyclic(200)).explain("en", as_drawn=True)) > 5
@@ -139,7 +140,7 @@ def test_a_finer_ruler_reads_what_is_right(name: str, monkeypatch: pytest.Monkey
     monkeypatch.setattr(ruler, "READ_MM", 1e-9)
     method = plan(library.load(name))
     plot = replay_all(method)
-    found, _ = ruler.as_drawn(method, plot, scales(name))
+    found, _ = ruler.as_drawn(method, plot, {"position": 0.001, "velocity": 0.01, "acceleration": 0.1})
     for link, rate in plot.alpha.items():
         assert found.alpha[link] == pytest.approx(rate, rel=1e-6, abs=1e-6 * max(map(abs, plot.alpha.values())))
 

@@ -122,6 +122,7 @@ def test_library(name: str, tmp_path: Path) -> None:
             hold(machine, name, TURNED, tmp_path, f" --angle {angle}" * len(machine.drivers))
 
 
+@pytest.mark.usefixtures("one_paper")
 @pytest.mark.parametrize("family", FAMILIES)
 def test_random_mechanisms(family: str, tmp_path: Path) -> None:
     machine = FAMILIES[family](0)

@@ -210,8 +210,8 @@ M = [50, 46]
 
 
 @pytest.mark.parametrize("lang", ["en", "zh"])
-@pytest.mark.parametrize("family", ["cylinder", "PPR", "six_bar", "train"])
-def test_asked_turns_have_arcs_where_links_are_short_and_crowded(family: str, lang: Lang) -> None:
+@pytest.mark.parametrize(("family", "paper"), [("cylinder", "A3-landscape"), ("PPR", "A3-landscape"), ("six_bar", "A4"), ("train", "A3")])
+def test_asked_turns_have_arcs_where_links_are_short_and_crowded(family: str, paper: str, lang: Lang) -> None:
     """For which the number of a link moves, or is left out where the letter tells it; in the densest one letter is alone."""
     machine = FAMILIES[family](8401)
     driven = {driver.link for driver in machine.drivers}
@@ -220,7 +220,7 @@ def test_asked_turns_have_arcs_where_links_are_short_and_crowded(family: str, la
     method = plan(replace(machine, ask=tuple(asked)))
     plot = replay_all(method)
     turns = Reading(method, plot, {}, "en").asked_turns(("velocity", "acceleration"))
-    page = sheet(method, plot, lang=lang)
+    page = sheet(method, plot, lang=lang, paper=paper)
     shown = {(head.shows.link, head.shows.form) for head, _ in turning_arcs(page) if head.shows}
     bare = [turn for turn in turns if (turn.link, {"ω": "omega", "α": "alpha"}[turn.letter]) not in shown]
     written = ["".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)]

@@ -294,10 +294,10 @@ def test_instant_centres_that_are_asked_for_stand_in_the_results_in_bold() -> No
 
 @pytest.mark.parametrize("name", ["p3-16", "p3-12", "p3-19", "ex3-3"])
 def test_each_arrow_of_an_equation_has_its_name_on_the_drawing(name: str) -> None:
-    sheet = drawing(name).sheet()
-    named = {"".join(run.text for run in mark.label).removeprefix(" = ") for mark in sheet.marks
+    marks = sheet(name).marks
+    named = {"".join(run.text for run in mark.label).removeprefix(" = ") for mark in marks
              if isinstance(mark, Text)}  # fmt: skip
-    arrows = {arrow.name for arrow in sheet.marks if isinstance(arrow, VectorMark) and arrow.length > 0.1}
+    arrows = {arrow.name for arrow in marks if isinstance(arrow, VectorMark) and arrow.length > 0.1}
     for construction in (drawing(name).method.velocity, drawing(name).method.acceleration):
         for term in construction.vectors():
             assert term not in arrows or "".join(run.text for run in vector_label(term)) in named, term
@@ -305,7 +305,7 @@ def test_each_arrow_of_an_equation_has_its_name_on_the_drawing(name: str) -> Non
 
 @pytest.mark.parametrize(("name", "row"), [("s4-ex4", "vO2 = ωH lO1O2"), ("p3-12", "∆ck1l2 ∽ ∆CKL")])
 def test_what_no_equation_gives_has_a_row(name: str, row: str) -> None:
-    assert row in {"".join(run.text for run in mark.label) for mark in drawing(name).sheet().marks
+    assert row in {"".join(run.text for run in mark.label) for mark in sheet(name).marks
                    if isinstance(mark, Text)}  # fmt: skip
 
 

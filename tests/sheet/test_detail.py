@@ -172,7 +172,7 @@ def test_no_label_stands_beyond_the_side_of_an_image_or_a_point_beyond_an_arrow(
 
 @pytest.mark.parametrize("lang", ["en", "zh"])
 def test_an_arrow_that_its_head_hides_stands_in_a_detail_even_where_that_has_little_room(lang: Lang) -> None:
-    page, name = Drawing.of(FAMILIES["PRR"](8402)).sheet(lang=lang), "a^k_A2@3,A2@1"
+    page, name = Drawing.of(FAMILIES["PRR"](8402)).sheet(lang=lang, paper="A3-landscape"), "a^k_A2@3,A2@1"
     circles = [mark for mark in page.marks if isinstance(mark, Disc) and mark.pen == "centre"]
     [arrow] = [mark for mark in page.marks if isinstance(mark, VectorMark) and mark.name == name
                and mark.plane == "acceleration"]  # fmt: skip

@@ -37,7 +37,7 @@ def drawing(case: str) -> Drawing:
 
 @cache
 def drawn(case: str) -> Sheet:
-    return drawing(case).sheet()
+    return drawing(case).sheet(paper="A3")  # choosing it takes longer than all the rest
 
 
 def arrows(sheet: Sheet) -> list[VectorMark]:

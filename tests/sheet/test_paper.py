@@ -14,7 +14,7 @@ from xml.etree.ElementTree import Element
 import browsing
 import pytest
 from defusedxml.ElementTree import fromstring
-from library_sheets import plain_text
+from library_sheets import drawing, library_sheet, plain_text
 
 from graphkin import Drawing
 from graphkin.check import measure
@@ -34,7 +34,7 @@ THIN = ("p3-6b",)
 
 @cache
 def text(name: str, **options: object) -> str:
-    return svg(Drawing.of(library.load(name)).sheet(**options))  # type: ignore[arg-type]
+    return svg(drawing(name).sheet(**options) if options else library_sheet(name))  # type: ignore[arg-type]
 
 
 def layers(root: Element) -> dict[str, Element]:

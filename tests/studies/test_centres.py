@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from dataclasses import replace
 from itertools import combinations, pairwise
@@ -84,7 +85,7 @@ def test_centres_of_the_library(name: str):
 @pytest.mark.parametrize("kind", KINDS)
 def test_centres_of_random_mechanisms(kind: str):
     tried = 0
-    for seed in range(40):
+    for seed in range(40 if "GRAPHKIN_RANDOM" in os.environ else 25):
         mechanism = getattr(random_mechanisms, kind)(seed) if hasattr(random_mechanisms, kind) else dyad(kind, seed)
         try:
             here = found(mechanism)

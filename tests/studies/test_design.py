@@ -142,7 +142,7 @@ def test_random_rockers_are_found_and_analysed_back(name):
 def test_family_is_all_there_is():
     """A crank-rocker taken at random is found again from its own c, psi, K and d."""
     found = 0
-    while found < 100:
+    while found < (100 if "GRAPHKIN_RANDOM" in os.environ else 40):
         a, b, c, d = np.sort(RANDOM.uniform(0.01, 0.1, 4))[[0, *(1 + RANDOM.permutation(3))]]
         if a + max(b, c, d) >= (a + b + c + d) / 2 * 0.995:
             continue
@@ -231,7 +231,7 @@ def test_wishes_without_sense_are_refused(wish, error):
 
 @pytest.mark.parametrize("name", ["offset", "crank", "rod", "gamma_min", ""])
 def test_random_sliders_are_found_and_analysed_back(name):
-    for _ in range(60):
+    for _ in range(60 if "GRAPHKIN_RANDOM" in os.environ else 25):
         stroke, k = 10 ** RANDOM.uniform(-3, 1), RANDOM.uniform(1.02, 2.2)
         family = slider(stroke, k).families[0]
         if family.best[1] < rad(10):
@@ -452,7 +452,7 @@ def test_pairs_that_determine_nothing():
 
 def test_positions_of_any_kind_are_judged_told_and_written():
     """Random positions and pairs, most of them with a defect: an answer in words, and a file that loads."""
-    for _ in range(40):
+    for _ in range(40 if "GRAPHKIN_RANDOM" in os.environ else 20):
         count = int(RANDOM.integers(2, 4))
         places = [complex(*RANDOM.uniform(-0.1, 0.1, 2)) for _ in range(count)]
         found = [coupler_positions(hinges(places, RANDOM.uniform(0, 6, count).tolist(), RANDOM.uniform(0.01, 0.2)))]
