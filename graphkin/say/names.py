@@ -60,7 +60,7 @@ def lettered(text: str, letters: dict[str, str], free: Iterator[str]) -> str:
 def stretch(tail: str, head: str) -> str:
     """The line between two points: `pb3`, `n3′b3′`; longer names stand apart."""
     long = len(_MARKED.sub("O", point(tail) + point(head))) > 8
-    between = " " if long or any(mark in tail + head for mark in "@_") else ""
+    between = " " if long or re.search(r"@|_[^\W\d]", tail + head) else ""
     return point(tail) + between + point(head)
 
 

@@ -15,7 +15,7 @@ from graphkin.errors import GraphkinError, Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
 from graphkin.model.quantities import Rotation, read
-from graphkin.planning import Method
+from graphkin.planning import Method, plan
 from graphkin.planning.asked import plane_of
 from graphkin.planning.at_rest import at_rest, steady_turnings
 from graphkin.planning.images import radius_number
@@ -69,12 +69,13 @@ _ON, _NO_TURN = 0.05, 1e-9  # so far drivers are moved on [rad, or part of the s
 
 def only_translates(method: Method, plot: Plot, link: str) -> bool:
     """True of a link that keeps its angle where the drivers are moved on: of a block, in a parallelogram."""
+    moving = plan(method.mechanism)  # one that is shown may be drawn from poses
     reach = [method.size if driver.kind == "slide" else 1.0 for driver in method.drivers]
     for step in (_ON, -_ON):
         places = ([float(value + n * step * far) for value, far in zip(plot.facts.values, reach, strict=True)]
                   for n in (1, 2))  # fmt: skip
         try:
-            turns = [float(replay_all(method, values).theta[link] - plot.theta[link]) for values in places]
+            turns = [float(replay_all(moving, values).theta[link] - plot.theta[link]) for values in places]
         except GraphkinError:  # a dead point is in between
             continue
         return all(abs(remainder(turn, tau)) <= _NO_TURN for turn in turns)

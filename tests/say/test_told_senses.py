@@ -8,6 +8,7 @@ import re
 from collections import Counter
 
 import pytest
+from every_family import FAMILIES
 
 from graphkin import Drawing
 from graphkin.base.geometry import cross
@@ -52,3 +53,10 @@ def told(drawing: Drawing) -> Counter[str]:
 @pytest.mark.parametrize("name", NAMES)
 def test_senses_and_directions(name: str):
     assert sum(told(Drawing.of(name)).values()) > 4
+
+
+@pytest.mark.parametrize("family", ["carriage", "line_of_centres"])
+def test_links_at_rest_are_told_where_poses_place_them(family: str) -> None:
+    """Whether they always are is seen from other positions, to which drivers move them, not poses."""
+    lines = [*Drawing.of(FAMILIES[family](8501)).explain("en", everything=True)]
+    assert any("translates" in line or "no rotation" in line or "rest" in line for line in lines)
