@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from functools import cached_property, partial
 from itertools import chain, combinations, groupby, islice, pairwise, product, tee
@@ -41,8 +41,8 @@ _TOLD = 5.0  # a shorter length is told by words alone [mm]
 _CLOSER = (7.5, 10.5, 13.5, 17.0, 20.0, 5.0)  # tried where none of these has room [mm]
 _SHARES = (1, 1), (2, 1), (1, 2), (3, 1), (1, 3)  # how much each of two points counts in a place along their link
 _SMALL = (7.0, 5.5, 4.0)  # radii of arcs about such places, where there is no room for others [mm]
-_TRIED, _PAIRS, _ASKED = 48, 12, 3
-"""Places that are tried for an arc and its letter; with a good one for another arc; numbers of links that make way."""
+_TRIED, _PAIRS, _ASKED, _WORST = 48, 8, 3, 3
+"""Places that are tried for an arc and its letter; with one for another arc; numbers of links that make way; ranks."""
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _OTHER, _AROUND_IT = 4.0, math.radians(115)
@@ -51,6 +51,7 @@ _RIM = 4.0  # an arc farther beyond a wheel's rim would look like another's [mm]
 
 Arc = tuple[tuple[str, ...], float, complex, bool, float]
 """The points about whose middle it lies, radius [mm], direction of its middle, whether a bar passes there, angle."""
+_Way = tuple[Arc, list[Mark]]
 
 
 @frozen
@@ -157,33 +158,29 @@ class MechanismNotes:
         letters = (want.about(place) for want, place in every if place is not None)
         return [replace(text, accent=plane) for text in next(letters, ())]
 
-    def _chosen(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> tuple[Arc, list[Mark]] | None:
+    def _chosen(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> _Way | None:
         """The best place of an arc with its letter, if any: of two for one link the first is where the other has a good
         one beside it, else any, if there is such a place."""
         beside, new = drawn.get(turn.link), turn.link not in drawn
         also = [each for each in self._turns if new and each.link == turn.link and each != turn]
-        first, again, rest = tee((way for _, way in self._ranked(turn, free, beside)), 3)
-        for most, ways in ((0, islice(first, _PAIRS)), (math.inf, again)):
+        first, again, rest = tee(_by_rank(self._rated(turn, free, beside)), 3)
+        for ways, worst in ((islice(first, _PAIRS), 0), (again, _WORST)):
             for place, marks in ways:
-                others = (self._ranked(each, free.also(marks), place) for each in also)
-                if all(next(ranked, (math.inf,))[0] <= most for ranked in others):
+                others = (self._rated(each, free.also(marks), place) for each in also)
+                if all(any(rank <= worst for rank, _ in islice(each, _PAIRS)) for each in others):
                     return place, marks
         return next(rest, None)
 
-    def _ranked(
-        self, turn: Rotation, free: FreeRoom, beside: Arc | None
-    ) -> Iterator[tuple[int, tuple[Arc, list[Mark]]]]:
-        """Places of an arc with its letter: about the link's pivot first, elsewhere only if need be; and of these first
-        where this letter and all others are nearer to their own heads."""
+    def _rated(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[int, _Way]]:
+        """Places of an arc with its letter: 0 about the link's pivot, if it has one, where this letter and all others
+        are nearer to their own heads; 1 where not all are; 2 and 3 elsewhere."""
         alike = [mark for mark in free.marks
                  if _is_head(mark) or (isinstance(mark, Text) and mark.accent in PLANES[1:])]  # fmt: skip
         pivot = self._pivot(turn.link)
-        every = ((2 * (pivot is not None and place[0] != (pivot,)) + (not _apart(marks, alike)), (place, marks))
-                 for place, marks in self._lettered(turn, free, beside))  # fmt: skip
-        for rank, ways in enumerate(tee(every, 4)):
-            yield from (way for way in ways if way[0] == rank)
+        for place, marks in self._lettered(turn, free, beside):
+            yield 2 * (pivot is not None and place[0] != (pivot,)) + (not _apart(marks, alike)), (place, marks)
 
-    def _lettered(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[Arc, list[Mark]]]:
+    def _lettered(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[_Way]:
         """Places of an arc with room for its letter, then those a little farther off, in the colour of the polygon."""
         plane, link = plane_of(turn), turn.link
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._turns[turn])
@@ -271,6 +268,12 @@ class MechanismNotes:
             points, arm = (one,) * shares[0] + (other,) * shares[1], self.skeleton.at(other) - self.skeleton.at(one)
             if abs(arm) * shares[way < 0] > (radius + 2) * sum(shares):
                 yield points, radius, way * arm / abs(arm), True, min(_WIDE, _LONG / radius)
+
+
+def _by_rank(ways: Iterable[tuple[int, _Way]]) -> Iterator[_Way]:
+    """The best first, one after the other as they are asked for."""
+    for wanted, each in enumerate(tee(ways, _WORST + 1)):
+        yield from (way for rank, way in each if rank == wanted)
 
 
 def _is_head(mark: Mark) -> bool:
