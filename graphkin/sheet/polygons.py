@@ -251,7 +251,9 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
     requests, pole, nodes = list[LabelRequest](), polygon.construction.pole, polygon.construction.nodes
     for at, names in places:
         labels = dict[Label, int | None]()
-        names = [name for name in names if pole not in names or name == pole or nodes[name].site]  # no corners there
+        if pole in names:  # no corners that are the pole
+            off = {name for name in names if round(abs(polygon.points[name] - at), _EXACT)}
+            names = [name for name in names if name == pole or name in off or nodes[name].site]
         for name in sorted(names, key=lambda name: polygon.step(name) or 0):
             labels.setdefault(point_label(polygon.letters(name)), polygon.step(name))
         gears = ((image.label, image.step) for name in names for image in points if image.centre == name)

@@ -70,3 +70,18 @@ def test_a_curve_is_named_where_its_whole_name_keeps_off_others() -> None:
     assert want.start.imag == 400
     (want,) = named([long, short], label, [Stroke((-50 + 80j, 250 + 80j))])
     assert want.start.imag < 400
+
+
+def test_a_corner_that_only_paper_takes_for_the_pole_is_named_there() -> None:
+    """The text lays its arrow off, 0.02 mm long, and draws a line from its end."""
+    text = """
+ask = ["alpha 3"]
+frame = { name = "4", O2 = [0, 0], O4 = [90, 15] }
+links = { 1.O2A = 30, 2 = { AB = 80, AE = 60, BE = 45, ccw = ["A", "B", "E"] }, 3.O4B = 65 }
+driver = [{ vector = "O2A", angle = 235, omega = "-120 rpm" }]
+sketch = { B = [55, 70], E = [20, 60] }
+"""
+    method = plan(loads(text))
+    page = sheet(method, replay_all(method))
+    texts = {"".join(run.text for run in mark.label) for mark in page.marks if isinstance(mark, Text)}
+    assert any(text.startswith("p′") and "n3′" in text for text in texts)

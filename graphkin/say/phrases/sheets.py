@@ -130,7 +130,7 @@ PHRASES: Phrases = {
     "handouts.drawn": ("drawn", "图解"),
     "handouts.analysed": ("analysis", "解析"),
     "handouts.allowed": ("a pencil allows", "作图允差"),
-    "handouts.allowed too small": ("too small to tell", "小于作图误差"),
+    "handouts.allowed too small": ("paper cannot tell it", "作图误差过大"),
     "handouts.allowed dead point": ("near a dead point", "接近死点"),
     "handouts.common": ("Mistakes to look for", "常见错误"),
     "handouts.gives": ("{mistake}: {values}", "{mistake}：{values}"),
