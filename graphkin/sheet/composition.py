@@ -46,7 +46,7 @@ from graphkin.sheet.window import PLANES, Extent, Figure, Window, enlarged
 Style = Literal["construction", "result", "given"]
 BlockName = Literal["paths", "equations", "detail", "tables"]
 _WIDTHS = (84.0, 68.0)  # half of a sheet and less: equations that are longer may be broken [mm]
-_FIXED, _COMMA = 3, Run(", ")  # with so many more names the pole's may stand alone in a crowd
+_FIXED, _COMMA, _EQUALS = 3, Run(", "), Run(" = ")  # with so many more names a pole's, or an arrow's, may stand alone
 _BEYOND = 1.25  # so many times larger a figure may become to show what its dimensions are measured from
 
 
@@ -316,9 +316,11 @@ class SheetContents:
         if place not in panels:
             panel = self._plain_panel(layout, plane, window, corners)
             figure, bad = panel.figure, {*panel.near.unclear, *panel.near.clashing}
-            if crowd := {k for k in figure.pole & bad if figure.wanted[k].label.count(_COMMA) >= _FIXED}:
+            labels = {k: figure.wanted[k].label for k in bad}
+            alike = {k for k, label in labels.items() if label.count(_EQUALS) >= _FIXED and label[-1].place == "sub"}
+            if crowd := alike | {k for k in figure.pole & bad if labels[k].count(_COMMA) >= _FIXED}:
                 wanted = [want.alone if k in crowd else want for k, want in enumerate(figure.wanted)]
-                panel = replace(panel, figure=Figure(figure.marks, wanted))  # what is fixed, the text tells, too
+                panel = replace(panel, figure=Figure(figure.marks, wanted))  # the text tells the others, too
             if plane in self.detailed:
                 panel = detailed(panel, partial(self.drawing.figure, plane), plane, self.detailed[plane].parts)
             panels[place] = panel

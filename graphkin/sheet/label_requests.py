@@ -102,8 +102,8 @@ class LabelRequest:
 
     @property
     def alone(self) -> LabelRequest:
-        """The same with the first of its names alone: of the pole, where its others are told elsewhere."""
-        return replace(self, label=tuple(takewhile(lambda run: run.text != ", ", self.label)), parts=())
+        """The same with the first of its names alone: of a pole or an arrow, where its others are told elsewhere."""
+        return replace(self, label=tuple(takewhile(lambda run: run.text not in (", ", " = "), self.label)), parts=())
 
     @cached_property
     def half(self) -> complex:

@@ -478,3 +478,11 @@ def test_where_a_guide_begins_has_a_cross_on_its_line() -> None:
     line = [mark for mark in strokes if mark.pen == "centre" and mark.accent == "grey"]
     assert line
     assert all(off_stretch(end, begin, names["C"]) < 0.05 for mark in line for end in mark.places)
+
+
+def test_an_arrow_of_many_names_bears_one_where_all_have_no_room() -> None:
+    """The letters at its head, and the equations, tell what moves alike; all names stand where there is room."""
+    page = sheet(*solved(LIFT))
+    names = {plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)}
+    assert {"vE6", " = vS", " = vT", " = vU", "aE6"} <= names
+    assert " = aS" not in names
