@@ -11,6 +11,7 @@ from dataclasses import replace
 from itertools import combinations, permutations
 from math import degrees, fmod, isclose, sin, tau
 
+from graphkin.base.cache import kept
 from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
 from graphkin.construction import LayOff, Measure, Normal, Swing, Tangential, Term, Turning
@@ -120,13 +121,19 @@ class GuideAngle:
 
 def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
     """The angle at which a moving guide's line lies; None of one through two points, or that is the link itself."""
-    corners = {pair.name: corner for pair in reading.mechanism.slides if (corner := _corner(reading, pair))}
+    corners = _corners(reading)
     if slide.name not in corners:
         return None
     corner, through = corners[slide.name], slide.line.origin
     alone = len({pair.guide for pair in reading.mechanism.slides if pair.name in corners}) == 1
     symbol = "γ" if alone else names.of_link("γ", reading.mechanism.called(slide.guide))
     return GuideAngle(symbol if slide.line.base in (None, (corner, through)) else "", corner, through)
+
+
+@kept(2)  # each slide asks for all
+def _corners(reading: Reading) -> dict[str, str]:
+    """The points from which γ is counted, by slide."""
+    return {pair.name: corner for pair in reading.mechanism.slides if (corner := _corner(reading, pair))}
 
 
 def _corner(reading: Reading, slide: Slide) -> str:
