@@ -342,7 +342,8 @@ def _words(label: Label) -> str:
 
 def _run(run: Run) -> str:
     """Its letters; one with an accent of its own in typst's own font, as few others have such accents."""
-    text = _BOUND.sub("\u00a0", run.text).replace("/", "/\u2060")  # a fraction, or a unit, stays on its line
+    bound = _BOUND.sub("\u00a0", run.text) if run.place == "base" else run.text.replace(" ", "\u00a0")
+    text = bound.replace("/", "/\u2060")  # a fraction, a unit, or a subscript stays on its line
     parts = (_string(part) if not k % 2 else f'text(font: "Libertinus Serif", {_string(part)})'
              for k, part in enumerate(_ACCENTED.split(text)) if part)  # fmt: skip
     return "".join(f"#emph({part})" if run.italic else f"#{part}" for part in parts)

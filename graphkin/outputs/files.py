@@ -90,7 +90,7 @@ def _is_ended(process: int) -> bool:
 def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
     """Raises FileInTheWay, NoFolder, CannotWrite; several files are all asked about before the first is written. A
     device or a pipe is no file: the new one would take its place. A file says in its beginning or its end that graphkin
-    wrote it; an empty one is nobody's loss."""
+    wrote it, a PDF anywhere; an empty one is nobody's loss."""
     try:
         if path.exists() and not path.is_file() and not path.is_dir():
             raise CannotWrite(str(path), "not a regular file")
@@ -99,8 +99,9 @@ def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
             if path.is_file():
                 with path.open("rb") as file:
                     glance = file.read(_GLANCE)
-                    file.seek(max(0, path.stat().st_size - _GLANCE))
-                    glance += file.read(_GLANCE)
+                    if not glance.startswith(b"%PDF"):  # which says it before a list of all that is in it
+                        file.seek(max(0, path.stat().st_size - _GLANCE))
+                    glance += file.read()
             if glance and not any(mark in glance for mark in marks):
                 raise FileInTheWay(str(path))
         if not path.parent.is_dir():

@@ -30,7 +30,7 @@ from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.photo.markers import MARKERS, MOST, digits
 from graphkin.sheet.composition import Planes
-from graphkin.sheet.lettering import LABEL, plain
+from graphkin.sheet.lettering import LABEL, formula, plain
 from graphkin.sheet.marks import PointMark, Text, VectorMark
 from graphkin.sheet.window import PLANES
 
@@ -245,6 +245,25 @@ def test_more_equations_than_there_are_and_scans_of_solutions_are_refused(tmp_pa
         whole = CliRunner().invoke(main, ["handout", "ex3-5", "--stage", stage, "--upto", "1", *output])
         assert (whole.exit_code, "Take --stage half" in whole.stderr) == (3, True)
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize("kind", ["pdf", "html"])
+def test_a_handout_of_its_own_is_written_over_and_no_other_file(kind: str, tmp_path: Path):
+    """Also where a long list of all that is in it follows what tells whose it is."""
+    path, own = tmp_path / f"a.{kind}", tmp_path / f"mine.{kind}"
+    own.write_bytes(b"%PDF-1.7 " + bytes(100_000))
+    for name, told in ((path, 0), (path, 0), (own, 3)):
+        run = CliRunner().invoke(main, ["handout", "ex3-1", "--stage", "problem", "-o", str(name)])
+        assert run.exit_code == told, run.output
+    assert path.read_bytes() != own.read_bytes()
+
+
+def test_no_line_ends_within_a_subscript():
+    """`F r2, F c2` of a link with a long name is one sign."""
+    words = typst._words(formula("v_F_r2,F_c2 = 0.15 m/s"))
+    low = words.partition("#sub[")[2].partition("]")[0]
+    assert '#emph("c")' in low
+    assert " " not in low
 
 
 def test_of_a_single_equation_none_is_done():
