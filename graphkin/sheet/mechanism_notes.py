@@ -41,9 +41,8 @@ _TOLD = 5.0  # a shorter length is told by words alone [mm]
 _CLOSER = (7.5, 10.5, 13.5, 17.0, 20.0, 5.0)  # tried where none of these has room [mm]
 _SHARES = (1, 1), (2, 1), (1, 2), (3, 1), (1, 3)  # how much each of two points counts in a place along their link
 _SMALL = (7.0, 5.5, 4.0)  # radii of arcs about such places, where there is no room for others [mm]
-_TRIED, _PAIRS, _ASKED = 48, 8, 3
-"""Places that are tried for an arc and its letter; with one for another arc; numbers of links that make way."""
-_COMPROMISES = (False, 1), (True, 1), (True, 3)  # whether an arc may lie across lines, and its worst rank
+_TRIED, _PAIRS, _ASKED, _WORST = 48, 8, 3, 3
+"""Places that are tried for an arc and its letter; with one for another arc; numbers of links that make way; ranks."""
 _CROSSING, _TUBE = 1.6, 3.6  # half of the stretch of an arc that lies on its own link, on a cylinder [mm]
 _APART = 2.0  # what two such arcs keep from each other where there is room [mm]
 _OTHER, _AROUND_IT = 4.0, math.radians(115)
@@ -112,12 +111,12 @@ class MechanismNotes:
         return self.reading.asked_turns(self.planes)
 
     def _arc(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> list[Mark]:
-        """An arc as the link turns, with its letter, if need be where a link's number makes way, across lines, or not
-        about its pivot; else the letter alone at the link's own. drawn: by link the first, to stand beside."""
+        """An arc as the link turns, with its letter, if need be where a link's number makes way; else the letter alone
+        at the link's own. drawn: by link the first, to stand beside."""
         numbers = self._numbers(turn.link, free)
-        for (over, worst), number in product(_COMPROMISES, (None, *numbers)):
+        for number in (None, *numbers):
             rest = free.without(number) if number is not None else free
-            if (best := self._chosen(turn, rest, drawn, over, worst)) is None:
+            if (best := self._chosen(turn, rest, drawn)) is None:
                 continue
             place, marks = best
             if number is not None:
@@ -159,35 +158,35 @@ class MechanismNotes:
         letters = (want.about(place) for want, place in every if place is not None)
         return [replace(text, accent=plane) for text in next(letters, ())]
 
-    def _chosen(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc], over: bool, worst: int) -> _Way | None:
+    def _chosen(self, turn: Rotation, free: FreeRoom, drawn: dict[str, Arc]) -> _Way | None:
         """The best place of an arc with its letter, if any: of two for one link the first is where the other has a good
         one beside it, else any, if there is such a place."""
         beside, new = drawn.get(turn.link), turn.link not in drawn
         also = [each for each in self._turns if new and each.link == turn.link and each != turn]
-        first, again, rest = tee(_by_rank(self._rated(turn, free, beside, over), worst), 3)
-        for ways, most in ((islice(first, _PAIRS), 0), (again, worst)):
+        first, again, rest = tee(_by_rank(self._rated(turn, free, beside)), 3)
+        for ways, worst in ((islice(first, _PAIRS), 0), (again, _WORST)):
             for place, marks in ways:
-                others = (self._rated(each, free.also(marks), place, over) for each in also)
-                if all(any(rank <= most for rank, _ in islice(each, _PAIRS)) for each in others):
+                others = (self._rated(each, free.also(marks), place) for each in also)
+                if all(any(rank <= worst for rank, _ in islice(each, _PAIRS)) for each in others):
                     return place, marks
         return next(rest, None)
 
-    def _rated(self, turn: Rotation, free: FreeRoom, beside: Arc | None, over: bool) -> Iterator[tuple[int, _Way]]:
+    def _rated(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[tuple[int, _Way]]:
         """Places of an arc with its letter: 0 about the link's pivot, if it has one, where this letter and all others
         are nearer to their own heads; 1 where not all are; 2 and 3 elsewhere."""
         alike = [mark for mark in free.marks
                  if _is_head(mark) or (isinstance(mark, Text) and mark.accent in PLANES[1:])]  # fmt: skip
         pivot = self._pivot(turn.link)
-        for place, marks in self._lettered(turn, free, beside, over):
+        for place, marks in self._lettered(turn, free, beside):
             yield 2 * (pivot is not None and place[0] != (pivot,)) + (not _apart(marks, alike)), (place, marks)
 
-    def _lettered(self, turn: Rotation, free: FreeRoom, beside: Arc | None, over: bool) -> Iterator[_Way]:
+    def _lettered(self, turn: Rotation, free: FreeRoom, beside: Arc | None) -> Iterator[_Way]:
         """Places of an arc with room for its letter, then those a little farther off, in the colour of the polygon."""
         plane, link = plane_of(turn), turn.link
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, self._turns[turn])
         label = quantity_label(turn.letter, self.reading.mechanism.called(link))
         form: Form = "omega" if plane == "velocity" else "alpha"
-        near, far = tee(islice(self._places(link, free, beside, over), _TRIED))
+        near, far = tee(islice(self._places(link, free, beside), _TRIED))
         for wide, place in chain(((False, place) for place in near), ((True, place) for place in far)):
             points, radius, middle, crossing, sweep = place
             about, half = self._middle(points), cmath.rect(1, -sense * sweep / 2)
@@ -200,7 +199,7 @@ class MechanismNotes:
                     yield place, [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
                                   for mark in (*arc, *want.about(at))]  # fmt: skip
 
-    def _places(self, link: str, free: FreeRoom, beside: Arc | None, over: bool) -> Iterator[Arc]:
+    def _places(self, link: str, free: FreeRoom, beside: Arc | None) -> Iterator[Arc]:
         """Places with room for such an arc, beside another first: by a pivot, about a coupler's middle, or a point."""
         own = _TUBE if any(map(self.skeleton.is_cylinder, self.skeleton.guides(link))) else _CROSSING
 
@@ -215,9 +214,9 @@ class MechanismNotes:
 
         usual, more = [*self._arcs(link, _RADII, False)], [*self._arcs(link, _CLOSER, True), *self._small(link)]
         first = [arc for arc in (*self._arcs(link, _RADII, True), *more) if beside and arc[:3:2] == beside[:3:2]]
-        taken, trials = set[Arc](), ((_APART, False), (_APART / 2, False), (_APART / 2, True))[: 2 + over]
-        for arcs, (wide, across) in product((first, usual, more), trials):
-            for arc in free.fitting((arc for arc in arcs if arc not in taken), partial(room, wide=wide, over=across)):
+        taken, trials = set[Arc](), ((_APART, False), (_APART / 2, False), (_APART / 2, True))
+        for arcs, (wide, over) in product((first, usual, more), trials):
+            for arc in free.fitting((arc for arc in arcs if arc not in taken), partial(room, wide=wide, over=over)):
                 taken.add(arc)
                 yield arc
 
@@ -271,9 +270,9 @@ class MechanismNotes:
                 yield points, radius, way * arm / abs(arm), True, min(_WIDE, _LONG / radius)
 
 
-def _by_rank(ways: Iterable[tuple[int, _Way]], worst: int) -> Iterator[_Way]:
+def _by_rank(ways: Iterable[tuple[int, _Way]]) -> Iterator[_Way]:
     """The best first, one after the other as they are asked for."""
-    for wanted, each in enumerate(tee(ways, worst + 1)):
+    for wanted, each in enumerate(tee(ways, _WORST + 1)):
         yield from (way for rank, way in each if rank == wanted)
 
 
