@@ -69,16 +69,18 @@ class DimensionLines:
         trial = replace(self, free=self.free.also(()))
         together = len(sizes) == 1 or all(map(trial._drawn, sizes))
         marks = [mark for size in sizes for mark in self._drawn(size)] if together else []
-        ends = {point for size in sizes if isinstance(size.shape, DrawnLength) for point in size.shape.points}
-        return [*marks, *(mark for point in sorted(ends) if marks for mark in self._beginning(point))]
+        ends = {end for size in sizes if marks and isinstance(size.shape, DrawnLength) for end in size.shape.points}
+        return [*marks, *(mark for end in sorted(ends) for mark in self._beginning(end))]
 
     def _beginning(self, origin: str) -> Iterator[Stroke]:
         """A cross where a fixed guide begins that goes through no point, and the line from there to its block."""
-        guides = self.skeleton.guides(FRAME) if origin not in self.skeleton.points else ()
-        for slide in (slide for slide in guides if slide.line.origin == origin):
-            start, block = self.skeleton.at(origin), self.skeleton.at(slide.point)
-            yield from (Stroke((start - way, start + way), "thin") for way in (_CROSS, _CROSS * 1j))
-            yield from (Stroke(piece, "centre", accent="grey") for piece in self.free.pieces(start, block))
+        if origin in self.skeleton.points:
+            return
+        for slide in self.skeleton.guides(FRAME):
+            if slide.line.origin == origin:
+                start, block = self.skeleton.at(origin), self.skeleton.at(slide.point)
+                yield from (Stroke((start - way, start + way), "thin") for way in (_CROSS, _CROSS * 1j))
+                yield from (Stroke(piece, "centre", accent="grey") for piece in self.free.pieces(start, block))
 
     def _drawn(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""

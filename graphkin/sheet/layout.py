@@ -115,7 +115,8 @@ def division(
         extents = {plane: extent.reduced(paper.times) for plane, extent in whole.items()}
         rooms, plain = _rooms(field, tuple(extents)), {p: replace(each, blocks=()) for p, each in extents.items()}
         alone = _bare_worths(field, tuple(plain.items()))
-        most = _values(alone, bare)
+        fine = np.all([_fine(plane, worth, bare) for plane, worth in alone.items()], axis=0)
+        most = np.where(fine, _values(alone), -math.inf)
         order = np.argsort(-most, kind="stable")
         for some in np.array_split(order, range(_AT_ONCE, len(order), _AT_ONCE)):
             if most[some[0]] <= best:
@@ -126,7 +127,7 @@ def division(
                 worths[plane] = _worth(room, plane, own, field, len(rooms)) if own.blocks else alone[plane][:, some]
                 fits = _fine(plane, worths[plane], bare)
                 some, worths = some[fits], {plane: worth[:, fits] for plane, worth in worths.items()}
-            values = _values(worths, bare)
+            values = _values(worths)
             if values.max(initial=best) > best:
                 share = int(np.argmax(values))
                 each = {plane: Room(*map(float, room[:, some[share]])) for plane, room in rooms.items()}
@@ -135,11 +136,10 @@ def division(
     return layout
 
 
-def _values(worths: Mapping[Plane, Array], bare: Layout | None) -> Array:
-    """The worth of many divisions (n,), none where a figure is much coarser than in a bare one, or does not fit."""
+def _values(worths: Mapping[Plane, Array]) -> Array:
+    """The worth of many divisions (n,)."""
     value, ink, _ = np.sum([*worths.values()], axis=0)
-    fine = np.all([_fine(plane, worth, bare) for plane, worth in worths.items()], axis=0)
-    return np.where(fine, np.round(value + _INK * np.log(ink), 9), -math.inf)
+    return np.asarray(np.round(value + _INK * np.log(ink), 9))
 
 
 def _fine(plane: Plane, worth: Array, bare: Layout | None) -> Array:

@@ -233,9 +233,10 @@ class MechanismNotes:
         bars = sorted(skeleton.bars(link), key=lambda bar: -abs(bar[0] - bar[1]))
         if pivot is not None:
             at = skeleton.at(pivot)
-            arms = [far - at for bar in bars[::-1] for near, far in (bar, bar[::-1]) if abs(near - at) < 0.1]
-            ways = {round(cmath.phase(arm), 3): arm for arm in arms}  # the longest of those one way
-            for radius, arm in product(radii, [*ways.values()][::-1]):
+            ways = dict[float, complex]()
+            for arm in (far - at for bar in bars for near, far in (bar, bar[::-1]) if abs(near - at) < 0.1):
+                ways.setdefault(round(cmath.phase(arm), 3), arm)  # the longest of those one way
+            for radius, arm in product(radii, ways.values()):
                 if abs(arm) > radius + 2:
                     yield (pivot,), radius, arm / abs(arm), True, SWEEP
         pairs = [(pair, skeleton.at(pair[1]) - skeleton.at(pair[0])) for pair in combinations(points, 2) if not pivot]

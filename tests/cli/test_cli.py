@@ -31,9 +31,7 @@ C = [80, 60]
 """
 
 
-@pytest.fixture(autouse=True)
-def in_a_folder(own_folder: Path) -> None:
-    """Each test has one."""
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def run(*words: str, text: str | bytes | None = None) -> Result:

@@ -21,9 +21,7 @@ from graphkin.proof.readings import mechanism_at
 FILE = library.text("ex3-5")
 
 
-@pytest.fixture(autouse=True)
-def in_a_folder(own_folder: Path) -> None:
-    """Each test has one."""
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def run(*words: str, text: str | bytes | None = None) -> Result:

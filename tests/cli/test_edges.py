@@ -46,9 +46,7 @@ B = [300, 87]
 """
 
 
-@pytest.fixture(autouse=True)
-def in_a_folder(own_folder: Path) -> None:
-    """Each test has one."""
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def run(*words: str) -> Result:

@@ -29,9 +29,7 @@ from graphkin.outputs.marks_json import record
 VALUES = ("-3.92,62,2.5", "-5.65,68.7,3.62", "-3.7 m/s,,2.6", "-3.75,60,what", ",,", "3.92,12.5,0")
 
 
-@pytest.fixture(autouse=True)
-def in_a_folder(own_folder: Path) -> None:
-    """Each test has one."""
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def run(*words: str) -> Result:

@@ -21,9 +21,7 @@ Json = dict[str, Any]
 LANGS: tuple[Lang, ...] = ("en", "zh")
 
 
-@pytest.fixture(autouse=True)
-def in_a_folder(own_folder: Path) -> None:
-    """Each test has one."""
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def run(*words: str) -> Result:

@@ -14,9 +14,7 @@ from graphkin.cli import main
 RIGHT, WRONG = "-3.92,62,2.5", "-5.65,12,0.1"
 
 
-@pytest.fixture(autouse=True)
-def in_a_folder(own_folder: Path) -> None:
-    """Each test has one."""
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def grade(*words: str, key: str = "ex3-1") -> Result:

@@ -19,9 +19,7 @@ RIGHT = b'"omega 3" = -3.92\n"alpha 3" = 62\n"a_k B3B2" = 2.5\n'
 LIST = "学号,姓名,邮箱\n20231048,朱霞洋,zxy@x.edu\n20231049,王明,wm@x.edu\n20231050,王明,wm2@x.edu\n20231051,阿卜杜拉·买买提,a@x.edu\n"
 
 
-@pytest.fixture(autouse=True)
-def in_a_folder(own_folder: Path) -> None:
-    """Each test has one."""
+pytestmark = pytest.mark.usefixtures("own_folder")
 
 
 def graded(roster: str | bytes, *given: str, name: str = "list.csv") -> list[dict]:
