@@ -40,6 +40,7 @@ class Calculation:
 
     numbers  the last formula with its figures put in; "" where that would say nothing new
     value    in `unit`, without a sign where `note` tells the sense
+    relation  its first formula has a row in a column of equations: others hang on it
     """
 
     name: str
@@ -48,6 +49,7 @@ class Calculation:
     value: float
     unit: str
     note: str = ""
+    relation: bool = False
 
     @property
     def text(self) -> str:

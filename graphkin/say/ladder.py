@@ -9,7 +9,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Image, Plane
 from graphkin.planning.method import Act, Method
 from graphkin.planning.needed import acts_of_equations
-from graphkin.say.entry import Entry, Sentence, VectorEquation
+from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation
 
 
 @frozen
@@ -33,12 +33,14 @@ def rungs(entries: Iterable[Entry], plane: Plane, method: Method) -> Iterator[Ru
                          for equation, first in equations]  # fmt: skip
         if isinstance(entry, Sentence) and entry.row:
             equations.append((entry.row, entry.act))
+        elif isinstance(entry, Calculation) and entry.relation:
+            equations.append((f"{entry.name} = {entry.formulas[0]}", None))
     acts = [act for equation, act in equations if act is not None and not isinstance(equation, str)]
     told = {act for equation, act in equations if isinstance(equation, str)}
     needs = [[*_at_once(own, told)] for own in acts_of_equations(method, plane, acts)]
     known, steps = {act for each in needs for act in each if not isinstance(act.done, Image)}, iter(needs)
-    for equation, act in equations:
-        page = None if act is None else act.page
+    for k, (equation, act) in enumerate(equations):
+        page = next((later.page for _, later in equations[k:] if later is not None), None)
         if not isinstance(equation, str):
             own = () if act is None else next(steps)
             yield Rung(equation, page, tuple(each.number for each in own if each in known))

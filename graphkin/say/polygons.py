@@ -195,8 +195,9 @@ def _kept_angle(polygon: PolygonReading, link: str, other: str) -> Calculation:
     formula = ("−" if sign < 0 else "") + first + "".join(f" {'−' if s < 0 else '+'} {text}" for s, text, _ in more)
     if not driven or (not more and sign > 0):
         return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, reading.sense(value))
+    note = reading.signed(value)
     numbers = joined_sum([(sign, Operand(rate)) for sign, _, rate in parts]) if more else ""
-    return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, reading.signed(value))
+    return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, note, relation=bool(more))
 
 
 def _driven_between(polygon: PolygonReading, link: str, other: str) -> list[tuple[int, int, float]]:

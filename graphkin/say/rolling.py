@@ -254,7 +254,7 @@ def rolling(polygon: PolygonReading, step: Roll) -> Iterator[Entry]:
     else:
         name, value = reading.displacement(names.SLIDING[plane], step.slide), reading.sliding(step.slide, plane)
         formula, numbers = relation.slid_by(step.slide, plane)
-        yield Calculation(name, formula, numbers, value, names.UNIT[plane])
+        yield Calculation(name, formula, numbers, value, names.UNIT[plane], relation=bool(formula))
 
 
 def checked(polygon: PolygonReading, contact: Contact) -> str:

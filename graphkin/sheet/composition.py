@@ -205,6 +205,7 @@ class SheetContents:
 
     given, tables  of the strip; of the planes, in the shapes that they may have
     low, without   blocks that stand in the strip, not with their figures; blocks for which no paper is large enough
+    brief     equations are without the rows of what is known of their terms
     detailed  the planes in which what lies too close together is drawn once more, magnified, and the room for it
     larger    the polygons that are to be larger than their number of labels asks for
     paged     none is larger than a handout's page has room for
@@ -217,6 +218,7 @@ class SheetContents:
     tight: bool = False
     low: frozenset[tuple[Plane, BlockName]] = frozenset()
     without: frozenset[tuple[Plane, BlockName]] = frozenset()
+    brief: bool = False
     detailed: Mapping[Plane, DetailRoom] = field(default_factory=dict)
     larger: frozenset[Plane] = frozenset()
     paged: bool = False
@@ -229,7 +231,7 @@ class SheetContents:
         """Titles, ladders and tables of each figure, in all their shapes."""
         blocks = dict[Plane, dict[BlockName, Sequence[Block]]]()
         for plane in self.drawing.planes:
-            own = None if self.drawing.told else self.drawing.ladders.get(plane)
+            own = None if self.drawing.told else self.ladders.get(plane)
             lines = self.drawing.paths.lines if plane == "position" else ()
             every: dict[BlockName, Sequence[Block]] = {
                 "paths": [WrittenLines(tuple(lines), LEAST)] if lines else [],
@@ -267,8 +269,12 @@ class SheetContents:
         low = {name: [plane for plane in self.drawing.planes if (plane, name) in self.low] for name in _IN_STRIP}
         blocks = (self.tables[plane][0] for plane in low["tables"])
         found = [*self.given, *(table for block in blocks for tier in block.tiers for table in tier)]
-        ladders = [self.drawing.ladders[plane] for plane in low["equations"]]
-        return Strip(found, equations=ladders, notes=self.notes)
+        return Strip(found, equations=[self.ladders[plane] for plane in low["equations"]], notes=self.notes)
+
+    @cached_property
+    def ladders(self) -> dict[Plane, Ladder]:
+        """The equations of each polygon."""
+        return {plane: own.brief if self.brief else own for plane, own in self.drawing.ladders.items()}
 
     @property
     def notes(self) -> list[Label]:
@@ -281,6 +287,7 @@ class SheetContents:
                 told.append(head + say("sheet.fitted", lang))
             elif plane not in drawing.ladders and any(isinstance(step, Simultaneous) for step in steps):
                 told.append(head + say("sheet.together", lang))
+        told += [say("sheet.brief", lang)] * self.brief
         told += (say(f"sheet.no room {name}", lang) for name in sorted({name for _, name in self.without}))
         return [*map(plain, told)]
 
@@ -292,7 +299,8 @@ class SheetContents:
         order = [(plane, name) for *_, plane, name in sorted(self.movable, reverse=True)]
         tries = [replace(self, low=self.low.union(order[:count])) for count in range(len(order) + 1)]
         order.sort(key=lambda block: _IN_STRIP.index(block[1]))
-        given_up = [replace(self, detailed={}, without=self.without.union(order[:k])) for k in range(len(order) + 1)]
+        least = replace(self, detailed={}, brief=bool(self.ladders))
+        given_up = [replace(least, without=self.without.union(order[:k])) for k in range(len(order) + 1)]
         sizes = sorted({paper.area for paper in papers})
         for every, some, most in ((sizes, tries, bare), (sizes[::-1], [*tries, *given_up], None)):
             for size, contents in product(every, some):

@@ -27,7 +27,7 @@ from graphkin.sheet.marks import ArcMark, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
-from graphkin.sheet.wheels import disc
+from graphkin.sheet.wheels import circles, disc
 from graphkin.sheet.window import Figure
 
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
@@ -39,6 +39,7 @@ _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SHORT, _LIKED = 8.5, 0.5
 """The arm of an angle on a shorter crank is drawn on past the arc, where on the crank that has less room [mm]."""
 _CROSS = 1.5 * cmath.rect(1, math.pi / 4)  # arms of the cross where a guide begins [mm]
+_MOST, _CRUMB = 4, 6.0  # ways to break extension lines at letters; their least piece, but for the last [mm]
 _CLEAR = 2.2  # between an arc and what else there is [mm]
 
 
@@ -54,12 +55,12 @@ class DimensionLines:
     free: FreeRoom
 
     def once(self, data: Iterable[Size]) -> Iterator[Size]:
-        """Data without those that would stand twice, at the same places."""
-        drawn = set[tuple[frozenset[str], str]]()
+        """Data without those that would stand twice, at the same places and one way."""
+        drawn = set[tuple[frozenset[str], str, str]]()
         for size in data:
             if isinstance(span := size.shape, DrawnLength):
                 places = frozenset(f"{self.skeleton.window(end):.1f}" for end in (span.start, span.end))
-                if (key := (places, size.bare.figure)) in drawn:
+                if (key := (places, f"{span.along**2:.3f}", size.bare.figure)) in drawn:
                     continue
                 drawn.add(key)
             yield size
@@ -136,8 +137,13 @@ class DimensionLines:
         points = (mark.at for mark in self.free.marks if isinstance(mark, PointMark))
         passed = any(off_stretch(at, start, end) < HINGE for at in points)
         count = sum(crossing(start, end, *bar) is not None for bar in self.skeleton.drawn)
+        count += sum(abs(start - centre) > radius > off_stretch(centre, start, end) for centre, radius in self._circles)
         ground = any(crossing(start, end, *foot) is not None for foot in feet(self.skeleton))
         return count + 2 * (passed or ground)
+
+    @cached_property
+    def _circles(self) -> list[tuple[Place, float]]:
+        return [*circles(self.skeleton)]
 
     @cached_property
     def _joints(self) -> dict[Place, tuple[bool, list[complex], set[str]]]:
@@ -207,16 +213,17 @@ class DimensionLines:
             line, both, heads = dimension_line((one, other), across, level, past, step, (near, far))
             return line, both, heads, sum(self._crossed(*each.places) for each in both)
 
-        for through, touching, level, order in product((0, 1), (0, 1, 2), levels, orders):
+        for through, touching, level, order in product((0, 1), range(_MOST + 1), levels, orders):
             line, both, heads, crossed = lines(level, *order[:2])
             if through != crossed:
                 continue  # across a bar only where there is no other room, never across more
             way = order[2]
             middle = line.places[1] - way * (past - wide / 2 - 4 if past else long / 2)
             text = self._text(label, middle, along, 0.8, step)
-            if touching == 2:  # extension lines, broken at letters
-                pieces = [Stroke(piece, "thin", step=step) for each in both for piece in self.free.pieces(*each.places)]
-                yield [line, text], heads, pieces
+            if touching > 1:  # extension lines, broken at letters, as seldom as there is room for
+                broken = [[*_told(self.free.pieces(*each.places))] for each in both]
+                if touching == _MOST or all(len(left) < touching for left in broken):
+                    yield [line, text], heads, [Stroke(piece, "thin", step=step) for left in broken for piece in left]
             else:
                 yield ([line, text], both, heads) if touching else ([line, text, *both], (), heads)
 
@@ -238,6 +245,12 @@ class DimensionLines:
                 text = self._text(label, tip + way * (wide / 2 + 2), way, side * 0.8, step)
                 line = Stroke((tip + way, far), "thin", step=step)
                 yield [line, text], [Stroke((inner, tip - way), "thin", step=step)], [head]
+
+
+def _told(pieces: Sequence[tuple[Place, Place]]) -> Iterator[tuple[Place, Place]]:
+    """The pieces of a broken line without crumbs between letters, which seem to be of others."""
+    yield from (piece for piece in pieces[:-1] if abs(piece[1] - piece[0]) > _CRUMB)
+    yield from pieces[-1:]
 
 
 def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke]:

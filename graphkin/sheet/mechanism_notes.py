@@ -214,8 +214,9 @@ class MechanismNotes:
 
         usual, more = [*self._arcs(link, _RADII, False)], [*self._arcs(link, _CLOSER, True), *self._small(link)]
         first = [arc for arc in (*self._arcs(link, _RADII, True), *more) if beside and arc[:3:2] == beside[:3:2]]
-        taken, trials = set[Arc](), ((_APART, False), (_APART / 2, False), (_APART / 2, True))
-        for arcs, (wide, over) in product((first, usual, more), trials):
+        taken, clear = set[Arc](), ((_APART, False), (_APART / 2, False))  # across others where no place is clear
+        crossing = product((first, usual, more), [(_APART / 2, True)])
+        for arcs, (wide, over) in chain(product((first, usual, more), clear), crossing):
             for arc in free.fitting((arc for arc in arcs if arc not in taken), partial(room, wide=wide, over=over)):
                 taken.add(arc)
                 yield arc

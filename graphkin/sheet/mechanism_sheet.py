@@ -36,8 +36,10 @@ from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.titleblock import FOOT, tables_room
 from graphkin.sheet.window import PLANES
 
-_FEW, _MANY, _FAR = 3.0, 6.0, 12.0
-"""At higher prices polygons with details are tried larger; other papers, as for a fifth leader; the largest alone."""
+_FEW, _MANY, _FAR, _TOO_FAR = 3.0, 6.0, 12.0, 48.0
+"""At higher prices polygons with details are tried larger; other papers, as for a fifth leader; the largest alone; and
+equations without the rows under them."""
+_ROWS = 1.0  # the price of an equation without them
 _CROWD = 32  # labels without a good place, of which details relieve no more
 _SMALLER = 1.26  # so much smaller no figure is drawn to have the scale of a handout, whose page has less room
 _STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
@@ -141,11 +143,11 @@ class Arrangement:
         if self.overfull > 1:
             yield _LOST * sum(extent.labels for extent in self.contents.drawing.extents.values()) + self.overfull
             return
-        yield (price := max(0.0, self.layout.strip.size.imag - FOOT) / _STRIP)
+        rows = sum(len(ladder.blocks) for ladder in self.contents.ladders.values()) if self.contents.brief else 0
+        yield (price := max(0.0, self.layout.strip.size.imag - FOOT) / _STRIP + _ROWS * rows)
         detailed, planes = self.contents.detailed, self.contents.drawing.planes
         for plane in sorted(planes, key=lambda plane: (plane not in detailed, plane == "position")):
-            panel = self.panel(plane)
-            yield (price := round(price + _LOST * len(panel.near.clashing) + burden(panel.burdens), 6))
+            yield (price := round(price + self._price(plane), 6))
 
     @property
     def knotted(self) -> dict[Plane, DetailRoom]:
@@ -157,11 +159,20 @@ class Arrangement:
                 if (panel.burdens >= UNCLEAR).sum() <= _CROWD and knots(panel.figure, panel.burdens)}  # fmt: skip
 
     def enlarged(self) -> Iterator[Arrangement]:
-        """On the same paper with larger polygons where these have details, and the mechanism as it is."""
+        """On the same paper with larger polygons where these have details, and the mechanism as it is; with one alone
+        that costs too much, at the cost of all others."""
         contents, scales = self.contents, self.layout.scales
         if contents.detailed and not contents.tight and not contents.larger:
+            larger: Collection[Plane] = contents.detailed
             own: dict[Plane, float] = {plane: scale for plane, scale in scales.items() if plane == "position"}
-            yield Arrangement.on(replace(contents, larger=frozenset(contents.detailed), scales=own), [self.sold])
+            if max(self.bounds()) > _TOO_FAR:
+                larger, own = [max(larger, key=self._price)], {}
+            yield Arrangement.on(replace(contents, larger=frozenset(larger), scales=own), [self.sold])
+
+    def _price(self, plane: Plane) -> float:
+        """The price of one figure."""
+        panel = self.panel(plane)
+        return _LOST * len(panel.near.clashing) + burden(panel.burdens)
 
     @cached_property
     def panel(self) -> Callable[[Plane], Panel]:
@@ -202,7 +213,8 @@ def _arranged(
     own = _contents(replace(best.contents.drawing, lang=lang), tight)
     english, layout = best.contents, best.layout
     details = {plane: replace(room, parts=best.panel(plane).magnified) for plane, room in english.detailed.items()}
-    alike = replace(own, low=english.low, without=english.without, detailed=details, scales=layout.scales)
+    alike = replace(own, low=english.low, without=english.without, brief=english.brief, detailed=details,
+                    scales=layout.scales)  # fmt: skip
     if layout.holds(alike.extents, alike.height(layout.paper)):
         return Arrangement(alike, layout)
     with suppress(TooLargeForPaper):
@@ -217,6 +229,7 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     cheapest is far too dear, the largest papers are tried next."""
     papers, enlarged = papers_for(paper), set[int]()
     others, largest = [] if contents.tight else papers[::-1], max(each.area for each in papers)
+    briefly = [each for each in others if each.area == largest and contents.ladders]
     tried = [(0.0, number, each, each.bounds()) for number, each in enumerate(_arrangements(contents, papers))]
     while True:
         price, number, best, bounds = tried[0]
@@ -231,6 +244,8 @@ def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
                 more = _arrangements(contents, [other])
         elif (price := next(bounds, -1.0)) >= 0:
             heapreplace(tried, (price, number, best, bounds))
+        elif tried[0][0] > _TOO_FAR and briefly:
+            more = _arrangements(replace(contents, brief=True), [briefly.pop()])
         else:
             return best if paper else best.cut
         with suppress(TooLargeForPaper):

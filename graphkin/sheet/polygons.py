@@ -264,14 +264,14 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
 
 
 def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[LabelRequest]:
-    """A label for each arrow that has a length."""
+    """A label for each arrow that has a length: the ends of others share their letters."""
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     names = {vector.name: polygon.written(vector.name) for vector in vectors}
     twice = {name for name, written in names.items() if written != name and written in names}
     letter, requests, construction = LETTER[polygon.construction.plane], list[LabelRequest](), polygon.construction
     terms = {*construction.vectors(), *(f"{letter}_{equation.of}" for equation in construction.equations)}
     for vector in vectors:
-        if vector.length < _NOTHING or vector.name in twice:
+        if vector.length < _SAME or vector.name in twice:
             continue
         absolute = vector.tail == polygon.construction.pole and vector.head in polygon.named
         spare = absolute and vector.name == f"{letter}_{polygon.of(vector.head)}"  # the letter at its head says as much

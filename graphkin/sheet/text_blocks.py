@@ -155,7 +155,7 @@ class EquationBlock:
         if self.wide <= room or cut < 2:
             yield self
         else:
-            yield replace(self, columns=(head, *columns[:cut]), high=_ON)
+            yield replace(self, columns=(head, *columns[:cut]), high=min(self.high, _ON))
             yield replace(self, columns=(head, *columns[cut:]), numbers=(), into=self.widths[1] + _GAP)
 
 
@@ -179,6 +179,12 @@ class Ladder:
                 columns = (((), plain(rows[0]), plain(rows[1])), *terms)
                 blocks.append(EquationBlock(columns, rung.page, rung.numbers))
         return cls(tuple(blocks), plane) if blocks else None
+
+    @property
+    def brief(self) -> Ladder:
+        """Without the rows under its equations."""
+        rows = ((block, (((), (), ()), *((term, (), ()) for term, _, _ in block.columns[1:]))) for block in self.blocks)
+        return replace(self, blocks=tuple(replace(block, columns=own, high=LINE * LABEL) for block, own in rows))
 
     @property
     def size(self) -> complex:

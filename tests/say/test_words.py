@@ -16,7 +16,7 @@ from random_mechanisms import cam, circular_slot, epicyclic, geared_five_bar, ro
 import graphkin
 from graphkin.analytic import motion
 from graphkin.cli import main
-from graphkin.construction import Plot
+from graphkin.construction import Plane, Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.files import library, loads
 from graphkin.model.mechanism import Mechanism
@@ -35,6 +35,8 @@ from graphkin.say import (
 from graphkin.say.catalogue import phrase
 from graphkin.say.ladder import rungs
 from graphkin.say.numbers import degrees, number
+from graphkin.say.polygons import polygon_entries
+from graphkin.say.reading import Reading
 from graphkin.say.text_table import width
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
@@ -785,6 +787,39 @@ def test_every_step_that_no_equation_of_its_own_has_stands_in_a_row():
     entries = [*derivation(method, plot, SCALES, "en", as_planned=True)]
     rows = [(rung.numbers, rung.equation) for rung in rungs(entries, "velocity", method) if rung.numbers]
     assert rows[:3] == [((1,), "v_R"), ((2,), "v_S = v_R"), ((3,), "v_K5 = v_R")]
+
+
+ARM = """
+frame = { A = [0, 0] }
+links = { 1.AB = 400, 2.BC = 300 }
+driver = [{ vector = "AB", angle = 35, omega = 1.5, alpha = -2 },
+          { vector = "BC", from = "AB", angle = -70, omega = -4, alpha = 0 }]
+"""
+PINION = """
+frame = { A = [0, 0] }
+links = { 2.AB = 40, 4.BC = 130, 3.points = ["C"], 5.RS = 100 }
+roll = [{ wheel = "3", centre = "C", radius = 25, on = "frame", through = [0, -25], angle = 0 },
+        { wheel = "3", centre = "C", radius = 25, on = "5", through = "R", toward = "S", side = "right" }]
+slide = [{ name = "rack", block = "5", point = "R", guide = "frame", through = [0, 25], angle = 0, tilt = 0 }]
+driver = [{ vector = "AB", angle = 60, omega = "100 r/min" }]
+pose = [{ slide = "rack", at = 90 }]
+sketch = { C = [145, 0], R = [90, 25], S = [190, 25] }
+"""
+
+
+@pytest.mark.parametrize(("text", "relations"), [
+    (ARM, {"velocity": "ω2 = ω1 + ω21", "acceleration": "α2 = α1 + α21"}),
+    (PINION, {"velocity": "ṡ_rack = ṡ_C − r3 ω3", "acceleration": "s̈_rack = s̈_C − r3 α3"}),
+])  # fmt: skip
+def test_what_an_equation_hangs_on_has_a_row_before_it(text: str, relations: dict[Plane, str]) -> None:
+    """A rate that a driver or a wheel gives; it comes with the step that takes it, and has no number of its own."""
+    method, plot = drawn(text)
+    for plane, relation in relations.items():
+        entries = polygon_entries(Reading(method, plot, SCALES, "en"), plane, method.construction(plane).parts, 0)
+        rows = [*rungs(entries, plane, method)]
+        [at] = [k for k, rung in enumerate(rows) if rung.equation == relation]
+        assert not rows[at].numbers
+        assert (rows[at].page or 0) <= (rows[at + 1].page or 0)
 
 
 NEEDLE = """

@@ -278,3 +278,24 @@ sketch = { B = [-120, -20], C = [-40, 55], E = [-90, 120] }
     arcs = [mark for mark in page.marks if isinstance(mark, ArcMark) and mark.accent in ("velocity", "acceleration")]
     assert {arc.accent for arc in arcs} == {"velocity", "acceleration"}
     assert all(abs(arc.centre - at) < 1e-9 for arc in arcs)
+
+
+ROCKER = """
+frame = { A = [0, 0], D = [100, 0], G = [190, 20] }
+links = { 1.AB = 35, 2.BC = 95, 3 = { DC = 60, CE = 45, DE = 75, ccw = ["D", "E", "C"] }, 4.EF = 80, 5.GF = 65 }
+driver = [{ vector = "AB", angle = 60, omega = 10 }]
+sketch = { C = [108, 60], E = [153, 54], F = [231, 71] }
+ask = ["omega 5", "alpha 5"]
+"""
+
+
+def test_an_arc_crosses_no_other_link_where_a_smaller_one_has_room() -> None:
+    method = plan(loads(ROCKER))
+    page = sheet(method, replay_all(method))
+    names = {mark.name: mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"}
+    about = [mark for mark in page.marks if isinstance(mark, ArcMark) and mark.accent in ("velocity", "acceleration")]
+    assert len(about) == 2
+    for arc in about:
+        assert abs(arc.centre - names["G"]) < 0.1
+        turns = (arc.centre + cmath.rect(arc.radius, arc.start + part * arc.sweep / 20) for part in range(21))
+        assert all(off_stretch(at, names["E"], names["F"]) > 1 for at in turns)

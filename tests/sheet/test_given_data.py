@@ -486,3 +486,31 @@ def test_an_arrow_of_many_names_bears_one_where_all_have_no_room() -> None:
     names = {plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)}
     assert {"vE6", " = vS", " = vT", " = vU", "aE6"} <= names
     assert " = aS" not in names
+
+
+CRUSHER = """
+frame = { name = "1", O = [0, 0], D = ["0.94 m", "-1.0 m"], F = ["-1.0 m", "1.0 m"] }
+links = { 2.OA = "0.1 m", 3.AB = "1.25 m", 4.DB = "1.0 m", 5.BC = "1.15 m", 6.FC = "1.96 m" }
+driver = [{ vector = "OA", angle = 90, omega = "170 r/min" }]
+sketch = { A = [0, 100], B = [0, -1150], C = [-1100, -960] }
+"""
+
+
+def test_coordinates_of_one_size_are_both_told() -> None:
+    """1.0 m to the left and 1.0 m up are two data, as is 1.0 m down of another pivot, and a link of 1.0 m."""
+    lettered = [plain_text(mark.label) for mark in sheet(*solved(CRUSHER)).marks if isinstance(mark, Text)]
+    assert lettered.count("1.0 m") == 4
+
+
+CAM = """
+frame = { name = "3", A = [0, 0], D = [90, 20] }
+links = { 1.AO = 20, 2.DB = 80 }
+cam = [{ links = ["1", "2"], profiles = [{ centre = "O", radius = 40 }, { centre = "B", radius = 10 }] }]
+driver = [{ vector = "AO", angle = 150, omega = 10 }]
+sketch = { B = [20, 55] }
+"""
+
+
+def test_a_dimension_whose_lines_would_cross_a_roller_and_its_bar_is_written() -> None:
+    lettered = [plain_text(mark.label) for mark in sheet(*solved(CAM)).marks if isinstance(mark, Text)]
+    assert any("lOA = 20 mm" in text for text in lettered)

@@ -236,8 +236,13 @@ E = [400, 260]
 
 
 def test_a_paper_with_too_little_room_says_so() -> None:
-    """At fine scales the equations go first, the tables stay, and the foot tells it."""
+    """At fine scales the rows under equations go first, then these; the tables stay, and the foot tells it."""
     fine = loads(LIFT + "[scales]\nlength = 0.004\nvelocity = 0.002\nacceleration = 0.0006\n")
     words = {plain_text(m.label) for m in Drawing.of(fine).sheet(paper="A4-landscape").marks if isinstance(m, Text)}
     assert "no room for all equations at these scales" in words
     assert {"ω [rad/s]", "α [rad/s²]"} <= words
+    less = loads(LIFT + "[scales]\nlength = 0.004\nvelocity = 0.003\nacceleration = 0.0006\n")
+    words = {plain_text(m.label) for m in Drawing.of(less).sheet(paper="A4-landscape").marks if isinstance(m, Text)}
+    assert "directions and magnitudes: see the solution" in words
+    assert "direction:" not in words
+    assert any(word.startswith("∽") or "=" in word for word in words)

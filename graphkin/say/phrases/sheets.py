@@ -12,6 +12,7 @@ PHRASES: Phrases = {
     "sheet.plane acceleration": ("Acceleration polygon", "加速度多边形"),
     "sheet.fitted": ("fitted by trial", "样板法试凑"),
     "sheet.together": ("solved together", "联立求解"),
+    "sheet.brief": ("directions and magnitudes: see the solution", "各矢量的方向与大小见解答"),
     "sheet.no room equations": ("no room for all equations at these scales", "此比例尺下放不下全部矢量方程"),
     "sheet.no room tables": ("no room for all tables at these scales", "此比例尺下放不下全部数值表"),
     "sheet.since": ("{datum} from {point}", "{datum}（距 {point}）"),
