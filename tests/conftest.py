@@ -9,9 +9,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from library_sheets import loaded
+from library_sheets import key_for, loaded
 
 from graphkin.files import library
+from graphkin.homework.grading import keys
 from graphkin.sheet import mechanism_sheet
 from graphkin.sheet.paper import papers_for
 
@@ -51,14 +52,15 @@ def pytest_collection_finish() -> None:
 @pytest.fixture(autouse=True)
 def _library_once(request: pytest.FixtureRequest) -> Iterator[None]:
     """A process loads each mechanism of the library once: tests and commands that ask for it one after another are answered
-    from what is kept of its plan, its motion and its sheet, as a user is who asks again. A test that changes what the
+    from what is kept of its plan, its motion, its sheet and its key, as a user is who asks again. A test that changes what the
     package does loads its own."""
     if "monkeypatch" in request.fixturenames:
         yield
         return
-    own, library.load = library.load, loaded
+    own = library.load, keys.key_for
+    library.load, keys.key_for = loaded, key_for
     yield
-    library.load = own
+    library.load, keys.key_for = own
 
 
 @pytest.fixture

@@ -507,6 +507,7 @@ def test_one_drawing_is_arranged_once(arranged: list[SheetContents]):
     assert [Drawing.of(library.load("ex3-1")).sheet(lang=lang).svg() for lang in ("zh", "en")] == whole
 
 
+@pytest.mark.usefixtures("one_paper")
 def test_few_sheets_are_kept(monkeypatch: pytest.MonkeyPatch):
     """Of a class with a problem for each no more than a handout has."""
     made, cheapest = list[weakref.ref[mechanism_sheet.Arrangement]](), mechanism_sheet.cheapest

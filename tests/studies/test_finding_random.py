@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from functools import cache
 
@@ -160,4 +161,6 @@ def test_a_rocker_pin_rests_where_its_link_does() -> None:
         one, other = ([position.t for position in found.positions] for found in (by_point, by_link))
         assert one == pytest.approx(other, abs=1e-8), (seed, pin)
         tried += bool(one)
+        if tried == 4 and "GRAPHKIN_RANDOM" not in os.environ:
+            break
     assert tried > 3
