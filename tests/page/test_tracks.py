@@ -92,7 +92,7 @@ def test_cells_of_a_grid_are_shown_where_they_are_near_enough(plane):
             off = weights @ held[numbers] - [complex(there[name]) for name in knots.names[plane]]
             assert np.abs(off).max() < 0.02 * knots.figures.window(plane).scale
             seen += 1
-    assert seen > 40
+    assert seen > 30
 
 
 @pytest.mark.parametrize("name", ["p3-21", "p3-22", "s4-ex6"] if "GRAPHKIN_RANDOM" in os.environ else ["s4-ex6"])

@@ -85,9 +85,14 @@ def test_what_is_misread_is_said(name, kind, seed, wobble):
     assert worst(work, readings_of(work)) < 0.5
 
 
-def test_points_that_may_be_exchanged_are_not_sure():
-    """A line drawn in another direction, so that a and b may each be the other, one of them beside its lines."""
-    assert assessed(Case("s4-ex2", "slip", 1009, True, "fine")).silent < 0.5
+@pytest.mark.parametrize("case", [
+    Case("s4-ex2", "slip", 1007, True), pytest.param(Case("s4-ex2", "slip", 1009, True, "fine"), marks=pytest.mark.further),
+])  # fmt: skip
+def test_points_that_may_be_exchanged_are_not_sure(case):
+    """An arrow or a line drawn otherwise, so that a and b may each be the other, one of them beside its lines."""
+    found = assessed(case)
+    assert found.silent < 0.5
+    assert {"v:alikea", "v:alikeb"} <= {*found.reasons} or case.camera == "fine"
 
 
 def test_paper_without_a_drawing_is_blank():

@@ -62,7 +62,7 @@ def scanned(method: Method) -> tuple[CourseStretch, np.ndarray, list[np.ndarray]
     return over, t, exactly(over, t)
 
 
-@pytest.mark.many(5)
+@pytest.mark.many(7)
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_change_of_sign_of_a_scan_is_found_and_nothing_else(kind: str, seed: int) -> None:
@@ -93,7 +93,7 @@ def test_every_change_of_sign_of_a_scan_is_found_and_nothing_else(kind: str, see
         done += roots.size
 
 
-@pytest.mark.many(5)
+@pytest.mark.many(7)
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_scanned_value_lies_beyond_the_extremes(kind: str, seed: int) -> None:
