@@ -200,6 +200,7 @@ def _box(mark: Text) -> tuple[float, float, float, float]:
     return mark.at.real, mark.at.imag - up, mark.at.real + wide, mark.at.imag + down
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_arrows_stay_in_their_figure(name: str):
     """None crosses the drawing frame, the strip, or the line to the circle diagram."""
