@@ -9,19 +9,23 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from library_sheets import loaded
+from library_sheets import key_for, loaded
 
 from graphkin.files import library
+from graphkin.homework.grading import keys
 from graphkin.sheet import mechanism_sheet
 from graphkin.sheet.paper import papers_for
 
+DRAWN = ("cli", "sheet")
+"""Folders whose tests look at the sheets of the library."""
 PART = 3  # of the cases of a test that is marked `many` one of so many runs; of `many(8)` one of eight
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """A law that is held against many mechanisms takes some of them, and a single case that is marked `further` is left
     out; all run with GRAPHKIN_RANDOM in the environment. A test whose cases take turns at something of their own is not
-    to be marked `many`: some turns would be nobody's."""
+    to be marked `many`: some turns would be nobody's. Tests that look at the same drawings come one after another, so
+    that of two processes one makes them."""
     if "GRAPHKIN_RANDOM" in os.environ:
         return
     there = Counter(map(function_of, items))
@@ -32,7 +36,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         is_left = (seen[name] + len(name)) % part > 0 or item.get_closest_marker("further") is not None
         (left if is_left else taken).append(item)
         seen[name] += 1
-    items[:] = taken
+    items[:] = sorted(taken, key=lambda item: item.path.parent.name not in DRAWN)
     if left:
         config.hook.pytest_deselected(items=left)
 
@@ -51,14 +55,15 @@ def pytest_collection_finish() -> None:
 @pytest.fixture(autouse=True)
 def _library_once(request: pytest.FixtureRequest) -> Iterator[None]:
     """A process loads each mechanism of the library once: tests and commands that ask for it one after another are answered
-    from what is kept of its plan, its motion and its sheet, as a user is who asks again. A test that changes what the
+    from what is kept of its plan, its motion, its sheet and its key, as a user is who asks again. A test that changes what the
     package does loads its own."""
     if "monkeypatch" in request.fixturenames:
         yield
         return
-    own, library.load = library.load, loaded
+    own = library.load, keys.key_for
+    library.load, keys.key_for = loaded, key_for
     yield
-    library.load = own
+    library.load, keys.key_for = own
 
 
 @pytest.fixture

@@ -3,6 +3,7 @@ where those of other textbooks are."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
@@ -10,6 +11,11 @@ from graphkin import Drawing
 from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.files import library, load
+from graphkin.homework.grading.keys import USUAL, Pencils
+from graphkin.homework.grading.keys import key_for as made_key
+from graphkin.marking.key import Key
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
 from graphkin.sheet import Sheet, Style
 from graphkin.sheet.lettering import Label
@@ -19,6 +25,19 @@ TEXTBOOK = Path(__file__).parent / "cases" / "textbook"
 
 loaded = cache(library.load)
 """The same object each time, of which what was worked out is kept."""
+
+
+def key_for(mechanism: Mechanism, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = ()) -> Key:
+    """The key of such an object is made once for each pencil."""
+    place = mechanism.name, repr(pencils)
+    if quantities or mechanism.name not in library.names() or mechanism is not loaded(mechanism.name):
+        return made_key(mechanism, pencils, quantities)
+    if place not in _KEYS:
+        _KEYS[place] = made_key(mechanism, pencils)
+    return _KEYS[place]
+
+
+_KEYS: dict[tuple[str, str], Key] = {}
 
 
 @cache

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -22,16 +23,30 @@ def part(path: Path) -> str:
     return path.relative_to(PACKAGE).parts[0].removesuffix(".py")
 
 
+class Contents(NamedTuple):
+    """Of a file: its imports and calls, the texts that stand alone in it, the names of its classes."""
+
+    used: tuple[ast.ImportFrom | ast.Import | ast.Call, ...]
+    texts: tuple[str, ...]
+    classes: tuple[str, ...]
+
+
 @cache
-def nodes(path: Path) -> tuple[ast.AST, ...]:
-    """The imports and calls of a file."""
-    return tuple(node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.ImportFrom | ast.Import | ast.Call))
+def contents(path: Path) -> Contents:
+    """Read once: the whole tree of a file is not kept."""
+    every = [*ast.walk(ast.parse(path.read_text("utf-8")))]
+    alone = [node.value.value for node in every if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)]
+    return Contents(
+        tuple(node for node in every if isinstance(node, ast.ImportFrom | ast.Import | ast.Call)),
+        tuple(text for text in alone if isinstance(text, str)),
+        tuple(node.name for node in every if isinstance(node, ast.ClassDef)),
+    )
 
 
 def imported(path: Path) -> set[str]:
     """The modules of the architecture that a file imports, wherever in it."""
     found = set()
-    for node in nodes(path):
+    for node in contents(path).used:
         if isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] == "graphkin":
             names = node.module.split(".")[1:] or [alias.name for alias in node.names]
             found |= {names[0]} if node.module != "graphkin" else set(names)
@@ -64,7 +79,7 @@ MODULES = {dotted(path): path for path in FILES}
 def needed(path: Path) -> frozenset[str]:
     """The modules that a file imports anywhere: in functions, by a written name, for types; a package is its `__init__`."""
     found = set[str]()
-    for node in nodes(path):
+    for node in contents(path).used:
         if isinstance(node, ast.ImportFrom) and node.module:
             found |= {f"{node.module}.{alias.name}" for alias in node.names if f"{node.module}.{alias.name}" in MODULES}
             if any(f"{node.module}.{alias.name}" not in MODULES for alias in node.names):
@@ -125,14 +140,13 @@ def test_public_names():
 
 def test_docstrings_name_their_thing():
     """They are no questions; those under constants count, too."""
-    texts = [(path.name, node.value.value) for path in FILES for node in ast.walk(ast.parse(path.read_text("utf-8")))
-             if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)]  # fmt: skip
+    texts = [(path.name, text) for path in FILES for text in contents(path).texts]
     assert len(texts) > 1000
     assert [(name, text) for name, text in texts if text.split()[0] in ("What", "Whether", "How", "Who")] == []
 
 
 def test_a_class_name_stands_for_one_thing():
-    names = [node.name for path in FILES for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.ClassDef) and not node.name.startswith("_")]  # fmt: skip
+    names = [name for path in FILES for name in contents(path).classes if not name.startswith("_")]
     assert len(names) > 500
     assert {name for name in names if names.count(name) > 1} == set()
 

@@ -127,7 +127,7 @@ def _filler(cls: Any, entries: Mapping[str, object]) -> Fill:
     defaults = {name: value for name, value in values.items() if value is not MISSING}
     makers = {name: each.default_factory for name, each in entries.items()
               if isinstance(each, Field) and each.default_factory is not MISSING}  # fmt: skip
-    filled = {*defaults, *makers}
+    filled, whole = {*defaults, *makers}, len(names)
     post: Fill | None = getattr(cls, "__post_init__", None)
     rests: dict[tuple[object, ...], dict[str, object]] = {}
     """By how many values are given by place, and which by name: the defaults of all others."""
@@ -140,13 +140,17 @@ def _filler(cls: Any, entries: Mapping[str, object]) -> Fill:
         return {name: defaults[name] for name in names if name in others and name in defaults}
 
     def fill(self: object, /, *args: object, **named: object) -> None:
-        data, key = self.__dict__, (len(args), *named)
-        if (rest := rests.get(key)) is None:
-            rest = rests[key] = left(len(args), named)
-        data.update(zip(names, args), **named)
-        data.update(rest)
-        if makers:
-            data.update((name, make()) for name, make in makers.items() if name not in data)
+        data = self.__dict__
+        if not named and len(args) == whole:
+            data.update(zip(names, args))
+        else:
+            key = len(args), *named
+            if (rest := rests.get(key)) is None:
+                rest = rests[key] = left(len(args), named)
+            data.update(zip(names, args), **named)
+            data.update(rest)
+            if makers:
+                data.update((name, make()) for name, make in makers.items() if name not in data)
         if post is not None:
             post(self)
 

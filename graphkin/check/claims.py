@@ -63,8 +63,8 @@ def changed(
     now = _places_now(claimed_texts, read)
     shift = _shift(claimed_texts, now)
     for (text, place), at in zip(claimed_texts, now, strict=True):
-        exchanged = any(other != text and abs(there + shift - at) < _SAME for other, there in claimed_texts)
-        if abs(at - place - shift) > _APART and exchanged:
+        astray = abs(at - place - shift) > _APART
+        if astray and any(other != text and abs(there + shift - at) < _SAME for other, there in claimed_texts):
             yield Fault("letters", text)
     entries = drawing.claims.get("drawn")
     entries = entries if isinstance(entries, list) else []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from copy import copy
 
 import numpy as np
 
@@ -23,20 +24,28 @@ Sliding = tuple[int, int, int | None, Value]
 
 
 def fit(step: Fit, plot: Plot, rounds: int = ROUNDS) -> None:
-    """Newton's method on the closures and contacts of a group, for all positions at once."""
+    """Newton's method on the closures and contacts of a group, for all positions at once, and for the others alone as
+    soon as most of them fit."""
     gaps, before = Gaps(step, plot, reach(step, plot)), np.inf
     x = np.empty((*gaps.shape, len(step.angles) + len(step.slides)))
     for k, name in enumerate(unknowns_of(step)):
         x[..., k] = plot.near[name]
+    some = gaps
+    left: tuple[np.ndarray, ...] | None = None  # the positions that do not fit yet, if not all
     for _ in range(rounds):
-        gap, slope = gaps.at(x)
+        gap, slope = some.at(x if left is None else x[left])
         change = solved(slope, gap)
         moved = np.abs(change).max(axis=-1)  # the whole step in units; half a unit at most is gone
-        x = x - change * gaps.units / np.maximum(1.0, moved / 0.5)[..., None]
+        way = change * gaps.units / np.maximum(1.0, moved / 0.5)[..., None]
+        x[... if left is None else left] -= way
         farthest = np.max(moved, where=np.isfinite(moved), initial=0.0)
         if farthest <= FITTED or ROUNDED * before < farthest < ROUNDING:
             break
-        before = farthest
+        before, going = farthest, moved > FITTED
+        if 2 * going.sum() < going.size:
+            places = np.argwhere(going) if left is None else np.transpose(left)[going]
+            left = tuple(places.T)
+            some = gaps.of(left)
     # the positions at which the group closes; NaN at the others, and by how much it misses there
     gap, slope = gaps.at(x)
     widest = np.abs(gap).max(axis=-1)
@@ -110,6 +119,22 @@ class Gaps:
         rolled = () if self.rolled is None else (self.rolled[0].shape[:-1], self.rolled[1].shape[:-2])
         lines = (np.shape(direction) for *_, direction in self.sliding)
         return np.broadcast_shapes(self.known.shape[:-1], self.arms.shape[:-2], *rolled, *lines, *shapes)
+
+    def of(self, some: tuple[np.ndarray, ...]) -> Gaps:
+        """The gaps at some of the positions alone, by their numbers along each axis."""
+        shape = self.shape
+
+        def taken(values: Value, own: int) -> np.ndarray:
+            """Of values whose last `own` axes are not of positions."""
+            inner = np.shape(values)[np.ndim(values) - own :]
+            return np.asarray(np.broadcast_to(values, (*shape, *inner))[some])
+
+        found = copy(self)
+        found.known, found.arms = taken(self.known, 1), taken(self.arms, 2)
+        found.sliding = [(closure, slide, base, taken(line, 0)) for closure, slide, base, line in self.sliding]
+        if self.rolled is not None:
+            found.rolled = taken(self.rolled[0], 1), taken(self.rolled[1], 2)
+        return found
 
     def at(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Gaps (.., m) and their slopes by each unknown in its unit (.., m, n), for unknowns x (.., n).

@@ -26,7 +26,7 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> list[object]:
     """Library names, mechanisms, and a file that cannot be read."""
     broken = tmp_path_factory.mktemp("sources") / "broken.toml"
     broken.write_text("[frame\n", encoding="utf-8")
-    return ["ex3-1", "ex3-7", *(dyad("RRR", seed) for seed in range(8)), broken, "fig3-10", library.load("p3-23a")]
+    return ["ex3-1", "ex3-7", *(dyad("RRR", seed) for seed in range(4)), broken, "fig3-10", library.load("p3-23a")]
 
 
 @pytest.fixture(scope="module")

@@ -181,6 +181,7 @@ places = [complex(*coordinates[-1]) for coordinates in linkage.step(360)]
 """
 
 
+@pytest.mark.further
 def test_lines_and_times_beside_pylinkage(capsys: pytest.CaptureFixture[str]):
     """The same four-bar over a turn: the same places."""
     pytest.importorskip("pylinkage")

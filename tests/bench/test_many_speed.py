@@ -22,7 +22,7 @@ import graphkin
 from graphkin.cli import main
 from graphkin.files import library
 
-COUNT, ALONE, ROUNDS = 100_000, 30, 3
+COUNT, ALONE, ROUNDS = 100_000, 30, 2
 LENGTHS = {
     "ex3-1": {"AB": 24, "DC": 48, "D": (78, 0)},
     "ex3-5": {"AB": 30, "DC": 60, "links.2.shape.C": (70, 0), "links.2.shape.E": (35, 20)},
@@ -100,7 +100,7 @@ def test_trials(name: str, names: tuple[str, str], point: str, capsys: pytest.Ca
     assert planned / quick > 10
 
 
-FILES, SHARED = 200, 2000 if "GRAPHKIN_RANDOM" in os.environ else 1000
+FILES, SHARED = (200, 2000) if "GRAPHKIN_RANDOM" in os.environ else (100, 300)
 
 
 def another(text: str, rng: random.Random) -> str:

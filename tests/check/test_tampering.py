@@ -523,7 +523,7 @@ MISLEADING: dict[str, Change] = {
 }
 EVERYTHING = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
 EACH = max(1, EVERYTHING // 400)
-SHEETS = [*library.names()[::12], *((family, seed) for family in FAMILIES for seed in range(EACH))][:: 1 if EVERYTHING else 3]
+SHEETS = [*library.names()[::12], *((family, seed) for family in FAMILIES for seed in range(EACH))][:: 1 if EVERYTHING else 5]
 
 
 @pytest.mark.parametrize("of", SHEETS, ids=str)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -22,6 +23,8 @@ from graphkin.marking.consequences import rewrites
 
 pytest.importorskip("typst")
 
+EIGHT_MILLION = replace(CAMERAS["flat"], size=(3264, 2448))
+"""So many pixels are soon looked through, and enough."""
 WRONG = "normal-omitted", ("a^n_CD",)
 TEMPLATE = """
 title = "Crank and rocker"
@@ -57,7 +60,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         page, work = printed.drawn(sheet.number, 3, (wrong,) if sheet.student == "two" else ())
         assert work.fits()
         upside_down = np.pi if sheet.student == "two" else 0.0
-        picture = photographed(page, camera=CAMERAS["flat"], seed=sheet.number, turned=upside_down)
+        picture = photographed(page, camera=EIGHT_MILLION, seed=sheet.number, turned=upside_down)
         plane = sheet.rooms[0].plane
         if plane == "velocity":
             at = work.corners[plane]["c"]

@@ -398,7 +398,8 @@ def test_prairielearn_stays_under_a_megabyte(size, tmp_path: Path):
     pictures = [ResultPicture(str(k), "image/png", b"x" * size) for k in range(2)]
     long = record(1)
     if size > LARGEST:
-        long["quantities"] = {f"v {'E' * size} {k}": line for k, line in enumerate(long["quantities"].values())}
+        first, *others = long["quantities"].items()
+        long["quantities"] = {f"v {'E' * size}": first[1], **dict(others)}
     write_results(tmp_path, results(long), "prairielearn", pictures=lambda *asked: pictures)
     path = tmp_path / "results.json"
     assert path.stat().st_size < LARGEST

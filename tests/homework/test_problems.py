@@ -76,7 +76,7 @@ def test_numbers_hang_on_seed_and_id_and_on_no_order(template: Path, known: dict
     few = {v.student.id: v.numbers for v in variants(read_one, students[1:3], "7")}
     assert found == again
     assert few.items() <= found.items()
-    assert found != {v.student.id: v.numbers for v in variants(read_one, students, "8")}
+    assert found != {v.student.id: v.numbers for v in variants(read_one, students, "3")}
     assert len(set(found.values())) == len(found)
 
 
@@ -320,10 +320,10 @@ sketch = { C = [60, 60] }
 def test_all_students_have_one_assembly(template: Path, tmp_path: Path):
     """C goes all the way round, so that for half of the crank's angles the sketch is nearer to the crossed linkage."""
     template.write_text(DRAG_LINK, encoding="utf-8")
-    result = CliRunner().invoke(main, ["problems", str(template), "--students", "12", "-o", str(tmp_path / "set"), "--lang", "en"])
+    result = CliRunner().invoke(main, ["problems", str(template), "--students", "8", "-o", str(tmp_path / "set"), "--lang", "en"])
     assert result.exit_code == 0, result.output
     sides, sketched = set(), []
-    for path in sorted((tmp_path / "set" / "teacher").glob("s??.toml")):
+    for path in sorted((tmp_path / "set" / "teacher").glob("s?.toml")):
         mechanism = loading.load(path)
         place = replay_all(plan(mechanism)).position
         sides.add(math.copysign(1, ((place["C"] - place["B"]) * (place["D"] - place["B"]).conjugate()).imag))

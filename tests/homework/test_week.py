@@ -33,6 +33,8 @@ from the_week import (
 from graphkin.cli import main
 
 Json = dict
+PROBLEMS = {name: text for name, text in TEMPLATES.items() if MANY > LEAST or name != "p1"}
+"""The first is left out for the small class: its drawings are handed in elsewhere."""
 CLASS = HomeworkClass(tuple(pupils()), Path("week"))
 POINTS = {"right": 4, "late": 4, "again": 4, "photograph": 4, "mistake": 3, "slip": 3}
 """In the end, of 4; what follows rightly from a slip is right."""
@@ -77,7 +79,7 @@ def handed_out() -> None:
     """Monday: each has a problem of their own, and no key."""
     Path("list.csv").write_text(school_list(CLASS.them), "utf-8")
     Path("worksheet.csv").write_text(worksheet(CLASS.them), "utf-8")
-    for problem, template in TEMPLATES.items():
+    for problem, template in PROBLEMS.items():
         Path(f"{problem}.toml").write_text(template, "utf-8")
         run("problems", f"{problem}.toml", "--students", "list.csv", "--seed", "2028", "-o", f"week/{problem}", "--lang", "zh")
         there = {path.name for path in Path("week", problem, "students").iterdir()}
@@ -97,10 +99,10 @@ def nothing_is_lost(problem: str, archives: list[Path]) -> None:
 
 def due() -> None:
     """Thursday: what Moodle has packed is marked; what could not be read is told, and the rest is right."""
-    for problem in TEMPLATES:
+    for problem in PROBLEMS:
         packed(Path("in", f"{problem}.zip"), CLASS.on_time(problem))
     grade("week", "in", "-o", "res")
-    for problem in TEMPLATES:
+    for problem in PROBLEMS:
         nothing_is_lost(problem, [Path("in", f"{problem}.zip")])
         there = {one["student"]: one for one in records(problem)}
         table = rows(f"res/{problem}/class.csv")
@@ -122,7 +124,7 @@ def due() -> None:
 
 def doubtful_in_the_terminal() -> str:
     """The lines of those whose work cannot be read."""
-    for problem in TEMPLATES:
+    for problem in PROBLEMS:
         doubtful = {"", *CLASS.of(problem, "unread", "photograph", "another's name")}
         packed(Path("doubtful", f"{problem}.zip"), {name: own for name, own in CLASS.on_time(problem).items() if whose(name) in doubtful})
     return run("grade", "week", "doubtful", "--roster", "worksheet.csv", "--lang", "zh").stdout
@@ -131,11 +133,11 @@ def doubtful_in_the_terminal() -> str:
 def every_doubt_is_listed() -> None:
     """In the tables, in the sheet of the workbook, and in the terminal: what is not read with what was written."""
     sheet = openpyxl.load_workbook("res/class.xlsx")["请核对"].iter_rows(min_row=2, values_only=True)
-    listed = {(problem, student): [] for problem in TEMPLATES for student in ("", *(one.id for one in CLASS.them))}
+    listed = {(problem, student): [] for problem in PROBLEMS for student in ("", *(one.id for one in CLASS.them))}
     for student, _, problem, file, reason in sheet:
         listed[problem, student if student in CLASS.of(problem, *FATES) else ""].append((file, reason))
     whole, printed = rows("res/class.csv"), doubtful_in_the_terminal()
-    for problem in TEMPLATES:
+    for problem in PROBLEMS:
         table = rows(f"res/{problem}/class.csv")
         for student, written in CLASS.unread(problem).items():
             (_, reason), = listed[problem, student]
@@ -157,11 +159,11 @@ UNITS = ("rad/s", "rad/s²", "m/s", "m/s²")
 
 def late_work() -> None:
     """Friday: it is added, and takes the place of what the same student handed in before."""
-    for problem in TEMPLATES:
+    for problem in PROBLEMS:
         packed(Path("late", f"{problem}.zip"), CLASS.late(problem))
-    before = {problem: {one["student"]: one for one in records(problem)} for problem in TEMPLATES}
+    before = {problem: {one["student"]: one for one in records(problem)} for problem in PROBLEMS}
     said = grade("week", "late", "-o", "res").stderr
-    for problem in TEMPLATES:
+    for problem in PROBLEMS:
         nothing_is_lost(problem, [Path("in", f"{problem}.zip"), Path("late", f"{problem}.zip")])
         now, again = {one["student"]: one for one in records(problem)}, CLASS.of(problem, "again", "photograph")
         assert {line.split("：")[0] for line in said.splitlines() if f"late/{problem}" in line} == {*again}
@@ -213,7 +215,7 @@ def test_a_week():
     held = two_graders()
     a_changed_key()
     whole = rows("res/class.csv")
-    for problem in TEMPLATES:
+    for problem in PROBLEMS:
         for _, one, fate in CLASS.fates(problem):
             if fate in POINTS:
                 assert whole[one.id][problem] == str(POINTS[fate] + 2 * (problem == "p3")), (problem, one, fate)
@@ -223,5 +225,5 @@ def test_a_week():
                 assert whole[one.id][problem] == ("未交" if fate == "nothing" else "未评阅"), (problem, one, fate)
     for one in CLASS.them:
         row = whole[one.id]
-        points = [float(row[problem]) for problem in TEMPLATES if row[problem][:1].isdecimal()]
-        assert (row["姓名"], float(row["总分"]), row["满分"]) == (one.name, sum(points), "14")
+        points = [float(row[problem]) for problem in PROBLEMS if row[problem][:1].isdecimal()]
+        assert (row["姓名"], float(row["总分"]), row["满分"]) == (one.name, sum(points), str(4 * len(PROBLEMS) + 2))

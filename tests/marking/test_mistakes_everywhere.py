@@ -92,7 +92,7 @@ def hold_alone(method: Method, plot: Plot, found: Consequences) -> None:
         assert found.values[row] == same, found.columns[row][0].name
 
 
-@pytest.mark.many(5)
+@pytest.mark.many(8)
 @pytest.mark.parametrize("name", library.names())
 def test_library(name: str):
     mechanism = library.load(name)
@@ -100,7 +100,7 @@ def test_library(name: str):
     hold(mechanism, method, replay_all(method))
 
 
-@pytest.mark.many(5)
+@pytest.mark.many(8)
 @pytest.mark.parametrize("family", FAMILIES)
 def test_random_mechanisms(family: str):
     for mechanism, method, plot in made(family):

@@ -238,7 +238,7 @@ def test_between_positions_of_two_drivers_what_is_not_exact_is_said(browsing: Br
     """Neither drawn nor told, and each plane that is not there has its reason."""
     machine, rng, page = loads(_TWO_CRANKS), random.Random(3), browsing.open(two_cranks, viewport=WIDE)
     drawn, told, reasons = 0, 0, Counter[str]()
-    for _ in range(30):
+    for _ in range(15):
         values = (rng.uniform(0, 2 * math.pi), rng.uniform(0, 2 * math.pi))
         page.evaluate(_GO, f"{fragment(machine, values)}&lang=en")
         planes, exact = shown(page), motion(machine, values)
@@ -253,8 +253,8 @@ def test_between_positions_of_two_drivers_what_is_not_exact_is_said(browsing: Br
         notes = page.locator(".figure .note:visible").all_inner_texts()
         assert len(planes) + len(notes) == len(PLANES)
         reasons.update(notes)
-    assert drawn > 100
-    assert told > 10
+    assert drawn > 50
+    assert told > 5
     assert any("between the calculated positions" in text for text in reasons)
 
 

@@ -31,7 +31,7 @@ def worst(work: Work, found: dict[Plane, PageReading]) -> float:
     return max(off)
 
 
-@pytest.mark.parametrize(("name", "seed"), [pytest.param("ex3-1", 3, marks=pytest.mark.further), ("fig3-1", 4), ("ex3-4", 1029)])
+@pytest.mark.parametrize(("name", "seed"), [pytest.param("ex3-1", 3, marks=pytest.mark.further), pytest.param("fig3-1", 4, marks=pytest.mark.further), ("ex3-4", 1029)])
 def test_right_work_is_called_right(name, seed):
     """In ex3-4 the pole is found last."""
     work = Work(paper_of(name), seed, habits=NEAT)
@@ -44,7 +44,8 @@ def test_right_work_is_called_right(name, seed):
 
 
 @pytest.mark.parametrize(("name", "seed"), [
-    ("ex3-1", 1024), ("ex3-7", 1003), ("p3-3a", 1020), ("p3-3a", 1284), pytest.param("p3-3a", 1032, marks=pytest.mark.further), ("p3-3a", 1030),
+    ("ex3-1", 1024), pytest.param("ex3-7", 1003, marks=pytest.mark.further), ("p3-3a", 1030),
+    *(pytest.param("p3-3a", seed, marks=pytest.mark.further) for seed in (1020, 1284, 1032)),
 ])  # fmt: skip
 def test_a_mistake_is_named(name, seed):
     work = work_of(name, "mistake", seed, wobble=True)
@@ -63,7 +64,7 @@ def test_a_slip_is_seen(name, seed, wobble):
     assert worst(work, found) < 0.5
 
 
-@pytest.mark.parametrize(("scale", "most"), [(0.015, 0.25), (0.02, 0.3)])
+@pytest.mark.parametrize(("scale", "most"), [(0.015, 0.25), pytest.param(0.02, 0.3, marks=pytest.mark.further)])
 def test_an_arrow_along_the_printed_line_is_drawn(scale, most, tmp_path):
     """The line through the pole hides it, all of it or all but some."""
     path = tmp_path / "s4-ex2.toml"
@@ -84,9 +85,14 @@ def test_what_is_misread_is_said(name, kind, seed, wobble):
     assert worst(work, readings_of(work)) < 0.5
 
 
-def test_points_that_may_be_exchanged_are_not_sure():
-    """A line drawn in another direction, so that a and b may each be the other, one of them beside its lines."""
-    assert assessed(Case("s4-ex2", "slip", 1009, True, "fine")).silent < 0.5
+@pytest.mark.parametrize("case", [
+    Case("s4-ex2", "slip", 1007, True), pytest.param(Case("s4-ex2", "slip", 1009, True, "fine"), marks=pytest.mark.further),
+])  # fmt: skip
+def test_points_that_may_be_exchanged_are_not_sure(case):
+    """An arrow or a line drawn otherwise, so that a and b may each be the other, one of them beside its lines."""
+    found = assessed(case)
+    assert found.silent < 0.5
+    assert {"v:alikea", "v:alikeb"} <= {*found.reasons} or case.camera == "fine"
 
 
 def test_paper_without_a_drawing_is_blank():

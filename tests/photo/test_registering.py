@@ -52,7 +52,7 @@ def test_cameras_tell_the_truth():
             assert abs(middle - at) < 0.1
 
 
-@pytest.mark.parametrize("name", ["phone", "tilted", "scanner", "copier"])
+@pytest.mark.parametrize("name", ["phone", pytest.param("tilted", marks=pytest.mark.further), "scanner", pytest.param("copier", marks=pytest.mark.further)])
 def test_places_of_a_page_are_found(name: str):
     """To a tenth of a mm, and to what the page says of itself."""
     photo = phone() if name == "phone" else photograph(printed(), FINE, (CAMERAS | ASIDE)[name], 4)

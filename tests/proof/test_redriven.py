@@ -82,7 +82,7 @@ def test_a_coincident_point_of_links_that_a_driver_turns_apart(family: str) -> N
 @pytest.mark.parametrize("family", ["relative_angle", "six_bar", "triad"])
 def test_what_a_relative_driver_turns_does_not_stand_still(family: str) -> None:
     """The rates of links that are solved together hang on a driver that turns two of them against each other."""
-    for seed, _, method, plot in solved(family, "relative", 3 * COUNT):
+    for seed, _, method, plot in solved(family, "relative", 2 * COUNT):
         groups = [step for step in method.velocity.steps if isinstance(step, Simultaneous)]
         told = "\n".join(Drawing(method.mechanism, method, plot).explain("en", everything=True))
         for link in {one.link for group in groups for chain in group.chains for one in chain.unknown if one.link}:

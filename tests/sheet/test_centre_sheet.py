@@ -90,7 +90,7 @@ def shown(drawn: Sheet) -> list[str]:
 # --- beside the other road ----------------------------------------------------------------------
 
 
-@pytest.mark.many
+@pytest.mark.many(5)
 @pytest.mark.parametrize("name", library.names())
 def test_every_centre_is_drawn_and_where_velocities_have_it(name: str, tmp_path: Path):
     drawn = sheet(name)
@@ -101,7 +101,7 @@ def test_every_centre_is_drawn_and_where_velocities_have_it(name: str, tmp_path:
     assert max(entry.off_mm for entry in report.measured) < 1e-3
 
 
-@pytest.mark.many
+@pytest.mark.many(5)
 @pytest.mark.parametrize("name", EACH_KIND)
 @pytest.mark.parametrize("shift", [0.02, 0.02j, -0.015 + 0.015j])
 def test_a_moved_mark_is_caught(name: str, shift: complex, tmp_path: Path):
@@ -135,6 +135,7 @@ def test_an_arrow_to_infinity_points_as_the_table_says(name: str):
         assert 0 <= round(cmath.phase(told[arrow.name]), 9) < round(cmath.pi, 9)
 
 
+@pytest.mark.many(2)
 @pytest.mark.parametrize("name", ["p3-11a", "p3-11b", "fig3-5", "p3-14", "p3-15", "p3-3c", "p3-21"])
 def test_a_turned_arrow_is_caught(name: str, tmp_path: Path):
     root = ET.fromstring(svg(sheet(name)))
@@ -199,6 +200,7 @@ def _box(mark: Text) -> tuple[float, float, float, float]:
     return mark.at.real, mark.at.imag - up, mark.at.real + wide, mark.at.imag + down
 
 
+@pytest.mark.many
 @pytest.mark.parametrize("name", library.names())
 def test_arrows_stay_in_their_figure(name: str):
     """None crosses the drawing frame, the strip, or the line to the circle diagram."""

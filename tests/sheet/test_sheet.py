@@ -287,7 +287,7 @@ def excavator() -> Sheet:
     return sheet(*crowd("excavator"), paper="A3")
 
 
-@pytest.mark.parametrize(("name", "paper"), [("excavator", "A3"), ("chain", "A3"), ("p3-22", "A4-landscape")])
+@pytest.mark.parametrize(("name", "paper"), [("excavator", "A3"), ("chain", "A3"), pytest.param("p3-22", "A4-landscape", marks=pytest.mark.further)])
 def test_no_label_of_a_crowd_lies_on_another_or_on_an_arrow(name: str, paper: str) -> None:
     page = excavator() if name == "excavator" else sheet(*(crowd(name) if name == "chain" else solved(name)), paper=paper)
     placed = boxes(page)
@@ -507,6 +507,7 @@ def test_one_drawing_is_arranged_once(arranged: list[SheetContents]):
     assert [Drawing.of(library.load("ex3-1")).sheet(lang=lang).svg() for lang in ("zh", "en")] == whole
 
 
+@pytest.mark.usefixtures("one_paper")
 def test_few_sheets_are_kept(monkeypatch: pytest.MonkeyPatch):
     """Of a class with a problem for each no more than a handout has."""
     made, cheapest = list[weakref.ref[mechanism_sheet.Arrangement]](), mechanism_sheet.cheapest

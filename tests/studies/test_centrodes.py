@@ -126,7 +126,7 @@ MAKERS = {"chain": chain, "triad": triad, "six": six_bar, "geared": geared_five_
 @pytest.mark.parametrize("kind", [*MAKERS, *DYADS])
 def test_every_random_position_against_the_analysis(kind: str):
     tried = 0
-    for seed in range(4):
+    for seed in range(4 if "GRAPHKIN_RANDOM" in os.environ else 2):
         try:
             mechanism = MAKERS[kind](seed) if kind in MAKERS else dyad(kind, seed)
             found = plan(mechanism)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from functools import cache
 
@@ -61,7 +62,7 @@ def scanned(method: Method) -> tuple[CourseStretch, np.ndarray, list[np.ndarray]
     return over, t, exactly(over, t)
 
 
-@pytest.mark.many(5)
+@pytest.mark.many(7)
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_change_of_sign_of_a_scan_is_found_and_nothing_else(kind: str, seed: int) -> None:
@@ -92,7 +93,7 @@ def test_every_change_of_sign_of_a_scan_is_found_and_nothing_else(kind: str, see
         done += roots.size
 
 
-@pytest.mark.many(5)
+@pytest.mark.many(7)
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_no_scanned_value_lies_beyond_the_extremes(kind: str, seed: int) -> None:
@@ -160,4 +161,6 @@ def test_a_rocker_pin_rests_where_its_link_does() -> None:
         one, other = ([position.t for position in found.positions] for found in (by_point, by_link))
         assert one == pytest.approx(other, abs=1e-8), (seed, pin)
         tried += bool(one)
+        if tried == 4 and "GRAPHKIN_RANDOM" not in os.environ:
+            break
     assert tried > 3

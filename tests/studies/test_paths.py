@@ -120,7 +120,7 @@ def test_a_sheet_shows_the_path_to_scale_and_is_still_measured() -> None:
 )
 def test_a_ruler_measures_the_path(name: str, point: str, tmp_path: Path) -> None:
     """A turn, between dead points, drivers that keep pace, under a link; then one corner aside, and a part cut off."""
-    text = svg(graphkin.Drawing.of(graphkin.load(name)).sheet(paths=[point], only="position"))
+    text = svg(graphkin.Drawing.of(graphkin.load(name)).sheet(paths=[point], only="position", paper="A3"))
     found = re.search(r'<(?:path|polyline|polygon)[^>]*data-form="path"[^>]*>', text)
     assert found is not None
     places = re.search(r' (?:d|points)="([^"]+)"', found[0])
@@ -144,7 +144,7 @@ def test_a_path_without_an_end_is_drawn_as_far_as_the_mechanism_is_seen(case: st
     drawing = graphkin.Drawing.of(graphkin.load(Path(__file__).parents[1] / "cases" / f"{case}.toml"))
     places = point_path(drawing.method, point).places
     assert 0.5 < np.ptp(places.real) < 6
-    (tmp_path / "a.svg").write_text(svg(drawing.sheet(paths=[point], only="position")), encoding="utf-8")
+    (tmp_path / "a.svg").write_text(svg(drawing.sheet(paths=[point], only="position", paper="A3")), encoding="utf-8")
     assert measure(tmp_path / "a.svg").passed(0.01)
 
 
