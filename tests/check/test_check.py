@@ -178,7 +178,7 @@ def test_an_arrow_beside_its_line_is_measured_where_it_belongs(
     tmp_path: Path, change: Callable[[str], str], good: bool
 ) -> None:
     """It says how far aside it is drawn, and says it rightly or its ends are off their points."""
-    text = svg(Drawing.of(library.load("p3-20")).sheet())
+    text = svg(Drawing.of(library.load("ex3-4")).sheet())
     asides = re.findall(r'data-aside="([^"]+)"', text)
     assert asides
     changed = text.replace(f'data-aside="{asides[0]}"', f'data-aside="{change(asides[0])}"', 1)
