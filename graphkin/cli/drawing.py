@@ -15,6 +15,7 @@ from graphkin.cli.shared import DriverOptions
 from graphkin.cli.spoken import misused
 from graphkin.cli.watching import each_mechanism
 from graphkin.errors import GraphkinError, Lang
+from graphkin.say.catalogue import say
 
 if TYPE_CHECKING:
     from graphkin.construction import Plane
@@ -83,6 +84,8 @@ def draw(
             sheets = drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight)
             pages += [(steps / f"{machine.name}-{k:02d}.svg", page.svg(ink)) for k, page in enumerate(sheets, 1)]
     shared.write_drawings(pages[alone:], None if alone else output, steps, force)
+    if sheet.crowded:
+        click.echo(say("sheet.crowded", lang, sheet=machine.name), err=True)
 
 
 def _refuse_together(

@@ -311,7 +311,8 @@ def drawn_value(reading: Reading, driver: Driver | Pose, value: float, path: Key
         track = pair.line if isinstance(pair, RollingContact) and pair.line and pair.line.named else slot.line
         start = reading.at(track.origin)
         span = DrawnLength(start, reading.at(point), reading.guide(driver.link), (point,))
-        return sized(reading, names.of_slide("s", driver.link), value, "length", (*path, "at"), shape=span)
+        size = sized(reading, names.of_slide("s", driver.link), value, "length", (*path, "at"), shape=span)
+        return replace(size, since=track.origin)
     corner = None
     if driver.vector is not None:
         start = reading.arm(*driver.from_vector) if driver.from_vector is not None else 1 + 0j

@@ -51,7 +51,7 @@ class Size:
     shape    where it lies in the drawing
     derived  it follows from data of the file, which does not state it
     moved    another value than the one told is drawn: its symbol alone stands there
-    since    the fixed point from which a guide's distance is measured
+    since    the point from which a guide's distance, or a displacement, is measured
     """
 
     symbol: str

@@ -34,6 +34,7 @@ TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that [
 _ON, _ALONG = 0.3, 1.0  # nearer than this to a line, over more than this of it, an arrow lies on it [mm]
 _NAMED = 3.0  # a piece of its own that is shorter bears no arrow's name [mm]
 _LANE = 1.2  # from arrow to arrow, where they would hide one another [mm]
+_EXACTLY = 1e-3  # closer than this arrows are on one line [mm]
 _SHORT = 0.9  # the heads of shorter arrows stay as they are [mm]
 _SAME = 0.2  # heads nearer than this are at one place [mm]
 _ONE, _MELT = math.radians(2), math.radians(22)
@@ -64,8 +65,9 @@ def side_by_side(figure: Figure) -> Figure:
         hidden[k] |= (back & (low[:k] < _SAME) & (high[:k] - low[:k] > _NAMED)).any()
     lanes, moved = np.full(len(vectors), np.nan), dict[_Key, VectorMark]()
     for k, (low, high) in enumerate(on):
-        taken = lanes[(high - low > _NAMED) & (hidden | hidden[k])]
-        lanes[k] = next(lane for n in count() for lane in (n * _LANE, -n * _LANE) if lane not in taken)
+        beside = (high - low > _NAMED) & (hidden | hidden[k])
+        taken, side = lanes[beside], _side(vectors[k], *(ends[beside] for ends in (start, end)))
+        lanes[k] = next(lane for n in count() for lane in (n * side, -n * side) if lane not in taken)
         if lanes[k]:
             moved[vectors[k].name, vectors[k].start] = _beside(vectors[k], lanes[k])
     marks = list[Mark]()
@@ -81,9 +83,21 @@ def side_by_side(figure: Figure) -> Figure:
 def _beside(vector: VectorMark, lane: float) -> VectorMark:
     """The arrow so far aside, to the same side as others of its line that have as much [mm]."""
     along = (vector.end - vector.start) / vector.length
-    aside = float(lane) if (round(along.real, 6), along.imag) > (0, 0) else -float(lane)
+    aside = float(lane) * _way(along)
     off = -1j * along * aside
     return replace(vector, start=vector.start + off, end=vector.end + off, aside=aside)
+
+
+def _way(along: complex) -> int:
+    """1 of an arrow to the right, or upwards, -1 of others: one side of a line is the same for all."""
+    return 1 if (round(along.real, 6), along.imag) > (0, 0) else -1
+
+
+def _side(vector: VectorMark, starts: Array, ends: Array) -> float:
+    """The first lane beside others, on the side on which the arrow lies, if only by a little [mm]."""
+    along = (vector.end - vector.start) / vector.length
+    off = sum(((vector.start + vector.end - starts - ends) / along).imag) * -_way(along)
+    return math.copysign(_LANE, off) if abs(off) > _EXACTLY else _LANE
 
 
 def _named(want: LabelRequest, moved: Mapping[_Key, VectorMark], free: Mapping[_Key, _Piece]) -> LabelRequest:

@@ -39,7 +39,10 @@ _BEYOND = 4.0  # an arm of an angle goes on past its arc [mm]
 _SHORT, _LIKED = 8.5, 0.5
 """The arm of an angle on a shorter crank is drawn on past the arc, where on the crank that has less room [mm]."""
 _CROSS = 1.5 * cmath.rect(1, math.pi / 4)  # arms of the cross where a guide begins [mm]
-_MOST, _CRUMB = 4, 6.0  # ways to break extension lines at letters; their least piece, but for the last [mm]
+_MOST, _CRUMB, _LATE = 4, 6.0, 5.0
+"""Ways to break extension lines at letters; their least piece, but for the last; how far off they may begin [mm]."""
+_FAR = 30.0  # the dimension line of a shorter length is no farther off [mm]
+_ALONGSIDE = 1.2  # an extension line so near to a bar seems to be one with it [mm]
 _CLEAR = 2.2  # between an arc and what else there is [mm]
 
 
@@ -137,6 +140,8 @@ class DimensionLines:
         points = (mark.at for mark in self.free.marks if isinstance(mark, PointMark))
         passed = any(off_stretch(at, start, end) < HINGE for at in points)
         count = sum(crossing(start, end, *bar) is not None for bar in self.skeleton.drawn)
+        inner = [start + part * (end - start) for part in (0.2, 0.5, 0.8)]  # of which two are on a bar it runs along
+        count += 2 * any(sum(off_stretch(at, *bar) < _ALONGSIDE for at in inner) > 1 for bar in self.skeleton.drawn)
         count += sum(abs(start - centre) > radius > off_stretch(centre, start, end) for centre, radius in self._circles)
         ground = any(crossing(start, end, *foot) is not None for foot in feet(self.skeleton))
         return count + 2 * (passed or ground)
@@ -203,7 +208,8 @@ class DimensionLines:
         levels = [level for offset in _OFFSETS for level in (low - offset, high + offset)]
         levels += [low + part * (high - low) for part in _ALONG if high - low > 2 * _OFFSETS[0]]
         every = [(self.skeleton.at(point) / across).real for point in self.skeleton.points]
-        levels += [level for offset in _OFFSETS for level in (min(every) - offset, max(every) + offset)]
+        beyond = [level for offset in _OFFSETS for level in (min(every) - offset, max(every) + offset)]
+        levels += [level for level in beyond if max(low - level, level - high) < max(_FAR, 2 * long)]
         past = 0.0 if wide + 1 <= long else wide + 5
         orders = [(start, end, along), (end, start, -along)][: 2 if past else 1]
 
@@ -221,8 +227,8 @@ class DimensionLines:
             middle = line.places[1] - way * (past - wide / 2 - 4 if past else long / 2)
             text = self._text(label, middle, along, 0.8, step)
             if touching > 1:  # extension lines, broken at letters, as seldom as there is room for
-                broken = [[*_told(self.free.pieces(*each.places))] for each in both]
-                if touching == _MOST or all(len(left) < touching for left in broken):
+                broken = [[*_told(each.places[0], self.free.pieces(*each.places))] for each in both]
+                if all(0 < len(left) < touching for left in broken):
                     yield [line, text], heads, [Stroke(piece, "thin", step=step) for left in broken for piece in left]
             else:
                 yield ([line, text], both, heads) if touching else ([line, text, *both], (), heads)
@@ -247,10 +253,12 @@ class DimensionLines:
                 yield [line, text], [Stroke((inner, tip - way), "thin", step=step)], [head]
 
 
-def _told(pieces: Sequence[tuple[Place, Place]]) -> Iterator[tuple[Place, Place]]:
-    """The pieces of a broken line without crumbs between letters, which seem to be of others."""
-    yield from (piece for piece in pieces[:-1] if abs(piece[1] - piece[0]) > _CRUMB)
-    yield from pieces[-1:]
+def _told(start: Place, pieces: Sequence[tuple[Place, Place]]) -> Iterator[tuple[Place, Place]]:
+    """The pieces of a broken line without crumbs between letters, which seem to be of others; nothing of one that
+    letters let begin far from its start."""
+    if pieces and abs(pieces[0][0] - start) < _LATE:
+        yield from (piece for piece in pieces[:-1] if abs(piece[1] - piece[0]) > _CRUMB)
+        yield from pieces[-1:]
 
 
 def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke]:

@@ -56,6 +56,7 @@ class Sheet:
     scales   by plane [m/mm, (m/s)/mm, (m/s²)/mm]; origins: where each plane's origin lies on the paper
     drivers  their values at the drawn position [rad, m]
     given    it shows what is given, and nothing that would have to be found
+    crowded  it shows more than its paper bears
     """
 
     paper: Paper
@@ -67,6 +68,7 @@ class Sheet:
     title: str
     lang: Lang
     given: bool = False
+    crowded: bool = False
 
     @property
     def marks(self) -> tuple[Mark, ...]:

@@ -8,7 +8,7 @@ from cmath import phase
 from collections import Counter
 
 import pytest
-from library_sheets import plain_text, textbook_sheet
+from library_sheets import library_sheet, plain_text, textbook_sheet
 
 from graphkin.base.geometry import place
 from graphkin.base.lines import crossing, off_stretch
@@ -514,3 +514,25 @@ sketch = { B = [20, 55] }
 def test_a_dimension_whose_lines_would_cross_a_roller_and_its_bar_is_written() -> None:
     lettered = [plain_text(mark.label) for mark in sheet(*solved(CAM)).marks if isinstance(mark, Text)]
     assert any("lOA = 20 mm" in text for text in lettered)
+
+
+GEARED = """
+frame = { name = "5", A = [0, 0], E = [100, 0] }
+links = { 1.AB = 45, 2.BC = 95, 3.CD = 90, 4.ED = 32 }
+gear = [{ links = ["1", "4"], centres = ["A", "E"], radii = [60, 40] }]
+driver = [{ vector = "AB", angle = 115, omega = 6 }]
+pose = [{ vector = "ED", angle = 40 }]
+sketch = { B = [-19, 41], C = [64, 87], D = [125, 21] }
+"""
+
+
+def test_no_dimension_line_lies_farther_off_than_what_it_measures_is_long() -> None:
+    """Its extension lines would run along other links; the length is written instead."""
+    lettered = [plain_text(mark.label) for mark in sheet(*solved(GEARED)).marks if isinstance(mark, Text)]
+    assert "32 mm" not in lettered
+    assert any("lDE = 32 mm" in text for text in lettered)
+
+
+def test_a_displacement_that_only_words_tell_says_between_which_points() -> None:
+    lettered = [plain_text(mark.label) for mark in library_sheet("p3-22").marks if isinstance(mark, Text)]
+    assert any("slift = 1410.66 mm from G to B" in text for text in lettered)

@@ -183,7 +183,7 @@ def test_racks_have_teeth_about_their_pitch_line_and_rolling_discs_have_none() -
 def test_a_dimension_stands_once() -> None:
     for name, figure in (("p3-18", "257.1 mm"), ("p3-21", "90 mm"), ("s4-ex6", "50 mm")):
         written = [plain_text(mark.label) for mark in library_sheet(name).marks if isinstance(mark, Text)]
-        assert [text.rpartition("= ")[2] for text in written].count(figure) == 1, name
+        assert sum(text.rpartition("= ")[2].startswith(figure) for text in written) == 1, name
 
 
 def test_a_hinge_is_a_circle_about_its_point_and_a_bar_goes_on_over_it() -> None:
