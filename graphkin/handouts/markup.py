@@ -100,8 +100,8 @@ def block_html(block: Block) -> str:
             rule = '<span class="rule"></span>'
             lines = ([rule if cell is None else html_words(cell) for cell in line] for line in block.lines)
             return '<table class="rows">' + "".join(_row("td", line) for line in lines) + "</table>"
-        case document.NameLine(words):
-            blanks = (f'<span>{escape(word)}</span><span class="rule"></span>' for word in words)
+        case document.BlankLine(words):
+            blanks = (f'<span>{html_words(word)}</span><span class="rule"></span>' for word in words)
             return f'<p class="names">{"".join(blanks)}</p>'
         case document.HandoutPicture(sheet, words, number):
             caption = f"<figcaption>{escape(number)}</figcaption>" if number else ""

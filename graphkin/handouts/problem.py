@@ -181,18 +181,15 @@ class HandoutProblem:
         """The number of its vector equations."""
         return sum(isinstance(each, entry.VectorEquation) for section in self.parts for each in section.entries)
 
-    def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
-        """The parts as far as whole equations and what is said of their arrows go, the last with the next equation.
-        Of a single equation none is done."""
-        equations, seen = equations if self.equations > 1 else 0, 0
-        for section in self.parts:
-            for k, each in enumerate(section.entries):
-                if isinstance(each, entry.VectorEquation):
-                    if seen == equations:
-                        yield replace(section, entries=section.entries[:k]), each
-                        return
-                    seen += 1
-            yield section, None
+    def upto(self, equations: int) -> Iterator[tuple[Section, tuple[entry.Entry, ...]]]:
+        """The parts as far as whole equations and what is said of their arrows go, and of each what is left, from an
+        equation on: the last equation is always left; without any, all of the last part."""
+        every = [(n, k) for n, section in enumerate(self.parts) for k, each in enumerate(section.entries)
+                 if isinstance(each, entry.VectorEquation)]  # fmt: skip
+        last, done = every[min(equations, len(every) - 1)] if every else (len(self.parts) - 1, 0)
+        for n, section in enumerate(self.parts):
+            told = len(section.entries) if n < last else done if n == last else 0
+            yield replace(section, entries=section.entries[:told]), section.entries[told:]
 
 
 @kept(4)

@@ -16,7 +16,7 @@ from graphkin.errors import Lang, NotBetween, NothingToGoOn, Where
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
-from graphkin.handouts.worksheet import answers_room, empty_rows, measured, room, to_measure, worth
+from graphkin.handouts.worksheet import answers_room, measured, room, to_measure, to_write, worth
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.letters import lettered
 from graphkin.say import entry
@@ -33,7 +33,6 @@ _HIGH, _LOW, _NAME = 211.0, 50.0, 7.5  # of a page but for a problem's name, ent
 _ENTRY, _LINE, _WIDE = 6.4, 4.9, 170.0  # of an entry, of each further line of it; a page's width [mm]
 _FINER, _SMALLEST = 1.05, (8.0, 2.5)  # a figure becomes so many times smaller at a time; in all, one to measure on last
 _NO_LIST = 3  # so many problems need no list of them
-MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
 
 def handout(
@@ -42,8 +41,8 @@ def handout(
 ) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
-    upto     of a half-worked solution: so many whole equations are done, else one; of a book's problems the longest
-             has them
+    upto     of a half-worked solution: so many whole equations are done, else one, but the last of a problem; of a
+             book's problems the longest has more
     answers  the answers of all at the end
     seed     of the set the problems belong to, as every page says it
     whose    the student each problem is for, if any: it stands after the title
@@ -59,8 +58,8 @@ def handout(
     called = ["" if who is None else who.called for who in owners]
     problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, called, strict=True)]
     most = max(problem.equations for problem in problems)
-    if stage == "half" and upto > max(most, 1):
-        raise NotBetween(Where("--upto"), str(upto), 0, most)
+    if stage == "half" and upto > max(most - 1, 1):
+        raise NotBetween(Where("--upto"), str(upto), 0, max(most - 1, 1))
     numbers: Sequence[int] = [number or 0] * len(problems)
     if not any(called) and len(problems) > 1:
         numbers = range(number or 1, (number or 1) + len(problems))
@@ -149,8 +148,10 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             mechanism: tuple[Plane, ...] = ("position",) if problem.is_read_off or problem.measured else ()
             for plane in (*mechanism, *problem.polygons):
                 yield from _worksheet(problem, plane)
-        case "half":
+        case "half" if problem.polygons:
             yield from _half(problem, upto)
+        case "half":  # what is read off the mechanism alone is not begun
+            yield from _staged(problem, "blank", upto)
         case "solution":
             yield from _solution(problem)
         case _:
@@ -163,12 +164,9 @@ def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     heading = say(f"sheet.plane {plane}", problem.lang)
     several = positions(problem.drawing.mechanism)  # this paper is for the first
     yield document.HandoutHeading(plain(say("handouts.of first", problem.lang, what=heading) if several else heading))
-    drawn = plane == "position"
     entries = [each for section in problem.parts if section.plane == plane for each in section.entries]
-    equations = [each for each in entries if isinstance(each, entry.VectorEquation)]
-    for _ in () if drawn else problem.construction(plane).equations[:MOST_EQUATIONS]:
-        yield empty_rows(problem, equations, TERMS[plane])
-    grid = room(problem, plane)
+    drawn, grid = plane == "position", room(problem, plane)
+    yield from [] if drawn else to_write(problem, entries)
     table = [] if drawn else [measured(problem, to_measure(entries, plane), grid.width)]
     tall = grid.height > ROOM.imag
     yield from table if tall else []
@@ -193,7 +191,7 @@ def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None
     yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
     if not problem.whose:
         blanks = ("name", "student number", "class")
-        yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang).capitalize() for key in blanks))
+        yield document.NameLine(tuple(plain(say(f"handouts.{key}", problem.lang).capitalize()) for key in blanks))
     blocks = [*blocks_of(problem.posed, problem.lang, problem.points)]
     first = next((k for k, block in enumerate(blocks) if isinstance(block, document.HandoutHeading)), 0)
     sentence = say("handouts.see figure", problem.lang, figure=problem.figure(1))
@@ -246,31 +244,35 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
-    """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and it, empty.
-    The figure of the problem serves the solution, too, unless it is smaller."""
+    """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and room for all
+    that is left. The figure of the problem serves the solution, too, unless it is smaller."""
     figure = figure_of(problem, solved=True)
     whole = figure.sheet.scales["position"] == problem.scales["position"]
     yield from posed(problem, figure)
     last, figures = 0, 0 if whole else 1
-    for section, following in problem.upto(upto):
+    for section, left in problem.upto(upto):
         entries, lead = section.entries, tuple[entry.Entry, ...]()
-        if following is not None and entries and isinstance(entries[-1], entry.Sentence):
+        if section.plane and left and not entries:
+            yield from _worksheet(problem, section.plane)
+            continue
+        if left and isinstance(entries[-1], entry.Sentence):
             entries, lead = entries[:-1], entries[-1:]
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last = max([last, *(act.page for act in acts if act is not None)])
-        plane, number, shown = section.plane, 2 - whole, list[Block]()
+        plane, number, shown, paper = section.plane, 2 - whole, list[Block](), list[Block]()
         if plane is not None:
             shown = [] if whole and plane == "position" else _so_far(problem, plane, last)
-            on_paper = any(isinstance(block, document.GridRoom) for block in shown)
-            figures += not on_paper
-            number = 0 if on_paper else figures
+            if any(isinstance(block, document.GridRoom) for block in shown):
+                shown, paper = paper, shown
+            figures += not paper
+            number = 0 if paper else figures
         yield from _section(problem, replace(section, entries=entries), number)
         yield from shown
-        if following is not None:
-            yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
+        if plane and left:
+            several = bool(positions(problem.drawing.mechanism))
+            yield document.Paragraph(plain(say("handouts.go on", problem.lang, which=several)))
             yield from blocks_of(lead, problem.lang, problem.points)
-            yield empty_rows(problem, [following])
-            yield measured(problem, 4)
+            yield from (*to_write(problem, left), *paper, measured(problem, to_measure(left, plane), ROOM.real))
 
 
 def _so_far(problem: HandoutProblem, plane: Plane, last: int) -> list[Block]:

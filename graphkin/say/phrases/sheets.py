@@ -125,7 +125,8 @@ PHRASES: Phrases = {
                            "比例尺 {scale}。[过极点的直线与 +x 成 {angle}，可由它量角|标 {angle} 的直线为 +x 方向|过极点的直线与 "
                            "+x 成 {angle}，可由它量角|标 {angle} 的直线为 +x 方向]。"),
     "handouts.of first": ("{what}, for position #1; the others on paper of your own", "{what}（位置 #1；其余位置另用纸作图）"),
-    "handouts.go on": ("Go on with the next equation:", "续作下一矢量方程："),
+    "handouts.go on": ("Go on with what follows[|, for position #1; the others on paper of your own]:",
+                       "续作以下内容[|（位置 #1；其余位置另用纸作图）]："),
     "handouts.beside": ("The drawing beside the analysis", "图解与解析结果对照"),
     "handouts.drawn": ("drawn", "图解"),
     "handouts.analysed": ("analysis", "解析"),
