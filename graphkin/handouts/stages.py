@@ -188,7 +188,7 @@ def _gridded(problem: HandoutProblem, plane: Plane, grid: document.GridRoom) -> 
 
 def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None) -> Iterator[Block]:
     """The data and the question, the scales to use, the mechanism, boxes for the answers."""
-    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
+    yield from _titled_at(problem)
     if not problem.whose:
         blanks = ("name", "student number", "class")
         yield document.NameLine(tuple(plain(say(f"handouts.{key}", problem.lang).capitalize()) for key in blanks))
@@ -197,13 +197,22 @@ def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None
     sentence = say("handouts.see figure", problem.lang, figure=problem.figure(1))
     yield from (*blocks[:first], document.Paragraph(plain(sentence)), *blocks[first:])
     yield document.Paragraph(scales_to_use(problem))
-    yield figure or figure_of(problem)
+    figure = figure or figure_of(problem)
+    yield from [figure] if figure.of_all else []
     if problem.asked.wanted:
         several = bool(positions(problem.drawing.mechanism))
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang, which=several)))
         yield answers_room(problem)
+    yield from [] if figure.of_all else [document.NewPage(), figure]
     if problem.whose:
         yield document.Paragraph(plain(say("handouts.see hand-in", problem.lang)))
+
+
+def _titled_at(problem: HandoutProblem) -> Iterator[Block]:
+    """The title with what the problem is worth, and where it is from."""
+    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
+    if source := problem.drawing.mechanism.credit(problem.lang):
+        yield document.Paragraph(plain(source))
 
 
 def scales_to_use(problem: HandoutProblem) -> Label:
@@ -270,7 +279,8 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
         yield from shown
         if plane and left:
             several = bool(positions(problem.drawing.mechanism))
-            yield document.Paragraph(plain(say("handouts.go on", problem.lang, which=several)))
+            there = "" if paper else say("handouts.with figure", problem.lang, figure=problem.figure(number))
+            yield document.Paragraph(plain(say("handouts.go on", problem.lang, which=several, figure=there)))
             yield from blocks_of(lead, problem.lang, problem.points)
             yield from (*to_write(problem, left), *paper, measured(problem, to_measure(left, plane), ROOM.real))
 
@@ -284,7 +294,7 @@ def _so_far(problem: HandoutProblem, plane: Plane, last: int) -> list[Block]:
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
-    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
+    yield from _titled_at(problem)
     yield from blocks_of(problem.story, problem.lang, problem.points)
     for section in problem.head:
         yield from _section(problem, section)

@@ -6,6 +6,7 @@ import json
 import os
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any, assert_never
@@ -33,8 +34,9 @@ _BOUND = re.compile(r"^ (?== [−\d])|(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|r
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
 _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
 _COLUMN, _GUTTER = 170.0, 10.0  # of a page with two columns: each is as wide as A4 has it, or wider; between them [mm]
-_BESIDE, _SHORT, _PLACE = 60.0, 13.0, 80.0  # the width of a table beside gridded paper, the length of a blank where two
-# equations stand abreast, of a line to write on with what stands before it, at least [mm]
+_BESIDE, _BOX, _SHORT, _PLACE = 60.0, 21.0, 13.0, 80.0  # the width of a table beside gridded paper, of a box for an
+# answer beside a figure, the length of a blank where two equations stand abreast, of a line to write on with what
+# stands before it, at least [mm]
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
 _INSET = 5.0  # what a cell of a table is wider than its letters [mm]
 _HEAVY = 600  # the weight of bold letters
@@ -204,27 +206,33 @@ def _runs(number: int, part: HandoutPart, blocks: list[Block], pictures: Picture
 
 
 def _together(blocks: Sequence[Block], pictures: Pictures, wide: float) -> str:
-    """The markup of what stands together: where a page is as wide, an equation has the next beside it, and gridded
-    paper its table."""
+    """The markup of what stands together: where a page is as wide, an equation has the next beside it, gridded paper
+    its table, and the figure of a problem the room for answers."""
     text, blocks = "", [*blocks]
     while blocks:
+        left, *others = blocks
         match blocks:
-            case [GridRoom(width=left) as one, document.HandoutTable(heads, cells) as two, *rest] if (
-                two.under and wide - left - _INSET > _BESIDE
+            case [GridRoom(width=first), document.HandoutTable(heads, rows) as table, *rest] if (
+                table.under and wide - first - _INSET > _BESIDE
             ):
-                single = tuple(cells[0][:3] for _ in range(len(cells) * len(heads) // 3))
-                other: Block = document.HandoutTable(heads[:3], single, wide - left - _INSET)
-                columns, gap = f"({mm(left)}mm, 1fr)", _INSET
-            case [document.TermRows() as one, document.TermRows() as other, *rest] if min(
-                _blank(each, (wide - _GUTTER) / 2) for each in (one, other)
-            ) > _SHORT:
-                columns, gap = "(1fr, 1fr)", _GUTTER
+                single = tuple(rows[0][:3] for _ in range(len(rows) * len(heads) // 3))
+                others = [document.HandoutTable(heads[:3], single, wide - first - _INSET)]
+            case [document.TermRows() as one, document.TermRows() as two, *rest] if all(
+                _blank(each, wide / 2 - _INSET) > _SHORT for each in (one, two)
+            ):
+                first, others = wide / 2 - _INSET, [two]
+            case [document.HandoutPicture(sheet, of_all=True), document.HandoutHeading() as head,
+                  document.HandoutTable() as table, *rest] if (
+                wide - sheet.paper.width - _INSET > _BOX * len(table.heads)
+            ):
+                first = sheet.paper.width
+                others = [head, replace(table, under=wide - first - _INSET)]
             case _:
-                text, blocks = text + _markup(blocks[0], pictures, wide), blocks[1:]
+                text, blocks = text + _markup(left, pictures, wide), others
                 continue
-        within = (wide - gap) / 2 if isinstance(one, document.TermRows) else wide
-        cells_of = "".join(f"[{_markup(each, pictures, within)}]" for each in (one, other))
-        text, blocks = text + f"#grid(columns: {columns}, column-gutter: {mm(gap)}mm){cells_of}\n", rest
+        sides = (_markup(left, pictures, first), "".join(_markup(each, pictures, wide - first) for each in others))
+        shape = f"columns: ({mm(first)}mm, 1fr), column-gutter: {mm(_INSET)}mm"
+        text, blocks = text + f"#grid({shape})[{sides[0]}][{sides[1]}]\n", rest
     return text
 
 

@@ -29,7 +29,7 @@ from graphkin.handouts.problem import ROOM, HandoutProblem
 from graphkin.homework.platforms.tables import Cell
 from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import FRAME, Driver, Pose
-from graphkin.model.quantities import EDGE, Centre, Moving, Rotation, Track, at_position
+from graphkin.model.quantities import EDGE, Centre, Moving, Quotient, Rotation, Track, at_position
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Calculation, Entry, VectorEquation
@@ -132,7 +132,7 @@ def to_measure(entries: Sequence[Entry], plane: Plane) -> int:
 @frozen
 class AnswerRow:
     """A place for an answer: `ω3 #2`, its unit, whether it has a sense, a direction or two coordinates, and what it is
-    worth."""
+    worth; a ratio of rotations has the `same` sense or the opposite."""
 
     symbol: str
     unit: str
@@ -140,6 +140,7 @@ class AnswerRow:
     points: str
     directed: bool = False
     is_place: bool = False
+    same: bool = False
 
 
 def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
@@ -149,11 +150,13 @@ def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
     for at in range(1, 2 + positions(mechanism)):
         for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
             if quantity is not None:
-                unit = EDGE[quantity.unit].sign
-                turns = isinstance(quantity, Rotation) and quantity.word != "theta"
+                unit = EDGE[quantity.unit].sign or "—"
+                turning = [isinstance(half, Rotation) and half.word != "theta" for half in quantity.halves]
+                same = isinstance(quantity, Quotient) and all(turning)
+                turns = turning == [True]
                 symbol = at_position(problem.goal.symbol(quantity), at)
                 kinds = isinstance(quantity, Moving), isinstance(quantity, Centre | Track)
-                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, ""), *kinds))
+                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, ""), *kinds, same))
     return rows
 
 
@@ -192,8 +195,10 @@ def answer_boxes(problem: HandoutProblem) -> HandoutTable:
     differs."""
     rows = answer_rows(problem)
     end = None if problem.whose or worth(problem) else -1
+    ratio = say("handouts.ratio", problem.lang)
     labels = [(formula(row.symbol), plain("(\u2003\u2003\u2002, \u2003\u2003\u2002)" if row.is_place else ""),
-               plain(row.unit), plain("" if row.turns else "\u2003\u2003\u2003°" if row.directed else "—"),
+               plain(row.unit), plain("" if row.turns else "\u2003\u2003\u2003°" if row.directed else
+                                      ratio if row.same else "—"),
                plain(row.points)) for row in rows]  # fmt: skip
     heads = tuple(map(plain, (*answer_heads(rows, problem.lang), say("handouts.points", problem.lang))))
     return HandoutTable(heads[:end], tuple(row[:end] for row in labels))

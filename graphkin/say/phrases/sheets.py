@@ -89,6 +89,7 @@ PHRASES: Phrases = {
     "handouts.unit": ("unit", "单位"),
     "handouts.sense": ("sense", "转向"),
     "handouts.direction": ("sense, angle to +x", "转向或与 +x 夹角"),
+    "handouts.ratio": ("same or opposite", "同向或反向"),
     "handouts.points": ("points", "分值"),
     "handouts.see hand-in": ("Hand in as the page “What to hand in” says.", "提交方式见“提交要求”。"),
     "handouts.what to hand in": ("What to hand in: {title}", "提交要求：{title}"),
@@ -125,8 +126,8 @@ PHRASES: Phrases = {
                            "比例尺 {scale}。[过极点的直线与 +x 成 {angle}，可由它量角|标 {angle} 的直线为 +x 方向|过极点的直线与 "
                            "+x 成 {angle}，可由它量角|标 {angle} 的直线为 +x 方向]。"),
     "handouts.of first": ("{what}, for position #1; the others on paper of your own", "{what}（位置 #1；其余位置另用纸作图）"),
-    "handouts.go on": ("Go on with what follows[|, for position #1; the others on paper of your own]:",
-                       "续作以下内容[|（位置 #1；其余位置另用纸作图）]："),
+    "handouts.go on": ("Go on with what follows{figure}[|, for position #1; the others on paper of your own]:",
+                       "续作以下内容{figure}[|（位置 #1；其余位置另用纸作图）]："),
     "handouts.beside": ("The drawing beside the analysis", "图解与解析结果对照"),
     "handouts.drawn": ("drawn", "图解"),
     "handouts.analysed": ("analysis", "解析"),
