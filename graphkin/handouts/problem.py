@@ -148,6 +148,11 @@ class HandoutProblem:
         return " · ".join(filter(None, (self.drawing.mechanism.headline(self.lang), self.whose)))
 
     @property
+    def source(self) -> str:
+        """Where it is from, as its sheet says."""
+        return self.drawing.mechanism.credit(self.lang)
+
+    @property
     def story(self) -> Sequence[entry.Entry]:
         """The text that stands before what is given."""
         return self._sections[0].entries

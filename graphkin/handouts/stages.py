@@ -188,13 +188,14 @@ def _gridded(problem: HandoutProblem, plane: Plane, grid: document.GridRoom) -> 
 
 def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None) -> Iterator[Block]:
     """The data and the question, the scales to use, the mechanism, boxes for the answers."""
-    yield from _titled_at(problem)
+    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
     if not problem.whose:
         blanks = ("name", "student number", "class")
         yield document.NameLine(tuple(plain(say(f"handouts.{key}", problem.lang).capitalize()) for key in blanks))
     blocks = [*blocks_of(problem.posed, problem.lang, problem.points)]
     first = next((k for k, block in enumerate(blocks) if isinstance(block, document.HandoutHeading)), 0)
-    sentence = say("handouts.see figure", problem.lang, figure=problem.figure(1))
+    source = say("common.note", problem.lang, note=problem.source) if problem.source else ""  # in no line of its own
+    sentence = say("handouts.see figure", problem.lang, figure=problem.figure(1), source=source)
     yield from (*blocks[:first], document.Paragraph(plain(sentence)), *blocks[first:])
     yield document.Paragraph(scales_to_use(problem))
     figure = figure or figure_of(problem)
@@ -206,13 +207,6 @@ def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None
     yield from [] if figure.of_all else [document.NewPage(), figure]
     if problem.whose:
         yield document.Paragraph(plain(say("handouts.see hand-in", problem.lang)))
-
-
-def _titled_at(problem: HandoutProblem) -> Iterator[Block]:
-    """The title with what the problem is worth, and where it is from."""
-    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
-    if source := problem.drawing.mechanism.credit(problem.lang):
-        yield document.Paragraph(plain(source))
 
 
 def scales_to_use(problem: HandoutProblem) -> Label:
@@ -294,7 +288,8 @@ def _so_far(problem: HandoutProblem, plane: Plane, last: int) -> list[Block]:
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
-    yield from _titled_at(problem)
+    yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
+    yield from [document.Paragraph(plain(problem.source))] if problem.source else []
     yield from blocks_of(problem.story, problem.lang, problem.points)
     for section in problem.head:
         yield from _section(problem, section)

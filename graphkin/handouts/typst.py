@@ -7,6 +7,7 @@ import os
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from math import ceil
 from pathlib import Path
 from types import ModuleType
 from typing import Any, assert_never
@@ -34,9 +35,9 @@ _BOUND = re.compile(r"^ (?== [−\d])|(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|r
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
 _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
 _COLUMN, _GUTTER = 170.0, 10.0  # of a page with two columns: each is as wide as A4 has it, or wider; between them [mm]
-_BESIDE, _BOX, _SHORT, _PLACE = 60.0, 21.0, 13.0, 80.0  # the width of a table beside gridded paper, of a box for an
-# answer beside a figure, the length of a blank where two equations stand abreast, of a line to write on with what
-# stands before it, at least [mm]
+_BESIDE, _BOX, _SHORT = 60.0, 21.0, 13.0  # the width of a table beside gridded paper, of a box for an answer beside a
+# figure, the length of a blank where two equations stand abreast, at least [mm]
+_PLACE, _NARROW, _MANY = 75.0, 55.0, 5  # of a line to write on with what stands before it, of one of many [mm]; so many
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
 _INSET = 5.0  # what a cell of a table is wider than its letters [mm]
 _HEAVY = 600  # the weight of bold letters
@@ -158,9 +159,9 @@ def printed(
         body = "".join(before + _paged(parts, room) for before, parts in fitted)
         turned = body.replace("#pagebreak(weak: true)", "#colbreak(weak: true)") if count > 1 else body
         whole = (head + turned).encode()
+        compiler = typst.Compiler(whole, font_paths=fonts, sys_inputs=pictures)  # with the papers that were cut
+        placed = [] if scan is None else json.loads(compiler.query("<printed>", field="value"))
         made: bytes = compiler.compile(whole, format="pdf", timestamp=0, pdf_standards=["ua-1"])
-        asked = typst.Compiler(whole, font_paths=fonts, sys_inputs=pictures) if scan is not None else None
-        placed = [] if asked is None else json.loads(asked.query("<printed>", field="value"))
         rooms = (block for _, parts in fitted for part, *_ in parts for block in part.blocks)
     except typst.TypstError as problem:
         if (letter := _MISSING.search(str(problem))) is None:
@@ -324,8 +325,9 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
             return f"{foot}#heading(level: {level})[{_words(words)}]\n"
         case document.BlankLine(words):
             rules = "".join(f"[{_words(word)}], line(length: 100%, stroke: 0.18mm), " for word in words)
-            named, abreast = isinstance(block, document.NameLine), min(len(words), int(wide / _PLACE))
-            count = len(words) if named else abreast
+            named = isinstance(block, document.NameLine)
+            lines = 1 if named else ceil(len(words) / int(wide / (_PLACE if len(words) < _MANY else _NARROW)))
+            count = ceil(len(words) / lines)
             shape = f"columns: (auto, 1fr) * {count}, align: bottom, column-gutter: 2mm, row-gutter: 4mm"
             name = _string("".join(run.text for run in words[0]))
             head = f"#metadata(none)<named>\n#named.update({name})\n" if named else ""

@@ -6,7 +6,7 @@ import re
 
 import pytest
 from click.testing import CliRunner
-from library_sheets import TEXTBOOK, loaded
+from library_sheets import TEXTBOOK, loaded, plain_text
 from pdf_pages import faults, pages, read
 
 import graphkin
@@ -155,6 +155,8 @@ def test_a_story_stands_before_what_is_given():
         ("problem", "en", "The crank AB turns evenly.", "(points: 8)"), ("solution", "zh", "曲柄 AB 匀速转动。", "（8 分）"),
     ):  # fmt: skip
         title, *blocks = [each for each in handout([machine], stage, lang).blocks if isinstance(each, Paragraph | HandoutHeading)]
+        assert any(machine.credit(lang) in plain_text(each.words) for each in blocks)  # as the sheet has it
+        blocks = blocks[stage == "solution" :]
         assert "".join(run.text for run in blocks[0].words) == story
         assert "".join(run.text for run in title.words).endswith(worth)
         assert next(text_lines(drawn_problem(machine, lang).posed, lang)).strip() == story

@@ -71,7 +71,7 @@ PHRASES: Phrases = {
     "handouts.stage solution": ("solution", "解答"),
     "handouts.problem": ("Problem {number}. ", "题 {number}　"),
     "handouts.figure": ("Fig. {number}", "图 {number}"),
-    "handouts.see figure": ("The mechanism is shown in {figure}.", "机构如{figure} 所示。"),
+    "handouts.see figure": ("The mechanism is shown in {figure}{source}.", "机构如{figure} 所示{source}。"),
     "handouts.with figure": (" ({figure})", "（{figure}）"),
     "handouts.worth": (" (points: {points})", "（{points} 分）"),
     "handouts.class": ("class", "班级"),
