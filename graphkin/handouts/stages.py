@@ -182,7 +182,8 @@ def _gridded(problem: HandoutProblem, plane: Plane, grid: document.GridRoom) -> 
     which = 2 if last else 0 if plane != "position" else 1 if problem.is_read_off else 3
     words = {"which": which, "scale": "\0", "pole": pole, "angle": angle}
     before, after = say("handouts.draw here", problem.lang, **words).split("\0")
-    yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
+    scale = written(plane, problem.scales[plane])
+    yield document.Paragraph((*lettered(before, ()), *scale, *lettered(after, problem.points)))
     yield grid
 
 
@@ -199,12 +200,14 @@ def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None
     yield from (*blocks[:first], document.Paragraph(plain(sentence)), *blocks[first:])
     yield document.Paragraph(scales_to_use(problem))
     figure = figure or figure_of(problem)
-    yield from [figure] if figure.of_all else []
+    if figure.of_all:
+        yield figure
     if problem.asked.wanted:
         several = bool(positions(problem.drawing.mechanism))
-        yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang, which=several)))
+        yield document.HandoutHeading(lettered(say("handouts.your answers", problem.lang, which=several), ()))
         yield answers_room(problem)
-    yield from [] if figure.of_all else [document.NewPage(), figure]
+    if not figure.of_all:
+        yield from (document.NewPage(), figure)
     if problem.whose:
         yield document.Paragraph(plain(say("handouts.see hand-in", problem.lang)))
 

@@ -30,6 +30,7 @@ from graphkin.homework.platforms.tables import Cell
 from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import FRAME, Driver, Pose
 from graphkin.model.quantities import EDGE, Centre, Moving, Quotient, Rotation, Track, at_position
+from graphkin.outputs.letters import lettered
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Calculation, Entry, VectorEquation
@@ -200,8 +201,8 @@ def answer_boxes(problem: HandoutProblem) -> HandoutTable:
                plain(row.unit), plain("" if row.turns else "\u2003\u2003\u2003°" if row.directed else
                                       ratio if row.same else "—"),
                plain(row.points)) for row in rows]  # fmt: skip
-    heads = tuple(map(plain, (*answer_heads(rows, problem.lang), say("handouts.points", problem.lang))))
-    return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
+    heads = (*answer_heads(rows, problem.lang), say("handouts.points", problem.lang))
+    return HandoutTable(tuple(lettered(head, ()) for head in heads[:end]), tuple(row[:end] for row in labels))
 
 
 # --- how it is handed in ----------------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
+import pdf_pages
 import pytest
 from click.testing import CliRunner
 from driven_cylinder import cylinder
@@ -26,6 +27,7 @@ from graphkin.handouts.document import BlankLine, GridRoom, HandoutPicture, Hand
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.typst import page_count, pdf
+from graphkin.handouts.worksheet import answer_boxes
 from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.photo.markers import MARKERS, MOST, digits
@@ -230,6 +232,49 @@ def test_a_half_worked_solution_of_several_positions_says_where_the_others_are_d
     blocks = handout([loads(PRESS)], "half", "en").blocks
     told = [plain_text(block.words) for block in blocks if isinstance(block, Paragraph)]
     assert "Go on with what follows (Fig. 2), for position #1; the others on paper of your own:" in told
+
+
+def test_a_question_in_words_is_a_sentence_of_its_own():
+    machine = loads(PRESS.replace('"a F"]', '"a F", "How far does F travel?"]'))
+    for lang, left in (("en", "Left to you: How far does F travel?"), ("zh", "留给读者：How far does F travel?")):
+        lines = [line.strip() for line in graphkin.Drawing.of(machine).explain(lang)]
+        assert "How far does F travel?" in lines
+        assert left in lines
+        assert not any("F travel" in line for line in lines if line not in ("How far does F travel?", left))
+
+
+@pytest.mark.parametrize(("lang", "words"), [("en", "same or opposite"), ("zh", "同向或反向")])
+def test_a_ratio_of_rotations_says_what_may_be_written(lang, words):
+    machine = loads(GEARS.replace('"omega 4"', '"omega 4/omega 2"'))
+    first = answer_boxes(drawn_problem(machine, lang)).rows[0]
+    assert [plain_text(cell) for cell in first[2:4]] == ["—", words]
+
+
+@pytest.mark.parametrize("paper", ["letter-landscape", "A4-landscape", "A3-landscape", "letter", "A4"])
+def test_what_is_drawn_together_stands_on_one_page(paper):
+    """Heading, equations, gridded paper and table of each polygon; A3 that lies has two of them beside each other."""
+    read = pdf_pages.read(pdf(handout([loads(PRESS)], "blank", "en"), paper))
+    texts = ["\n".join(line.text for line in page.body) for page in read]
+    for plane in ("Velocity polygon", "Acceleration polygon"):
+        (page,) = (text for text in texts if plane in text)
+        assert all(words in page for words in ("direction:", "The line at", "measured (mm)"))
+    assert (texts[-1].count(" polygon,") == 2) is (paper == "A3-landscape")
+
+
+def test_a_written_solution_of_the_web_has_its_figures(tmp_path: Path):
+    assert CliRunner().invoke(main, ["explain", "ex3-1", "-o", str(tmp_path / "x.html")]).exit_code == 0
+    assert (tmp_path / "x.html").read_text("utf-8").count("<figure>") == 3
+
+
+def test_gridded_paper_is_cut_as_far_as_its_polygon_allows():
+    """At lines of the grid; where that is not enough it stays as it is, and its height tells nothing."""
+    (room, *_) = (block for block in handout([loads(PRESS)], "blank", "en").blocks if isinstance(block, GridRoom))
+    lower = room.lower(12)
+    assert lower.height == room.height - 15
+    assert (room.pole - lower.pole).imag % 5 == 0
+    assert lower.pole.imag >= room.above
+    assert lower.height - lower.pole.imag >= room.below
+    assert room.lower(100) is room
 
 
 def test_without_any_equation_the_last_polygon_is_left():
@@ -582,7 +627,7 @@ def test_what_a_pencil_allows_is_in_plain_figures():
 def test_a_solution_has_the_answers_at_further_positions_and_grids_say_of_which_they_are():
     mechanism = graphkin.loads(library.text("ex3-3").replace("[[driver]]", "[[driver]]\nalso = [61]", 1))
     text = re.sub("<[^>]*>", "", html(handout([mechanism], "solution", "en")))
-    assert text.count("#2") == 3  # among the positions, in their remark, before the answers
+    assert text.count("#2") == 2  # among the positions, before the answers
     assert "for position #1" in html(handout([mechanism], "blank", "en"))
     assert "for position #1" not in html(handout([loaded("ex3-3")], "blank", "en"))
 

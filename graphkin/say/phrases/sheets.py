@@ -133,7 +133,7 @@ PHRASES: Phrases = {
     "handouts.analysed": ("analysis", "解析"),
     "handouts.allowed": ("a pencil allows", "作图允差"),
     "handouts.allowed too small": ("paper cannot tell it", "作图误差过大"),
-    "handouts.allowed dead point": ("near a dead point", "接近死点"),
+    "handouts.allowed dead point": ("not told so near a dead point", "接近死点，无法确定"),
     "handouts.common": ("Mistakes to look for", "常见错误"),
     "handouts.gives": ("{mistake}: {values}", "{mistake}：{values}"),
     "handouts.bar": ("100 mm when printed to scale", "按实际尺寸打印时为 100 mm"),
