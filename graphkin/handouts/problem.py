@@ -31,7 +31,7 @@ from graphkin.marking.read_off import ASTRAY
 from graphkin.marking.tolerances import untold
 from graphkin.marking.weights import shifts
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, Centre, at_position, read
+from graphkin.model.quantities import EDGE, Centre, Rotation, at_position, read
 from graphkin.outputs.letters import lettered
 from graphkin.planning.drawn_position import shown
 from graphkin.planning.needed import cut_to
@@ -248,7 +248,8 @@ def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
         rows.append((formula(problem.goal.symbol(quantity)), *shown, plain(off), plain(unit.sign)))
     if rows:
         heads = ("quantity", "drawn", "analysed", "allowed", "unit")
-        yield HandoutHeading(plain(say("handouts.beside", problem.lang)))
+        turning = any(isinstance(quantity, Rotation) for quantity in problem.goal.wanted)  # its sign is a sense
+        yield HandoutHeading(plain(say("handouts.beside", problem.lang, which=turning)))
         labels = tuple(plain(say(f"handouts.{head}", problem.lang)) for head in heads)
         yield HandoutTable(labels, tuple(rows), printed=True)
 

@@ -300,8 +300,12 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
     for section in problem.parts:
         figures += section.plane is not None
         yield from _section(problem, section, figures if section.plane else 1)  # centres are found in the mechanism
-        if section.plane is not None:
-            yield _figure(problem, section.plane, "construction")
+        if section.plane is not None:  # it may stand where not all of its steps are told yet
+            steps = [each.act.number for each in section.entries
+                     if isinstance(each, entry.Sentence) and each.act is not None and each.act.numbered]  # fmt: skip
+            told = say("handouts.steps", problem.lang, first=steps[0], last=steps[-1]) if len(steps) > 1 else ""
+            note = say("common.note", problem.lang, note=told) if told else ""
+            yield replace(_figure(problem, section.plane, "construction"), note=note)
     yield from _section(problem, problem.answers)
     yield from beside_analysis(problem)
     yield from common_mistakes(problem)
