@@ -174,7 +174,8 @@ def test_problems_and_figures_have_numbers(tmp_path):
     assert figures == ["Fig. 1", "Fig. 2"]
     assert any(line.startswith("Name") for line in lines)
     solved = handout([loaded("ex3-1")], "solution", "en").blocks
-    assert [block.number for block in solved if isinstance(block, HandoutPicture)] == ["Fig. 1", "Fig. 2", "Fig. 3"]
+    numbers = [block.number for block in solved if isinstance(block, HandoutPicture)]
+    assert numbers == ["Fig. 1", "Fig. 2 (steps 1–2)", "Fig. 3 (steps 3–6)"]  # which may stand before the last of them
     mine = handout([loaded("ex3-1")], "problem", "en", whose=[Student("20240001", (("name", "Li Lei"),))]).blocks
     assert not any(isinstance(block, NameLine) for block in mine)
     assert [block.number for block in mine if isinstance(block, HandoutPicture)] == ["Fig. 1"]
