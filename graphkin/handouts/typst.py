@@ -38,6 +38,7 @@ _COLUMN, _GUTTER = 170.0, 10.0  # of a page with two columns: each is as wide as
 _BESIDE, _BOX, _SHORT = 60.0, 21.0, 13.0  # the width of a table beside gridded paper, of a box for an answer beside a
 # figure, the length of a blank where two equations stand abreast, at least [mm]
 _PLACE, _NARROW, _MANY = 75.0, 55.0, 5  # of a line to write on with what stands before it, of one of many [mm]; so many
+_LYING = 200.0  # a page that is wider has less height than a problem wants [mm]
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
 _INSET = 5.0  # what a cell of a table is wider than its letters [mm]
 _HEAVY = 600  # the weight of bold letters
@@ -224,7 +225,7 @@ def _together(blocks: Sequence[Block], pictures: Pictures, wide: float) -> str:
                 first, others = wide / 2 - _INSET, [two]
             case [document.HandoutPicture(sheet, of_all=True), document.HandoutHeading() as head,
                   document.HandoutTable() as table, *rest] if (
-                wide - sheet.paper.width - _INSET > _BOX * len(table.heads)
+                wide > _LYING and wide - sheet.paper.width - _INSET > _BOX * len(table.heads)
             ):
                 first = sheet.paper.width
                 others = [head, replace(table, under=wide - first - _INSET)]
