@@ -146,8 +146,9 @@ def explain(
     from graphkin.handouts import markup
     from graphkin.outputs import files
 
-    solution = markup.solution(drawing, lang, everything=everything, only=only)
-    text = markup.WRITERS[output.suffix.lower()](solution)
+    kind = output.suffix.lower()
+    solution = markup.solution(drawing, lang, everything=everything, only=only, drawn=kind == ".html")
+    text = markup.WRITERS[kind](solution)
     files.write(output, text, force, (markup.MARK.encode(), b"graphkin handout"))
     click.echo(str(output))
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from math import ceil, inf
 from typing import Literal
 
 from graphkin.base.value import bulky, frozen
@@ -10,7 +12,9 @@ from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label, plain, width
 
-LETTERS, _GAP, _WIDE = 3.7, 2.0, 146.0  # of print; between an equation's columns; its width at most [mm]
+LETTERS, _GAP, _WIDE, _BLANK = 3.7, 2.0, 146.0, 10.0  # of print; between an equation's columns; its width at most,
+# that of a blank at least [mm]
+GRID = 5.0  # of gridded paper [mm]
 _MANY, _FEW = 10, 3  # rows of a table that are as high as one would have them; under gridded paper
 
 Stage = Literal["problem", "blank", "half", "solution"]
@@ -54,8 +58,8 @@ class TermRows:
         """The terms, the directions, the sizes, each behind its head; None where there is to be written. The last side
         of a wide equation stands in further lines, the equals signs one under the other."""
         head, parts = ((), *self.heads), [self.columns]
-        columns = [head, *filter(None, self.columns)]
-        wide = sum(_GAP + max(width(label, LETTERS) for label in column) for column in columns)
+        columns = [head, *self.columns]
+        wide = sum(_GAP + max(width(label, LETTERS) for label in each) if each else _BLANK for each in columns)
         cut = max((k for k, column in enumerate(self.columns) if column and column[0] == plain("=")), default=0)
         if wide > _WIDE and cut > 1:
             parts = [self.columns[:cut], (((), (), ()), *self.columns[cut:])]
@@ -65,10 +69,15 @@ class TermRows:
 
 
 @frozen
-class NameLine:
-    """The line above a problem that a student fills in."""
+class BlankLine:
+    """Words in a line, each with room to write behind it."""
 
-    words: tuple[str, ...]
+    words: tuple[Label, ...]
+
+
+@frozen
+class NameLine(BlankLine):
+    """The line above a problem that a student fills in: each further page bears the first of its words."""
 
 
 @frozen
@@ -102,7 +111,8 @@ class HandoutTable:
 @frozen
 class GridRoom:
     """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]; words:
-    what is drawn there, for the polygon of this plane at this scale [SI units per mm]."""
+    what is drawn there, for the polygon of this plane at this scale [SI units per mm], which needs so much above and
+    below its pole."""
 
     words: str
     width: float
@@ -113,6 +123,19 @@ class GridRoom:
     mark: Label
     plane: Plane
     scale: float
+    above: float = inf
+    below: float = inf
+
+    def lower(self, by: float) -> GridRoom:
+        """Cut by so much, at lines of the grid, above and below as there is room beside what the polygon needs; all of
+        it where there is not as much, so that no height tells of the polygon."""
+        over, under = (GRID * max(0, int(free / GRID)) for free in (
+            self.pole.imag - self.above, self.height - self.pole.imag - self.below))  # fmt: skip
+        cut = GRID * ceil(by / GRID)
+        if cut > over + under:
+            return self
+        top = min(over, max(cut - under, GRID * round(cut * over / (over + under) / GRID)))
+        return replace(self, height=self.height - cut, pole=self.pole - 1j * top)
 
 
 @frozen
@@ -147,7 +170,7 @@ class HandoutPart:
 
 
 Block = (
-    HandoutPart | HandoutHeading | NameLine | Paragraph | FormulaLine | TermRows | HandoutPicture | HandoutTable
+    HandoutPart | HandoutHeading | BlankLine | Paragraph | FormulaLine | TermRows | HandoutPicture | HandoutTable
     | GridRoom | NewPage
 )  # fmt: skip
 

@@ -7,13 +7,12 @@ from typing import Any
 
 import svgwrite
 
-from graphkin.handouts.document import GridRoom
+from graphkin.handouts.document import GRID, GridRoom
 from graphkin.outputs.typesetting import mm
 from graphkin.photo.markers import DOT, MARKERS, SIZE, corners, dots
 from graphkin.sheet.lettering import Label, scripts
 
 _FINE, _BOLD, _FRAME, _DIRECTION = ("#d5dde5", 0.1), ("#a9b8c6", 0.18), ("#000000", 0.35), ("#555555", 0.18)
-_STEP = 5.0
 _LETTERS = 4.2
 _OFF, _HIGH, _WIDE = 1.4, 3.0, 4.0
 """Distance of letters from a line, their height, and the width of a pole's letter [mm]."""
@@ -23,10 +22,10 @@ _FAMILY = "Times New Roman, Liberation Serif, Tinos, serif"
 def room_svg(room: GridRoom) -> str:
     """The grid, the pole, and one direction through it with its mark."""
     drawing = _empty(room.width, room.height)
-    for k in range(round(room.width / _STEP) + 1):
-        _line(drawing, complex(k * _STEP, 0), complex(k * _STEP, room.height), *(_FINE if k % 2 else _BOLD))
-    for k in range(round(room.height / _STEP) + 1):
-        _line(drawing, complex(0, k * _STEP), complex(room.width, k * _STEP), *(_FINE if k % 2 else _BOLD))
+    for k in range(round(room.width / GRID) + 1):
+        _line(drawing, complex(k * GRID, 0), complex(k * GRID, room.height), *(_FINE if k % 2 else _BOLD))
+    for k in range(round(room.height / GRID) + 1):
+        _line(drawing, complex(0, k * GRID), complex(room.width, k * GRID), *(_FINE if k % 2 else _BOLD))
     frame = drawing.rect((0, 0), (mm(room.width), mm(room.height)), fill="none", stroke=_FRAME[0])
     frame["stroke-width"] = mm(_FRAME[1])
     drawing.add(frame)

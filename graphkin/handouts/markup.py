@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from html import escape
 from typing import assert_never
 
@@ -12,30 +13,43 @@ from graphkin.api import Drawing
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
-from graphkin.handouts.document import Block, Foot, Handout, HandoutPart
+from graphkin.handouts.document import Block, Foot, Handout, HandoutPart, HandoutPicture
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.paging import page_parts
 from graphkin.handouts.stages import blocks_of
 from graphkin.outputs.svg import inline
 from graphkin.outputs.typesetting import html_words, signs, tex_words
 from graphkin.say.catalogue import say
+from graphkin.say.entry import Heading
 from graphkin.say.explained import derivation
 from graphkin.sheet import scales_of
 from graphkin.sheet.lettering import Label, Run
+from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.paper import KEYS, PAPERS
 
 MARK = "graphkin solution"
 """By this graphkin knows a written solution of its own; a handout's page says `graphkin handout`."""
 
 
-def solution(drawing: Drawing, lang: Lang, *, everything: bool = False, only: Plane = "acceleration") -> Handout:
-    """The written solution that `explain` prints, as blocks, at the scales of the sheet."""
+def solution(
+    drawing: Drawing, lang: Lang, *, everything: bool = False, only: Plane = "acceleration", drawn: bool = False
+) -> Handout:
+    """The written solution that `explain` prints, as blocks, at the scales of the sheet; `drawn`: with its figures."""
     scales = {KEYS[plane]: scale for plane, scale in scales_of(drawing.method, drawing.plot).items()}
     entries = derivation(drawing.method, drawing.plot, scales, lang, everything, only)
     digest = hashlib.sha256(drawing.mechanism.text.encode()).hexdigest()[:12]
     foot = Foot(say("handouts.stage solution", lang), graphkin.__version__, digest, "", say("handouts.bar", lang))
-    blocks = (HandoutPart(lang, foot), *blocks_of([*entries], lang, drawing.mechanism.points))
-    return Handout(drawing.mechanism.headline(lang), lang, blocks)
+    machine = replace(drawing.mechanism, scales=scales)
+    method, blocks = replace(drawing.method, mechanism=machine), list[Block]()
+    plane: Plane | None = None
+    for each in entries:
+        if isinstance(each, Heading):
+            if plane is not None and drawn:  # all of it is told
+                sheet = mechanism_sheet(method, drawing.plot, lang=lang, only=plane, tight=True, told=True)
+                blocks.append(HandoutPicture(sheet, say(f"sheet.plane {plane}", lang)))
+            plane = each.plane
+        blocks += blocks_of([each], lang, machine.points)
+    return Handout(machine.headline(lang), lang, (HandoutPart(lang, foot), *blocks))
 
 
 _STYLE = """@page{{size:{width}mm {height}mm;margin:15mm 20mm 20mm}}
@@ -100,8 +114,8 @@ def block_html(block: Block) -> str:
             rule = '<span class="rule"></span>'
             lines = ([rule if cell is None else html_words(cell) for cell in line] for line in block.lines)
             return '<table class="rows">' + "".join(_row("td", line) for line in lines) + "</table>"
-        case document.NameLine(words):
-            blanks = (f'<span>{escape(word)}</span><span class="rule"></span>' for word in words)
+        case document.BlankLine(words):
+            blanks = (f'<span>{html_words(word)}</span><span class="rule"></span>' for word in words)
             return f'<p class="names">{"".join(blanks)}</p>'
         case document.HandoutPicture(sheet, words, number):
             caption = f"<figcaption>{escape(number)}</figcaption>" if number else ""

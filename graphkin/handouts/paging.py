@@ -13,7 +13,8 @@ _PAGE, _EARLY, _LATE, _BEYOND, _LONE, _OVER = 0.2, 0.01, 0.05, 0.2, 0.05, 3.0
 # before it, of a line alone, of no room
 _LEAST = 0.18  # a last page has that much of its height, or more
 
-_FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom)  # stay with what leads
+_FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom, document.BlankLine)
+# stay with what leads
 
 
 @frozen
@@ -30,12 +31,14 @@ class PagePart:
 
 
 def page_parts(blocks: Sequence[Block]) -> list[PagePart]:
-    """A heading stays with what it heads, a sentence with formulas, rows, boxes and blanks that it leads to; and all
-    of a problem is together, from its title to the room for answers behind its figure."""
+    """A heading stays with what it heads, a sentence with formulas, rows, boxes and blanks that it leads to, gridded
+    paper with the equations before it; and all of a problem is together, from its title to the room for answers behind
+    its figure."""
     parts: list[PagePart] = []
     first, leads = 0, False  # the first part of what the next drawing belongs to
-    for block in blocks:
-        follows = isinstance(block, _FOLLOWING)
+    for k, block in enumerate(blocks):
+        drawn_in = isinstance(blocks[min(k + 1, len(blocks) - 1)], document.GridRoom)
+        follows = isinstance(block, _FOLLOWING) or (drawn_in and isinstance(blocks[k - 1], _FOLLOWING))
         if isinstance(block, document.HandoutPicture) and block.of_all:
             first = max(n for n, part in enumerate(parts) if getattr(part.blocks[0], "level", 2) == 1)
             parts[first:] = [PagePart((*(one for part in parts[first:] for one in part.blocks), block))]

@@ -31,7 +31,7 @@ from graphkin.marking.read_off import ASTRAY
 from graphkin.marking.tolerances import untold
 from graphkin.marking.weights import shifts
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, Centre, at_position, read
+from graphkin.model.quantities import EDGE, Centre, Rotation, at_position, read
 from graphkin.outputs.letters import lettered
 from graphkin.planning.drawn_position import shown
 from graphkin.planning.needed import cut_to
@@ -148,6 +148,11 @@ class HandoutProblem:
         return " · ".join(filter(None, (self.drawing.mechanism.headline(self.lang), self.whose)))
 
     @property
+    def source(self) -> str:
+        """Where it is from, as its sheet says."""
+        return self.drawing.mechanism.credit(self.lang)
+
+    @property
     def story(self) -> Sequence[entry.Entry]:
         """The text that stands before what is given."""
         return self._sections[0].entries
@@ -181,18 +186,15 @@ class HandoutProblem:
         """The number of its vector equations."""
         return sum(isinstance(each, entry.VectorEquation) for section in self.parts for each in section.entries)
 
-    def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
-        """The parts as far as whole equations and what is said of their arrows go, the last with the next equation.
-        Of a single equation none is done."""
-        equations, seen = equations if self.equations > 1 else 0, 0
-        for section in self.parts:
-            for k, each in enumerate(section.entries):
-                if isinstance(each, entry.VectorEquation):
-                    if seen == equations:
-                        yield replace(section, entries=section.entries[:k]), each
-                        return
-                    seen += 1
-            yield section, None
+    def upto(self, equations: int) -> Iterator[tuple[Section, tuple[entry.Entry, ...]]]:
+        """The parts as far as whole equations and what is said of their arrows go, and of each what is left, from an
+        equation on: the last equation is always left; without any, all of the last part."""
+        every = [(n, k) for n, section in enumerate(self.parts) for k, each in enumerate(section.entries)
+                 if isinstance(each, entry.VectorEquation)]  # fmt: skip
+        last, done = every[min(equations, len(every) - 1)] if every else (len(self.parts) - 1, 0)
+        for n, section in enumerate(self.parts):
+            told = len(section.entries) if n < last else done if n == last else 0
+            yield replace(section, entries=section.entries[:told]), section.entries[told:]
 
 
 @kept(4)
@@ -246,7 +248,8 @@ def beside_analysis(problem: HandoutProblem) -> Iterator[Block]:
         rows.append((formula(problem.goal.symbol(quantity)), *shown, plain(off), plain(unit.sign)))
     if rows:
         heads = ("quantity", "drawn", "analysed", "allowed", "unit")
-        yield HandoutHeading(plain(say("handouts.beside", problem.lang)))
+        turning = any(isinstance(quantity, Rotation) for quantity in problem.goal.wanted)  # its sign is a sense
+        yield HandoutHeading(plain(say("handouts.beside", problem.lang, which=turning)))
         labels = tuple(plain(say(f"handouts.{head}", problem.lang)) for head in heads)
         yield HandoutTable(labels, tuple(rows), printed=True)
 

@@ -16,7 +16,7 @@ from graphkin.errors import Lang, NotBetween, NothingToGoOn, Where
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
-from graphkin.handouts.worksheet import answers_room, empty_rows, measured, room, to_measure, worth
+from graphkin.handouts.worksheet import answers_room, measured, room, to_measure, to_write, worth
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.letters import lettered
 from graphkin.say import entry
@@ -33,7 +33,6 @@ _HIGH, _LOW, _NAME = 211.0, 50.0, 7.5  # of a page but for a problem's name, ent
 _ENTRY, _LINE, _WIDE = 6.4, 4.9, 170.0  # of an entry, of each further line of it; a page's width [mm]
 _FINER, _SMALLEST = 1.05, (8.0, 2.5)  # a figure becomes so many times smaller at a time; in all, one to measure on last
 _NO_LIST = 3  # so many problems need no list of them
-MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
 
 def handout(
@@ -42,8 +41,8 @@ def handout(
 ) -> Handout:  # fmt: skip
     """One or several problems at one stage.
 
-    upto     of a half-worked solution: so many whole equations are done, else one; of a book's problems the longest
-             has them
+    upto     of a half-worked solution: so many whole equations are done, else one, but the last of a problem; of a
+             book's problems the longest has more
     answers  the answers of all at the end
     seed     of the set the problems belong to, as every page says it
     whose    the student each problem is for, if any: it stands after the title
@@ -59,8 +58,8 @@ def handout(
     called = ["" if who is None else who.called for who in owners]
     problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, called, strict=True)]
     most = max(problem.equations for problem in problems)
-    if stage == "half" and upto > max(most, 1):
-        raise NotBetween(Where("--upto"), str(upto), 0, most)
+    if stage == "half" and upto > max(most - 1, 1):
+        raise NotBetween(Where("--upto"), str(upto), 0, max(most - 1, 1))
     numbers: Sequence[int] = [number or 0] * len(problems)
     if not any(called) and len(problems) > 1:
         numbers = range(number or 1, (number or 1) + len(problems))
@@ -149,8 +148,10 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             mechanism: tuple[Plane, ...] = ("position",) if problem.is_read_off or problem.measured else ()
             for plane in (*mechanism, *problem.polygons):
                 yield from _worksheet(problem, plane)
-        case "half":
+        case "half" if problem.polygons:
             yield from _half(problem, upto)
+        case "half":  # what is read off the mechanism alone is not begun
+            yield from _staged(problem, "blank", upto)
         case "solution":
             yield from _solution(problem)
         case _:
@@ -163,12 +164,9 @@ def _worksheet(problem: HandoutProblem, plane: Plane) -> Iterator[Block]:
     heading = say(f"sheet.plane {plane}", problem.lang)
     several = positions(problem.drawing.mechanism)  # this paper is for the first
     yield document.HandoutHeading(plain(say("handouts.of first", problem.lang, what=heading) if several else heading))
-    drawn = plane == "position"
     entries = [each for section in problem.parts if section.plane == plane for each in section.entries]
-    equations = [each for each in entries if isinstance(each, entry.VectorEquation)]
-    for _ in () if drawn else problem.construction(plane).equations[:MOST_EQUATIONS]:
-        yield empty_rows(problem, equations, TERMS[plane])
-    grid = room(problem, plane)
+    drawn, grid = plane == "position", room(problem, plane)
+    yield from [] if drawn else to_write(problem, entries)
     table = [] if drawn else [measured(problem, to_measure(entries, plane), grid.width)]
     tall = grid.height > ROOM.imag
     yield from table if tall else []
@@ -184,7 +182,8 @@ def _gridded(problem: HandoutProblem, plane: Plane, grid: document.GridRoom) -> 
     which = 2 if last else 0 if plane != "position" else 1 if problem.is_read_off else 3
     words = {"which": which, "scale": "\0", "pole": pole, "angle": angle}
     before, after = say("handouts.draw here", problem.lang, **words).split("\0")
-    yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
+    scale = written(plane, problem.scales[plane])
+    yield document.Paragraph((*lettered(before, ()), *scale, *lettered(after, problem.points)))
     yield grid
 
 
@@ -193,17 +192,22 @@ def posed(problem: HandoutProblem, figure: document.HandoutPicture | None = None
     yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
     if not problem.whose:
         blanks = ("name", "student number", "class")
-        yield document.NameLine(tuple(say(f"handouts.{key}", problem.lang).capitalize() for key in blanks))
+        yield document.NameLine(tuple(plain(say(f"handouts.{key}", problem.lang).capitalize()) for key in blanks))
     blocks = [*blocks_of(problem.posed, problem.lang, problem.points)]
     first = next((k for k, block in enumerate(blocks) if isinstance(block, document.HandoutHeading)), 0)
-    sentence = say("handouts.see figure", problem.lang, figure=problem.figure(1))
+    source = say("common.note", problem.lang, note=problem.source) if problem.source else ""  # in no line of its own
+    sentence = say("handouts.see figure", problem.lang, figure=problem.figure(1), source=source)
     yield from (*blocks[:first], document.Paragraph(plain(sentence)), *blocks[first:])
     yield document.Paragraph(scales_to_use(problem))
-    yield figure or figure_of(problem)
+    figure = figure or figure_of(problem)
+    if figure.of_all:
+        yield figure
     if problem.asked.wanted:
         several = bool(positions(problem.drawing.mechanism))
-        yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang, which=several)))
+        yield document.HandoutHeading(lettered(say("handouts.your answers", problem.lang, which=several), ()))
         yield answers_room(problem)
+    if not figure.of_all:
+        yield from (document.NewPage(), figure)
     if problem.whose:
         yield document.Paragraph(plain(say("handouts.see hand-in", problem.lang)))
 
@@ -246,31 +250,36 @@ def figure_of(problem: HandoutProblem, solved: bool = False) -> document.Handout
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
-    """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and it, empty.
-    The figure of the problem serves the solution, too, unless it is smaller."""
+    """The solution as far as whole equations go, drawn so far; then what leads to the next equation, and room for all
+    that is left. The figure of the problem serves the solution, too, unless it is smaller."""
     figure = figure_of(problem, solved=True)
     whole = figure.sheet.scales["position"] == problem.scales["position"]
     yield from posed(problem, figure)
     last, figures = 0, 0 if whole else 1
-    for section, following in problem.upto(upto):
+    for section, left in problem.upto(upto):
         entries, lead = section.entries, tuple[entry.Entry, ...]()
-        if following is not None and entries and isinstance(entries[-1], entry.Sentence):
+        if section.plane and left and not entries:
+            yield from _worksheet(problem, section.plane)
+            continue
+        if left and isinstance(entries[-1], entry.Sentence):
             entries, lead = entries[:-1], entries[-1:]
         acts = (each.act for each in section.entries if isinstance(each, entry.Sentence))
         last = max([last, *(act.page for act in acts if act is not None)])
-        plane, number, shown = section.plane, 2 - whole, list[Block]()
+        plane, number, shown, paper = section.plane, 2 - whole, list[Block](), list[Block]()
         if plane is not None:
             shown = [] if whole and plane == "position" else _so_far(problem, plane, last)
-            on_paper = any(isinstance(block, document.GridRoom) for block in shown)
-            figures += not on_paper
-            number = 0 if on_paper else figures
+            if any(isinstance(block, document.GridRoom) for block in shown):
+                shown, paper = paper, shown
+            figures += not paper
+            number = 0 if paper else figures
         yield from _section(problem, replace(section, entries=entries), number)
         yield from shown
-        if following is not None:
-            yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
+        if plane and left:
+            several = bool(positions(problem.drawing.mechanism))
+            there = "" if paper else say("handouts.with figure", problem.lang, figure=problem.figure(number))
+            yield document.Paragraph(plain(say("handouts.go on", problem.lang, which=several, figure=there)))
             yield from blocks_of(lead, problem.lang, problem.points)
-            yield empty_rows(problem, [following])
-            yield measured(problem, 4)
+            yield from (*to_write(problem, left), *paper, measured(problem, to_measure(left, plane), ROOM.real))
 
 
 def _so_far(problem: HandoutProblem, plane: Plane, last: int) -> list[Block]:
@@ -283,6 +292,7 @@ def _so_far(problem: HandoutProblem, plane: Plane, last: int) -> list[Block]:
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
     yield document.HandoutHeading(plain(problem.title + worth(problem)), 1)
+    yield from [document.Paragraph(plain(problem.source))] if problem.source else []
     yield from blocks_of(problem.story, problem.lang, problem.points)
     for section in problem.head:
         yield from _section(problem, section)
@@ -290,8 +300,12 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
     for section in problem.parts:
         figures += section.plane is not None
         yield from _section(problem, section, figures if section.plane else 1)  # centres are found in the mechanism
-        if section.plane is not None:
-            yield _figure(problem, section.plane, "construction")
+        if section.plane is not None:  # it may stand where not all of its steps are told yet
+            steps = [each.act.number for each in section.entries
+                     if isinstance(each, entry.Sentence) and each.act is not None and each.act.numbered]  # fmt: skip
+            told = say("handouts.steps", problem.lang, first=steps[0], last=steps[-1]) if len(steps) > 1 else ""
+            note = say("common.note", problem.lang, note=told) if told else ""
+            yield replace(_figure(problem, section.plane, "construction"), note=note)
     yield from _section(problem, problem.answers)
     yield from beside_analysis(problem)
     yield from common_mistakes(problem)

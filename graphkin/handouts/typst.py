@@ -5,14 +5,16 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import ceil
 from pathlib import Path
 from types import ModuleType
 from typing import Any, assert_never
 
 from graphkin.errors import NoChineseLetters, NoFont, NoLetter
 from graphkin.handouts import document
-from graphkin.handouts.document import Block, Handout, HandoutPart
+from graphkin.handouts.document import Block, GridRoom, Handout, HandoutPart
 from graphkin.handouts.grid import markers_svg, room_svg
 from graphkin.handouts.paging import PagePart, page_parts, pages
 from graphkin.outputs.files import needed
@@ -32,6 +34,11 @@ _ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
 _BOUND = re.compile(r"^ (?== [−\d])|(?<= =) (?=\S)|(?<=\d) (?=(?:[mck]?m|r|s|rad|deg|in|ft)\b)")
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
 _MARGIN, _TOP, _BOTTOM = 20.0, 18.0, 26.0  # of a page [mm]
+_COLUMN, _GUTTER = 170.0, 10.0  # of a page with two columns: each is as wide as A4 has it, or wider; between them [mm]
+_BESIDE, _BOX, _SHORT = 60.0, 21.0, 13.0  # the width of a table beside gridded paper, of a box for an answer beside a
+# figure, the length of a blank where two equations stand abreast, at least [mm]
+_PLACE, _NARROW, _MANY = 75.0, 55.0, 5  # of a line to write on with what stands before it, of one of many [mm]; so many
+_LYING = 200.0  # a page that is wider has less height than a problem wants [mm]
 _BETWEEN, _BEFORE = 3.7, 5.5  # clear room between parts of a page, and above one that begins with a heading [mm]
 _INSET = 5.0  # what a cell of a table is wider than its letters [mm]
 _HEAVY = 600  # the weight of bold letters
@@ -134,35 +141,41 @@ def printed(
     page = PAPERS[paper]
     if scan is not None:
         pictures["markers"] = markers_svg(page.width, page.height)
-    wide = page.width - 2 * _side(scan)
+    count = int((page.width - 2 * _side(scan) + _GUTTER) / (_COLUMN + _GUTTER)) or 1
+    wide = (page.width - 2 * _side(scan) + _GUTTER) / count - _GUTTER
     runs = [run for k, part in enumerate(handout.parts) for run in _runs(k, *part, pictures, wide)]
     words = "".join(markup for _, parts in runs for _, markup in parts)
     chinese = bool(_WIDE.search(handout.title + words + "".join(part.foot.bar for part, _ in handout.parts)))
     fonts, families, one_weight = _fonts(typst, font, chinese)
     head = _head(handout, families, page, scan) + (_BOLD if one_weight else "")
+    head += f"#set page(columns: {count})\n#set columns(gutter: {mm(_GUTTER)}mm)\n" * (count > 1)
     measure = "".join(f"#context [#metadata(measure(width: {mm(wide)}mm)[{markup}].height.mm())<high>]\n"
                       for _, parts in runs for _, markup in parts)  # fmt: skip
     compiler = typst.Compiler((head + measure).encode(), font_paths=fonts, sys_inputs=pictures)
     try:
         heights = iter(json.loads(compiler.query("<high>", field="value")))
         room = page.height - _TOP - _BOTTOM - _SLACK
-        body = "".join(before + _paged(parts, [next(heights) for _ in parts], room) for before, parts in runs)
-        whole = (head + body).encode()
+        fitted = [(before, [_fitted(*each, next(heights), room, pictures, wide) for each in parts])
+                  for before, parts in runs]  # fmt: skip
+        body = "".join(before + _paged(parts, room) for before, parts in fitted)
+        turned = body.replace("#pagebreak(weak: true)", "#colbreak(weak: true)") if count > 1 else body
+        whole = (head + turned).encode()
+        compiler = typst.Compiler(whole, font_paths=fonts, sys_inputs=pictures)  # with the papers that were cut
+        placed = [] if scan is None else json.loads(compiler.query("<printed>", field="value"))
         made: bytes = compiler.compile(whole, format="pdf", timestamp=0, pdf_standards=["ua-1"])
-        asked = typst.Compiler(whole, font_paths=fonts, sys_inputs=pictures) if scan is not None else None
-        placed = [] if asked is None else json.loads(asked.query("<printed>", field="value"))
+        rooms = (block for _, parts in fitted for part, *_ in parts for block in part.blocks)
     except typst.TypstError as problem:
         if (letter := _MISSING.search(str(problem))) is None:
             raise
         raise NoLetter(letter[1]) from None
-    return unscaled(made), [] if scan is None else [*_sheets(handout, page, scan, placed, page_count(made))]
+    return unscaled(made), [] if scan is None else [*_sheets(handout, rooms, page, scan, placed, page_count(made))]
 
 
 def _sheets(
-    handout: Handout, page: Paper, first: int, placed: list[dict[str, Any]], count: int
+    handout: Handout, blocks: Iterator[Block], page: Paper, first: int, placed: list[dict[str, Any]], count: int
 ) -> Iterator[PrintedSheet]:
     """Each page, by the titles of problems and the gridded papers on it, in the order in which they were placed."""
-    owner, rooms = ("", ""), (block for block in handout.blocks if isinstance(block, document.GridRoom))
+    owner, rooms = ("", ""), (block for block in blocks if isinstance(block, GridRoom))
     for number in range(1, count + 1):
         own: list[SheetRoom] = []
         for each in (each for each in placed if each["page"] == number):
@@ -190,16 +203,59 @@ def _runs(number: int, part: HandoutPart, blocks: list[Block], pictures: Picture
             together.append(block)
             continue
         parts = page_parts(together)
-        yield before, [(each, "".join(_markup(one, pictures, wide) for one in each.blocks)) for each in parts]
+        yield before, [(each, _together(each.blocks, pictures, wide)) for each in parts]
         before, together = "#pagebreak(weak: true" + (', to: "odd"' if block.front else "") + ")\n", []
 
 
-def _paged(parts: list[tuple[PagePart, str]], heights: list[float], room: float) -> str:
+def _together(blocks: Sequence[Block], pictures: Pictures, wide: float) -> str:
+    """The markup of what stands together: where a page is as wide, an equation has the next beside it, gridded paper
+    its table, and the figure of a problem the room for answers."""
+    text, blocks = "", [*blocks]
+    while blocks:
+        left, *others = blocks
+        match blocks:
+            case [GridRoom(width=first), document.HandoutTable(heads, rows) as table, *rest] if (
+                table.under and wide - first - _INSET > _BESIDE
+            ):
+                single = tuple(rows[0][:3] for _ in range(len(rows) * len(heads) // 3))
+                others = [document.HandoutTable(heads[:3], single, wide - first - _INSET)]
+            case [document.TermRows() as one, document.TermRows() as two, *rest] if all(
+                _blank(each, wide / 2 - _INSET) > _SHORT for each in (one, two)
+            ):
+                first, others = wide / 2 - _INSET, [two]
+            case [document.HandoutPicture(sheet, of_all=True), document.HandoutHeading() as head,
+                  document.HandoutTable() as table, *rest] if (
+                wide > _LYING and wide - sheet.paper.width - _INSET > _BOX * len(table.heads)
+            ):
+                first = sheet.paper.width
+                others = [head, replace(table, under=wide - first - _INSET)]
+            case _:
+                text, blocks = text + _markup(left, pictures, wide), others
+                continue
+        sides = (_markup(left, pictures, first), "".join(_markup(each, pictures, wide - first) for each in others))
+        shape = f"columns: ({mm(first)}mm, 1fr), column-gutter: {mm(_INSET)}mm"
+        text, blocks = text + f"#grid({shape})[{sides[0]}][{sides[1]}]\n", rest
+    return text
+
+
+def _fitted(
+    part: PagePart, markup: str, high: float, room: float, pictures: Pictures, wide: float
+) -> tuple[PagePart, str, float]:
+    """A part with its markup and its height: gridded paper is cut where all is to stand on one page with it."""
+    if high <= room:
+        return part, markup, high
+    blocks = [each.lower(high - room) if isinstance(each, GridRoom) else each for each in part.blocks]
+    pairs = zip(part.blocks, blocks, strict=True)
+    cut = sum(a.height - b.height for a, b in pairs if isinstance(a, GridRoom) and isinstance(b, GridRoom))
+    return PagePart(tuple(blocks), part.of), _together(blocks, pictures, wide) if cut else markup, high - cut
+
+
+def _paged(parts: list[tuple[PagePart, str, float]], room: float) -> str:
     """The markup of parts on the pages that cost least."""
-    above = [_BEFORE if part.heads else _BETWEEN for part, _ in parts]
-    whole = [high + over for high, over in zip(heights, above, strict=True)]
-    sheets = pages([part for part, _ in parts], whole, room + _BETWEEN)
-    breaks = ["true" if high > room else "false" for high in heights]
+    whole = [high + (_BEFORE if part.heads else _BETWEEN) for part, _, high in parts]
+    above = [_BEFORE if part.heads else _BETWEEN for part, *_ in parts]
+    sheets = pages([part for part, *_ in parts], whole, room + _BETWEEN)
+    breaks = ["true" if high > room else "false" for *_, high in parts]
     return "#pagebreak(weak: true)\n".join(
         "".join(f"#part({mm(above[k])}mm, {breaks[k]})[{parts[k][1]}]\n" for k in page) for page in sheets
     )
@@ -268,10 +324,14 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
             foot = foot if level == 1 else ""
             foot += "" if problem is None else f"#{_PLACED.format(problem=problem)}\n"
             return f"{foot}#heading(level: {level})[{_words(words)}]\n"
-        case document.NameLine(words):
-            rules = "".join(f"[#{_string(word)}], line(length: 100%, stroke: 0.18mm), " for word in words)
-            shape = f"columns: (auto, 1fr) * {len(words)}, align: bottom, column-gutter: 2mm"
-            head = f"#metadata(none)<named>\n#named.update({_string(words[0])})\n"
+        case document.BlankLine(words):
+            rules = "".join(f"[{_words(word)}], line(length: 100%, stroke: 0.18mm), " for word in words)
+            named = isinstance(block, document.NameLine)
+            lines = 1 if named else ceil(len(words) / int(wide / (_PLACE if len(words) < _MANY else _NARROW)))
+            count = ceil(len(words) / lines)
+            shape = f"columns: (auto, 1fr) * {count}, align: bottom, column-gutter: 2mm, row-gutter: 4mm"
+            name = _string("".join(run.text for run in words[0]))
+            head = f"#metadata(none)<named>\n#named.update({name})\n" if named else ""
             return f"{head}#block(above: 4mm, below: 4mm, grid({shape}, {rules}))\n"
         case document.Paragraph(words, act):
             number = f"#act({_string(act)}) " if act else ""
@@ -283,7 +343,7 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
         case document.HandoutPicture(sheet, words, number):
             image = _image(pictures, svg(sheet), sheet.paper.width, words)
             return f"#figure({image}, caption: [#{_string(number)}], numbering: none, gap: 2mm)\n"
-        case document.GridRoom():
+        case GridRoom():
             image = _image(pictures, room_svg(block), block.width, block.words)
             placed = f"place(top + left, {_PLACED.format(problem='none')})"
             return f"#align(center, block(width: {mm(block.width)}mm, {{ {placed}; {image} }}))\n"
@@ -297,13 +357,18 @@ def _markup(block: Block, pictures: Pictures, wide: float) -> str:
 
 def _rows(rows: document.TermRows, wide: float) -> str:
     """A grid of terms, directions, sizes; a blank is a line to write on, as long as all have room."""
-    blanks = sum(column is None for column in rows.columns)
-    signs = 8.0 + 16.0 + 4.0 + 6.5 * (len(rows.columns) - blanks) + 2.0 * blanks  # edge, heads, the rest, gaps [mm]
-    long = min(20.0, (wide - signs) / blanks) if blanks else 0.0
-    rule = f"#box(width: {mm(long)}mm, height: 6mm, stroke: (bottom: 0.18mm))"
+    rule = f"#box(width: {mm(_blank(rows, wide))}mm, height: 6mm, stroke: (bottom: 0.18mm))"
     cells = [f"[{_words(cell) if cell is not None else rule}]" for line in rows.lines for cell in line]
     shape = f"columns: {len(rows.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
     return f"grid({shape}, {', '.join(cells)})"
+
+
+def _blank(rows: document.TermRows, wide: float) -> float:
+    """The length of each blank of an equation; 0 of a printed one [mm]."""
+    across = max(([each for each in line if each != ()] for line in rows.lines[::3]), key=len)
+    blanks = sum(cell is None for cell in across)
+    signs = 8.0 + 16.0 + 4.0 + 6.5 * (len(across) - blanks) + 2.0 * blanks  # edge, heads, the rest, gaps [mm]
+    return min(20.0, (wide - signs) / blanks) if blanks else 0.0
 
 
 def _table(table: document.HandoutTable, wide: float) -> str:

@@ -13,6 +13,8 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, LayOff, Plane, Term
 from graphkin.errors import Lang
 from graphkin.handouts.document import (
+    GRID,
+    BlankLine,
     Block,
     Foot,
     GridRoom,
@@ -27,18 +29,19 @@ from graphkin.handouts.problem import ROOM, HandoutProblem
 from graphkin.homework.platforms.tables import Cell
 from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import FRAME, Driver, Pose
-from graphkin.model.quantities import EDGE, Centre, Moving, Rotation, Track, at_position
+from graphkin.model.quantities import EDGE, Centre, Moving, Quotient, Rotation, Track, at_position
+from graphkin.outputs.letters import lettered
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Calculation, Entry, VectorEquation
 from graphkin.say.problems import positions
-from graphkin.sheet.lettering import Label, formula, joined, plain, point_label
+from graphkin.sheet.lettering import formula, joined, plain, point_label
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.window import corners
 from graphkin.submissions.submission import DRAWINGS
 
 _MORE = 1.2
-_EDGE, _GRID = 2.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
+_EDGE = 2.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
 _FEW, _MANY = 6, 10  # vectors for which a table to measure into has room at least, or two beside each other
 _STEP = 10.0  # rooms are so many millimetres, or a multiple of it
 
@@ -72,7 +75,8 @@ def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
     words = say(f"sheet.plane {plane}", problem.lang)
     name = pole or next(letter for letter in ("O", "O'", "O''") if letter not in machine.points)
     scale = float(problem.scales[plane])
-    return GridRoom(words, wide, tall, at, point_label(name), direction, mark, plane, scale)
+    reach = (high.imag + _EDGE, _EDGE - low.imag)
+    return GridRoom(words, wide, tall, at, point_label(name), direction, mark, plane, scale, *reach)
 
 
 def _may_be_shown(problem: HandoutProblem, term: Term) -> bool:
@@ -89,26 +93,28 @@ def _may_be_shown(problem: HandoutProblem, term: Term) -> bool:
 def _placed(low: float, high: float, room: float, lot: float) -> float:
     """A place of the pole in a room, so that what reaches from low to high about it keeps off the edge."""
     first, last = _EDGE - low, room - _EDGE - high
-    least, most = math.ceil(first / _GRID), math.floor(last / _GRID)
-    return _GRID * (least + round(lot * (most - least)))
+    least, most = math.ceil(first / GRID), math.floor(last / GRID)
+    return GRID * (least + round(lot * (most - least)))
 
 
 def _whole(length: float, usual: float) -> float:
-    return usual if length <= usual - 2 * _EDGE - _GRID else _STEP * math.ceil(_MORE * length / _STEP)
+    return usual if length <= usual - 2 * _EDGE - GRID else _STEP * math.ceil(_MORE * length / _STEP)
 
 
-def empty_rows(problem: HandoutProblem, equations: Sequence[VectorEquation], terms: int = 0) -> TermRows:
-    """Lines to write an equation on: with the sides of the longest of these, which have at least so many terms."""
-    lang = problem.lang
-    heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
-    columns: list[tuple[Label, Label, Label] | None] = []
-    every = [[*([1] if each.front else []), *map(len, each.sides)] for each in equations]
-    sides = max([1, terms - 1], *every, key=sum)
-    for k, count in enumerate(sides):
-        columns += [(plain("="), (), ())] if k else []
-        for n in range(count):
-            columns += [(plain("+"), (), ()), None] if n else [None]
-    return TermRows((heads[0], heads[1]), tuple(columns))
+def to_write(problem: HandoutProblem, entries: Sequence[Entry]) -> Iterator[Block]:
+    """Room for what a polygon is drawn from: each equation, empty but for its signs; a line for each magnitude that is
+    reckoned for an arrow, as `v_B = ω1 l_AB` is."""
+    yield from (_empty_rows(problem, each) for each in entries if isinstance(each, VectorEquation))
+    reckoned = (each for each in entries if isinstance(each, Calculation) and each.formulas and each.name[0] in "va")
+    lines = [formula(f"{each.name} =") for each in reckoned if "μ" not in each.formulas[0]]
+    yield from [BlankLine(tuple(lines))] if lines else []
+
+
+def _empty_rows(problem: HandoutProblem, equation: VectorEquation) -> TermRows:
+    """Lines to write an equation on, with its own signs."""
+    heads = (plain(say(key, problem.lang)) for key in ("derivation.direction row", "derivation.size row"))
+    signs = ((plain(term), (), ()) if term in ("=", "+") else None for term, _, _ in equation.columns)
+    return TermRows((next(heads), next(heads)), tuple(signs))
 
 
 def measured(problem: HandoutProblem, count: int, under: float = 0.0) -> HandoutTable:
@@ -127,7 +133,7 @@ def to_measure(entries: Sequence[Entry], plane: Plane) -> int:
 @frozen
 class AnswerRow:
     """A place for an answer: `ω3 #2`, its unit, whether it has a sense, a direction or two coordinates, and what it is
-    worth."""
+    worth; a ratio of rotations has the `same` sense or the opposite."""
 
     symbol: str
     unit: str
@@ -135,6 +141,7 @@ class AnswerRow:
     points: str
     directed: bool = False
     is_place: bool = False
+    same: bool = False
 
 
 def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
@@ -144,11 +151,13 @@ def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
     for at in range(1, 2 + positions(mechanism)):
         for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
             if quantity is not None:
-                unit = EDGE[quantity.unit].sign
-                turns = isinstance(quantity, Rotation) and quantity.word != "theta"
+                unit = EDGE[quantity.unit].sign or "—"
+                turning = [isinstance(half, Rotation) and half.word != "theta" for half in quantity.halves]
+                same = isinstance(quantity, Quotient) and all(turning)
+                turns = turning == [True]
                 symbol = at_position(problem.goal.symbol(quantity), at)
                 kinds = isinstance(quantity, Moving), isinstance(quantity, Centre | Track)
-                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, ""), *kinds))
+                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, ""), *kinds, same))
     return rows
 
 
@@ -187,11 +196,13 @@ def answer_boxes(problem: HandoutProblem) -> HandoutTable:
     differs."""
     rows = answer_rows(problem)
     end = None if problem.whose or worth(problem) else -1
+    ratio = say("handouts.ratio", problem.lang)
     labels = [(formula(row.symbol), plain("(\u2003\u2003\u2002, \u2003\u2003\u2002)" if row.is_place else ""),
-               plain(row.unit), plain("" if row.turns else "\u2003\u2003\u2003°" if row.directed else "—"),
+               plain(row.unit), plain("" if row.turns else "\u2003\u2003\u2003°" if row.directed else
+                                      ratio if row.same else "—"),
                plain(row.points)) for row in rows]  # fmt: skip
-    heads = tuple(map(plain, (*answer_heads(rows, problem.lang), say("handouts.points", problem.lang))))
-    return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
+    heads = (*answer_heads(rows, problem.lang), say("handouts.points", problem.lang))
+    return HandoutTable(tuple(lettered(head, ()) for head in heads[:end]), tuple(row[:end] for row in labels))
 
 
 # --- how it is handed in ----------------------------------------------------------------------------------------------

@@ -73,6 +73,8 @@ class AnswerLines:
         if self.goal.wanted:
             yield Heading(self.reading.say("solution.answer"))
         yield from map(self.entry, self.answerable)
+        for text in self.goal.in_words:
+            yield Sentence(self.reading.say("solution.left", question=text))
 
     def entry(self, quantity: Quantity) -> Sentence | Calculation:
         """The answer to one question; of a file in inches in inches, too."""

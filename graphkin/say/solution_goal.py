@@ -19,7 +19,7 @@ from graphkin.planning.at_rest import moving_parts
 from graphkin.planning.needed import Part, arms, needed
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
-from graphkin.say.reading import Reading, aside
+from graphkin.say.reading import Reading, aside, capitalized
 
 if TYPE_CHECKING:
     from graphkin.say.centre_steps import CentrePart
@@ -93,13 +93,23 @@ class SolutionGoal:
             return
         yield Heading(say("solution.find"))
         asked = zip(self.wanted, self.texts, strict=True)  # a file that asks for no motion has its own questions first
-        own = [(one, text) for one, text in asked if self.chosen or (one is not None and _placed(one))]
+        own = [(one, text) for one, text in asked if one is not None and (self.chosen or _placed(one))]
         if own:
-            yield Sentence(say("solution.find these", wanted=self.reading.listed([*self._listed(own)])))
+            wanted = self.reading.listed([*self._listed(own)])
+            begins = isinstance(own[0][0], Centre | Track)  # with a word, not with a symbol
+            yield Sentence(say("solution.find these", wanted=capitalized(wanted) if begins else wanted))
         if not self.chosen:
             yield Sentence(say("solution.find all" if "acceleration" in self.parts else "solution.find velocities"))
+        yield from map(Sentence, self.in_words)
 
-    def _listed(self, asked: Sequence[tuple[Quantity | None, str]]) -> Iterator[str]:
+    @property
+    def in_words(self) -> list[str]:
+        """The questions that are no quantities, each a sentence of its own."""
+        texts = (text for one, text in zip(self.wanted, self.texts, strict=True) if one is None)
+        stop = self.reading.say("solution.find these", wanted="")
+        return [text if text[-1] in ".?!。？！" else text + stop for text in texts]
+
+    def _listed(self, asked: Sequence[tuple[Quantity, str]]) -> Iterator[str]:
         """The questions, symbol by symbol; of centres in a row the word once."""
         for centres, some in groupby(asked, key=lambda each: isinstance(each[0], Centre)):
             if centres:
@@ -107,7 +117,7 @@ class SolutionGoal:
                 yield self.reading.say("solution.centre", name=first, which=int(bool(others)))
                 yield from others
             else:
-                yield from (self.symbol(one) if one else text for one, text in some)
+                yield from (self.symbol(one) for one, _ in some)
 
     def symbol(self, quantity: Quantity) -> str:
         """`ω3`, `aᵏ_B3B2`, `v_Cx`, `ω1/ω3`."""

@@ -105,7 +105,7 @@ def praise(result: Result, lang: Lang) -> str:
     carried = sum(line.verdict == "carried" for line in every)
     right = sum(line.verdict not in ("wrong", "missing", "not read", "carried") for line in every)
     if carried:
-        return say("feedback.praise carried", lang, right=right, count=len(every), carried=carried)
+        return say("feedback.praise carried", lang, right=right, count=len(every), carried=carried, which=carried > 1)
     if not right:
         return ""
     whole = not any(line.verdict == "wrong" or line.written for line in result.lines)

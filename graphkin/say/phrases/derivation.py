@@ -281,6 +281,7 @@ PHRASES: Phrases = {
     "solution.circle": ("the circle of link {link} about {centre} with radius {radius}",
                         "构件 {link} 以 {centre} 为圆心、半径为 {radius} 的圆弧"),
     "solution.find these": ("{wanted}.", "{wanted}。"),
+    "solution.left": ("Left to you: {question}", "留给读者：{question}"),
     "solution.find all": ("the velocities and accelerations of all points, ω and α of all links.",
                           "各点的速度和加速度，各构件的角速度和角加速度。"),
     "solution.find velocities": ("the velocities of all points, ω of all links.", "各点的速度，各构件的角速度。"),

@@ -11,8 +11,7 @@ PHRASES: Phrases = {
     "problems.angle of guide": ("{angle} is the angle of the sliding direction on link {guide} from +x, "
                                 "counter-clockwise.",
                                 "{angle} 为构件 {guide} 上导路方向与 +x 的夹角，逆时针为正。"),
-    "problems.positions": ("Positions, each to be solved; #2 behind a quantity means: at the second of them:",
-                           "下列各位置均须求解；量后的 #2 表示所在位置（第一个位置不必注明）："),
+    "problems.positions": ("Positions, each to be solved:", "下列各位置均须求解："),
     "problems.as given": ("as given", "所给位置"),
     "problems.shared": ("note: the ranges gave {different} different problems for {every} students. {count} have one "
                         "whose answers are another's, within 2 %: {students}. Widen the ranges.",
@@ -133,7 +132,7 @@ PHRASES: Phrases = {
                               "所求各量全部正确，做得不错；中间过程还有不对之处。"),
     "feedback.praise most": ("{right} of {count} values are right: good work, and nearly there.",
                              "{count} 个量中 {right} 个正确，大部分做得不错。"),
-    "feedback.praise carried": ("{right} of {count} values are right; {carried} follow rightly from an earlier error.",
+    "feedback.praise carried": ("{right} of {count} values are right; {carried} [follows|follow] rightly from an earlier error.",
                                 "{count} 个量中 {right} 个正确，另有 {carried} 个由前面的错误正确推得。"),
     "feedback.praise some": ("{right} of {count} values are right.", "{count} 个量中 {right} 个正确。"),
     "feedback.title for": ("Feedback for {student}", "{student} 的评阅反馈"),
