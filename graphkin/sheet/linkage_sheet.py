@@ -123,9 +123,9 @@ def _dead(one: Report, driver: str, lang: Lang) -> str:
     return say(f"linkages.sheet {'dead' if values else 'none'}", lang, driver=driver, values=shown)
 
 
-def found_sizes(one: Report, name: str = "") -> Table:
-    """Its lengths, and what is found of it; among several after its name."""
-    turn, psi, theta, high, k = math.degrees(1), *(quantity_label(letter, "") for letter in "ψθHK")
+def found_sizes(one: Report, name: str = "", swing: str = "ψ") -> Table:
+    """Its lengths, and what is found of it; among several after its name. swing: what its output's range is called."""
+    turn, psi, theta, high, k = math.degrees(1), *(plain(letter, True) for letter in (swing, *"θHK"))
     least, most = quantity_label("γ", "min"), quantity_label("α", "max")
     sizes: list[tuple[Label, float | None, float, str]] = []
     sizes += [(points_label(link), size, 1e3, " mm") for link, size in one.linkage.sizes.items()]
