@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from graphkin.base.geometry import place
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import catalogue, names
@@ -95,7 +96,7 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     data = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
     data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer, "link": drawn.seen.called}
     data = {name: letter.replace("'", "′") for name, letter in data.items()}
-    radius = 1e3 * abs(drawn.board.at(drawn.answer) - drawn.board.at(drawn.point))
+    radius = 1e3 * abs(place(drawn.board.at(drawn.answer)) - place(drawn.board.at(drawn.point)))
     stages, pivots = [], any(entry.centre[2] for entry in drawn.guides)
     for count, stage in enumerate(drawn.construction.stages, start=1):  # whose lines may be parallel
         far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))

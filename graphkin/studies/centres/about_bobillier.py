@@ -144,9 +144,9 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
     points = {entry.point: _finite(entry.place) for entry in guides} | {letter: _finite(place)}
     points |= {entry.written: entry.centre for entry in guides}
     pole, q, qc, answer = (free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
-    crossings = (q, qc) if len(guides) > 1 else (qc,)
-    begun = _of_two(*guides, letter, pole, q) if len(guides) > 1 else _of_wheel(*guides, letter, pole, seen.pole)
-    stages = *begun, *_ended(guides[0], letter, qc, answer)
+    first, *others = guides
+    begun = _of_two(first, others[0], letter, pole, q) if others else _of_wheel(first, letter, pole, seen.pole)
+    stages, crossings = (*begun, *_ended(first, letter, qc, answer)), (q, qc) if others else (qc,)
     return Bobillier(seen, Drafting({}, stages, points), guides, letter, pole, crossings, answer)
 
 
