@@ -71,13 +71,14 @@ def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
 
 
 def _pictures(one: Report, lang: Lang, several: bool) -> list[Picture]:
-    """Limits and transmission angles; with `several`, captions begin with the letters of the linkage."""
-    start = f"{SCALE} {''.join(one.linkage.names)}: " if several else ""
+    """Limits and transmission angles; with `several`, captions have the letters of the linkage and its own scale."""
+    start = f"{''.join(one.linkage.names)}: " if several else ""
     pictures = [_limits(one, lang, start)] if one.limits else []
     if one.critical and one.gamma_min is not None and not one.level:
         pictures.append(_transmission(one, lang, start))
     ends = one.critical[:2]
-    return pictures or [_picture(ends, partial(drawn_over, one.linkage, ends), start + kind_name(one, lang))]
+    pictures = pictures or [_picture(ends, partial(drawn_over, one.linkage, ends), start + kind_name(one, lang))]
+    return [replace(each, texts=(*each.texts, SCALE)) for each in pictures] if several else pictures
 
 
 def _limits(one: Report, lang: Lang, start: str) -> Picture:
@@ -120,7 +121,9 @@ def _dead(one: Report, driver: str, lang: Lang) -> str:
     values, slides = one.dead[driver], driver == one.slide
     texts = (f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else numbers.angle(value) for value in values)
     shown = ", ".join(texts).replace("-", "−")
-    return say(f"linkages.sheet {'dead' if values else 'none'}", lang, driver=driver, values=shown)
+    words = {"driver": driver, "letter": "s" if slides else "φ", "pivot": one.linkage.names[one.linkage.arm[0]]}
+    from_pivot = slides and driver == one.output != one.driver  # else as the file counts it
+    return say(f"linkages.sheet {'dead' if values else 'none'}", lang, which=from_pivot, values=shown, **words)
 
 
 def found_sizes(one: Report, name: str = "", swing: str = "ψ") -> Table:

@@ -6,7 +6,7 @@ Sizes are in millimetres. A scale is what one millimetre on paper stands for: mu
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -59,6 +59,18 @@ class Room:
         wide, high = self.size.real / columns, self.size.imag / -(-count // columns)
         corners = ((self.left + k % columns * wide, self.top + k // columns * high) for k in range(count))
         return [Room(left, top, left + wide, top + high) for left, top in corners]
+
+    def shared(self, needs: Sequence[Sequence[complex]]) -> list[Room]:
+        """Cells row by row, of these sizes [mm] and what is left; none where they do not fit."""
+        highs = [max(need.imag for need in row) for row in needs]
+        spares = [(self.size.real - sum(need.real for need in row)) / len(row) for row in needs]
+        spare, cells, top = (self.size.imag - sum(highs)) / len(needs), list[Room](), self.top
+        for row, high, more in zip(needs, highs, spares, strict=True):
+            left, low = self.left, top + high + spare
+            for need in row:
+                cells.append(Room(left, top, left := left + need.real + more, low))
+            top = low
+        return cells if min(spare, *spares) >= 0 else []
 
 
 _A4 = 210.0 * 297.0  # [mm^2]

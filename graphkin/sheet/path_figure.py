@@ -14,20 +14,22 @@ from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.say import names
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import say, say_close
+from graphkin.say.sweeps import driver_called
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LEAST, Label, formula, number, plain
+from graphkin.sheet.lettering import LABEL, Label, formula, number, plain
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.symbols import arrow
 from graphkin.sheet.window import Entry, Figure, Window, corners
 
 if TYPE_CHECKING:
-    from graphkin.studies.sweeps import PointPath
+    from graphkin.studies.sweeps.point_path import PointPath, Tick
 
 _FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
 _TICK, _NUMBERED = 0.9, 1.5  # half of a tick [mm]
 _LONGEST, _GREAT = 16.0, 3.0  # the longest velocity [mm]; so many times most others it is left out
+_LANE, _NEAR = 2.2, 1e-3  # how far arrows keep to the right of a way that is gone to and fro [mm], as part of its size
 
 
 def clipped(
@@ -91,24 +93,28 @@ class Paths:
         yield Stroke(places, "outline", closed=curve.closed, shows=shows)
         middle, at = complex(np.mean(places)), places[len(places) // 8]
         name = formula(say("sheet.path of", self.lang, point=names.point(curve.point)))
-        yield LabelRequest(name, at, gap=1.2, away=at - middle, size=LEAST)
+        yield LabelRequest(name, at, gap=1.2, away=at - middle, size=LABEL)
         for tick in curve.ticks:
             at, across = window(tick.place), window.turned(tick.way) * 1j
             half = _NUMBERED if tick.numbered else _TICK
             yield Stroke((at - half * across, at + half * across), "thin") if across else Disc(at, half / 2, "thin")
             if tick.numbered:
                 value = plain(curve.shown(tick.value))
-                yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LEAST, spare=True)
+                yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LABEL, spare=True)
             if self.arrows and abs(tick.velocity) <= _LONGEST * self.scale:
-                yield from arrow(at, at + window.turned(tick.velocity) / (self.scale * window.times), "velocity")
+                along = window.turned(tick.velocity) / (self.scale * window.times)
+                start = at + _LANE * 1j * along / abs(along) if _twice(curve, tick) else at
+                yield from arrow(start, start + along, "velocity")
 
     @property
     def lines(self) -> list[Label]:
         """From tick to tick, and the scale of the velocities."""
         lines: list[Label] = []
         for one in self.curves[:1]:
-            driver, step = one.course.driver.name, one.shown(one.step)
-            lines.append(formula(say("sheet.ticks", self.lang, step=step, driver=driver)))
+            driver, machine = one.course.driver, one.course.method.mechanism
+            words = {"step": one.shown(one.step), "driver": driver_called(machine, driver, self.lang)}
+            which = ("angle", "spin", "slide").index(driver.kind)
+            lines.append(formula(say_close("sheet.ticks", self.lang, which=which, **words)))
             if self.arrows:
                 lines.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
                 if self._speeds[-1] > _LONGEST * self.scale:
@@ -116,6 +122,14 @@ class Paths:
             if self.arrows and one.seconds is not None:
                 lines.append((*plain(say("sheet.every", self.lang)), *number(one.seconds), *plain(" s")))
         return lines
+
+
+def _twice(curve: PointPath, tick: Tick) -> bool:
+    """True at a tick where the point passes the other way, too: its arrows there would lie on one another."""
+    steps, size = np.diff(curve.places), np.ptp(curve.places.real) + np.ptp(curve.places.imag)
+    part = np.clip(((tick.place - curve.places[:-1]) / np.where(steps, steps, 1.0)).real, 0, 1)
+    near = abs(curve.places[:-1] + part * steps - tick.place) < _NEAR * size
+    return bool(abs(tick.velocity) > 0 and ((steps / np.exp(1j * np.angle(tick.velocity))).real[near] < 0).any())
 
 
 NONE = Paths()

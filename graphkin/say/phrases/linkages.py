@@ -335,7 +335,9 @@ PHRASES: Phrases = {
     "linkages.sheet k": ("K = (180° + θ)/(180° − θ) = {k}", "K = (180° + θ)/(180° − θ) = {k}"),
     "linkages.sheet timed": ("K = {k} (crank {crank})", "K = {k}（曲柄 {crank}）"),
     "linkages.sheet one": ("θ = 0, K = 1: no quick return", "θ = 0，K = 1，无急回特性"),
-    "linkages.sheet dead": ("dead points where {driver} drives: {values}", "{driver} 主动时的死点：{values}"),
+    "linkages.sheet dead": ("dead points where {driver} drives: {letter}_{driver} = {values}[| (along the guide, from "
+                            "{pivot})]",
+                            "{driver} 主动时的死点：{letter}_{driver} = {values}[|（沿导路，自 {pivot} 量起）]"),
     "linkages.sheet none": ("no dead point where {driver} drives", "{driver} 主动时无死点"),
     "linkages.sheet gamma": ("Transmission angle, {driver} driving", "传动角（{driver} 主动）"),
     "linkages.sheet least": ("γ_min = {gamma}, α_max = {alpha}, at {letter}_{driver} = {values}",

@@ -19,7 +19,7 @@ PHRASES: Phrases = {
     "sheet.centres": ("Mechanism and instant centres", "机构的速度瞬心"),
     "sheet.sense": ("[ccw|cw]", "[逆|顺]"),
     "sheet.path of": ("path of {point}", "{point} 的轨迹"),
-    "sheet.ticks": ("ticks every {step} of {driver}", "{driver} 每隔 {step} 一刻度"),
+    "sheet.ticks": ("a tick every {step} of [|link |]{driver}", "[|构件 |]{driver} 每[转|转|移动] {step} 标一刻度"),
     "sheet.arrows": ("arrows: 1 mm is ", "箭头：1 mm 表示 "),
     "sheet.left out": ("arrows of over {length} mm are left out", "长于 {length} mm 的箭头从略"),
     "sheet.every": ("from arrow to arrow ", "相邻箭头相隔 "),
