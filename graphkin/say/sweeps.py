@@ -8,7 +8,7 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.errors import Lang, listed
-from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import EDGE, IN_GRAVITY
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.running.path import Event
@@ -24,11 +24,6 @@ CONSTANT = 1e-9  # beside the value itself, less than this is no change
 _BOOK_UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")
 
 
-def driver_called(mechanism: Mechanism, driver: Driver, lang: Lang) -> str:
-    """What a driver is called: `AB`, a wheel's name, the title of a slide."""
-    return mechanism.slide_title(driver.link, lang) if driver.kind == "slide" else driver.name
-
-
 def _at(course: Course, t: float, lang: Lang) -> str:
     """`AB = 41.2°`, by where on the path."""
     return _named(course, float(course.value(t).real), lang)
@@ -36,7 +31,7 @@ def _at(course: Course, t: float, lang: Lang) -> str:
 
 def _named(course: Course, value: float, lang: Lang) -> str:
     """`AB = 41.2°`, by the driver's value."""
-    return f"{driver_called(course.method.mechanism, course.driver, lang)} = {_in_both_units(course, value)}"
+    return f"{course.method.mechanism.driver_title(course.driver, lang)} = {_in_both_units(course, value)}"
 
 
 def _in_both_units(course: Course, value: float) -> str:
@@ -75,7 +70,7 @@ def one_of_several(course: Course, driver: str, lang: Lang) -> Iterator[str]:
 
 def remarks(course: Course, lang: Lang) -> Iterator[str]:
     """The range of the driver, and what it passes through."""
-    driver = driver_called(course.method.mechanism, course.driver, lang)
+    driver = course.method.mechanism.driver_title(course.driver, lang)
     if not course.full_turn:
         low, high = (_in_both_units(course, value) for value in course.reach)
         yield say_close("sweeps.range", lang, driver=driver, low=low, high=high)

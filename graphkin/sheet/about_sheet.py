@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from graphkin.base.geometry import place as as_place
+from graphkin.base.lines import circle_places
 from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -24,7 +25,7 @@ from graphkin.sheet.marks import Fill, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.path_figure import circle, clipped
+from graphkin.sheet.path_figure import FINE, clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.titleblock import Strip, Table
 from graphkin.sheet.window import Entry, Figure, enlarged
@@ -38,9 +39,8 @@ _AXIS = 38.0  # half of the pole tangent, and of the normal [mm]
 _TOWARDS = 30.0  # how far a ray goes to a pole that is not on the paper [mm]
 
 _CURVATURE, _ARC, _WITHIN, _NEARER, _TICK, _INSIDE = 2.6, 12.0, 0.8, 0.85, 1.0, 6.0
-"""So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm], how far out on
-the shortest of their lines they lie at most, the second against the first, half of their ticks [mm]; how far from the
-edge an arrow to what is too far ends [mm]."""
+"""So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm], how far out they
+lie on the shortest of their lines, one against the other, half of a tick; the end of an arrow from the edge [mm]."""
 
 
 def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
@@ -108,7 +108,8 @@ class _LinkDrawing:
             return
         pens: tuple[PenName, ...] = ("thin", "dashed")
         both = link.inflection, link.returning
-        rims = [circle(window(each.centre), each.radius / window.scale, room) for each in both]
+        seen = room.middle, abs(room.size), FINE
+        rims = [circle_places(window(each.centre), each.radius / window.scale, *seen) for each in both]
         every = [list(clipped(rim, room, pen)) for rim, pen in zip(rims, pens, strict=True)]
         for own, others, words in zip(every, every[::-1], ("inflection", "return"), strict=True):
             yield from own
@@ -200,8 +201,7 @@ class _BobillierDrawing:
             yield from self._equal_angles(made, stage)
 
     def _equal_angles(self, carried: CarriedAngle, stage: int) -> Iterator[Entry]:
-        """The angle between two rays of the pole, and the same between the axes: lettered arcs with a tick each, the
-        second nearer to the pole, so that neighbours do not read as one."""
+        """The angle between two rays of the pole and, nearer to it, the same between the axes: ticked, lettered arcs."""
         lines, ends, (pole,) = self.solution.construction.made_by, dict[str, complex](), self.on.at(carried.at)
         for name in (carried.start, carried.end, carried.line, carried.name):
             if isinstance(line := lines[name], LineStep):

@@ -12,6 +12,7 @@ from typing import Literal
 
 import numpy as np
 
+from graphkin.base.boxes import rows_of
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import UnknownPaper
@@ -62,15 +63,8 @@ class Room:
 
     def shared(self, needs: Sequence[Sequence[complex]]) -> list[Room]:
         """Cells row by row, of these sizes [mm] and what is left; none where they do not fit."""
-        highs = [max(need.imag for need in row) for row in needs]
-        spares = [(self.size.real - sum(need.real for need in row)) / len(row) for row in needs]
-        spare, cells, top = (self.size.imag - sum(highs)) / len(needs), list[Room](), self.top
-        for row, high, more in zip(needs, highs, spares, strict=True):
-            left, low = self.left, top + high + spare
-            for need in row:
-                cells.append(Room(left, top, left := left + need.real + more, low))
-            top = low
-        return cells if min(spare, *spares) >= 0 else []
+        cells = rows_of(needs, self.size)
+        return [Room(self.left + x, self.top + y, self.left + right, self.top + low) for x, y, right, low in cells]
 
 
 _A4 = 210.0 * 297.0  # [mm^2]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -15,7 +13,6 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.say import names
 from graphkin.say.catalogue import say, say_close
-from graphkin.say.sweeps import driver_called
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, formula, number, plain
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke
@@ -24,12 +21,12 @@ from graphkin.sheet.symbols import arrow
 from graphkin.sheet.window import Entry, Figure, Window, corners
 
 if TYPE_CHECKING:
-    from graphkin.studies.sweeps.point_path import PointPath, Tick
+    from graphkin.studies.sweeps import PointPath
 
-_FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
+FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
 _TICK, _NUMBERED = 0.9, 1.5  # half of a tick [mm]
 _LONGEST, _GREAT = 16.0, 3.0  # the longest velocity [mm]; so many times most others it is left out
-_LANE, _NEAR = 2.2, 1e-3  # how far arrows keep to the right of a way that is gone to and fro [mm], as part of its size
+_LANE = 2.2  # how far arrows keep to the right of a way that is gone to and fro [mm]
 
 
 def clipped(
@@ -40,19 +37,11 @@ def clipped(
 
     if len(places) < 2:
         return
-    line = shapely.LineString([(z.real, z.imag) for z in places]).simplify(_FINE)
+    line = shapely.LineString([(z.real, z.imag) for z in places]).simplify(FINE)
     inside = shapely.clip_by_rect(line, room.left, room.top, room.right, room.bottom)
     for part in getattr(inside, "geoms", [inside]):
         if part.geom_type == "LineString" and part.length > 0.1:
             yield Stroke(tuple(complex(x, y) for x, y in part.coords), pen, step=step)
-
-
-def circle(centre: Place, radius: float, room: Room) -> list[Place]:
-    """A circle on paper as a polyline; of a very large one the part about the room."""
-    half = min(math.pi, 2 * abs(room.size) / radius) if radius > 0 else math.pi
-    start = cmath.phase(room.middle - centre)
-    count = max(120, math.ceil(half * math.sqrt(radius / _FINE)))
-    return [centre + cmath.rect(radius, start + half * (2 * k / count - 1)) for k in range(count + 1)]
 
 
 @frozen
@@ -86,7 +75,7 @@ class Paths:
         import shapely
 
         whole = window.origin + np.conj(curve.places) / window.scale
-        line = shapely.LineString(np.stack([whole.real, whole.imag], axis=-1)).simplify(_FINE)
+        line = shapely.LineString(np.stack([whole.real, whole.imag], axis=-1)).simplify(FINE)
         places = tuple(complex(x, y) for x, y in line.coords)[: -1 if curve.closed else None]
         owner = curve.course.method.mechanism.owners[curve.point][0]
         shows = Shows(owner, "path", (curve.point,), curve.course.driver.name)
@@ -103,7 +92,7 @@ class Paths:
                 yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LABEL, spare=True)
             if self.arrows and abs(tick.velocity) <= _LONGEST * self.scale:
                 along = window.turned(tick.velocity) / (self.scale * window.times)
-                start = at + _LANE * 1j * along / abs(along) if _twice(curve, tick) else at
+                start = at + _LANE * 1j * along / abs(along) if tick.both else at
                 yield from arrow(start, start + along, "velocity")
 
     @property
@@ -112,9 +101,9 @@ class Paths:
         lines: list[Label] = []
         for one in self.curves[:1]:
             driver, machine = one.course.driver, one.course.method.mechanism
-            words = {"step": one.shown(one.step), "driver": driver_called(machine, driver, self.lang)}
+            step, name = one.shown(one.step), machine.driver_title(driver, self.lang)
             which = ("angle", "spin", "slide").index(driver.kind)
-            lines.append(formula(say_close("sheet.ticks", self.lang, which=which, **words)))
+            lines.append(formula(say_close("sheet.ticks", self.lang, which=which, step=step, driver=name)))
             if self.arrows:
                 lines.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
                 if self._speeds[-1] > _LONGEST * self.scale:
@@ -122,14 +111,6 @@ class Paths:
             if self.arrows and one.seconds is not None:
                 lines.append((*plain(say("sheet.every", self.lang)), *number(one.seconds), *plain(" s")))
         return lines
-
-
-def _twice(curve: PointPath, tick: Tick) -> bool:
-    """True at a tick where the point passes the other way, too: its arrows there would lie on one another."""
-    steps, size = np.diff(curve.places), np.ptp(curve.places.real) + np.ptp(curve.places.imag)
-    part = np.clip(((tick.place - curve.places[:-1]) / np.where(steps, steps, 1.0)).real, 0, 1)
-    near = abs(curve.places[:-1] + part * steps - tick.place) < _NEAR * size
-    return bool(abs(tick.velocity) > 0 and ((steps / np.exp(1j * np.angle(tick.velocity))).real[near] < 0).any())
 
 
 NONE = Paths()

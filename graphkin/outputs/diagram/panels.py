@@ -19,7 +19,7 @@ from graphkin.running.path import Event
 from graphkin.say.catalogue import say, say_close
 from graphkin.say.names import in_signs
 from graphkin.say.numbers import degrees, given_figure, heading
-from graphkin.say.sweeps import driver_called, one_of_several, why
+from graphkin.say.sweeps import one_of_several, why
 from graphkin.say.text_table import unbraced
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.lettering import number as number_label
@@ -137,7 +137,7 @@ def across(curves: Curves, lang: Lang) -> str:
     """The name of the x axis."""
     course, driver = curves.course, curves.course.driver
     kind = "between" if driver.kind == "angle" and driver.from_vector is not None else driver.kind
-    name, unit = writable(driver_called(course.method.mechanism, driver, lang)), curves.shown(course.unit).sign
+    name, unit = writable(course.method.mechanism.driver_title(driver, lang)), curves.shown(course.unit).sign
     return say_close(f"diagrams.across {kind}", lang, name=name, unit=unit)
 
 
@@ -167,7 +167,7 @@ def about_drivers(curves: Curves, lang: Lang) -> str:
             if rate or (letter in "vω" and not still):
                 shown = curves.shown(unit)
                 parts.append(f"{letter} = {given_figure(rate * shown.factor)} {shown.sign}")
-        name = writable(driver_called(course.method.mechanism, driver, lang))
+        name = writable(course.method.mechanism.driver_title(driver, lang))
         drivers.append(f"{name}{colon}{comma.join(part.replace('-', '−') for part in parts)}")
     key = "diagrams.driver" if len(drivers) == 1 else "diagrams.drivers"
     return say_close(key, lang, names=say("common.semicolon", lang).join(drivers))
@@ -183,7 +183,7 @@ def event_mark(event: Event, lang: Lang) -> str:
 def foot_lines(curves: Curves, layout: Sequence[CurvePanel], lang: Lang) -> Iterator[str]:
     """The lines below the diagram: what one does not see in its curves, and where the driver stops or may turn."""
     machine, moved, sizes = curves.course.method.mechanism, curves.course.driver, list[Series]()
-    driver = writable(driver_called(machine, moved, lang))
+    driver = writable(machine.driver_title(moved, lang))
     yield from one_of_several(curves.course, driver, lang)
     if moved.rate < 0:
         yield say_close("diagrams.backwards", lang, driver=driver)
