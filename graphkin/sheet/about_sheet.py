@@ -201,7 +201,7 @@ class _BobillierDrawing:
             yield from self._equal_angles(made, stage)
 
     def _equal_angles(self, carried: CarriedAngle, stage: int) -> Iterator[Entry]:
-        """The angle between two rays of the pole and, nearer to it, the same between the axes: ticked, lettered arcs."""
+        """The angle between two rays of the pole and, nearer to it, the same between the axes: arcs with ticks."""
         lines, ends, (pole,) = self.solution.construction.made_by, dict[str, complex](), self.on.at(carried.at)
         for name in (carried.start, carried.end, carried.line, carried.name):
             if isinstance(line := lines[name], LineStep):

@@ -197,7 +197,7 @@ angle = 80
 
 
 def test_a_slide_that_drives_tells_its_displacement():
-    frames = motion_frames(graphkin.plan(graphkin.load("p3-21")), 4)
+    frames = motion_frames(graphkin.plan(graphkin.load("p3-22")), 4)
     driver = frames[0].mechanism.drivers[0]
     texts = ["".join(run.text for run in mark.label) for mark in frames[0].marks if isinstance(mark, Text)]
     assert driver.kind == "slide"
