@@ -62,3 +62,17 @@ def beyond(low: Array, high: Array, other_low: Array, other_high: Array) -> Arra
     """The length by which boxes would have to grow to all sides to reach others; less than 0: they overlap [mm]."""
     off = np.maximum(low - other_high, other_low - high)
     return np.asarray(np.maximum(off[0], off[1]))
+
+
+def rows_of(needs: Sequence[Sequence[complex]], size: complex) -> list[tuple[float, float, float, float]]:
+    """Boxes (left, top, right, bottom) in rows that fill a size, each as large as it needs and a like part of what is
+    left; none where they do not fit."""
+    highs = [max(need.imag for need in row) for row in needs]
+    spares = [(size.real - sum(need.real for need in row)) / len(row) for row in needs]
+    spare, boxes, top = (size.imag - sum(highs)) / len(needs), list[tuple[float, float, float, float]](), 0.0
+    for row, high, more in zip(needs, highs, spares, strict=True):
+        left, low = 0.0, top + high + spare
+        for need in row:
+            boxes.append((left, top, left := left + need.real + more, low))
+        top = low
+    return boxes if min(spare, *spares) >= 0 else []

@@ -69,6 +69,15 @@ def arc_places(centre: complex, arm: complex, start: float, end: float) -> list[
     return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]
 
 
+def circle_places(centre: complex, radius: float, middle: complex, far: float, fine: float) -> list[complex]:
+    """A circle as a polyline that stands off from it by less than `fine`; of a very large one the part that comes as
+    near as `far` to a place [mm]."""
+    half = min(math.pi, 2 * far / radius) if radius > 0 else math.pi
+    start = cmath.phase(middle - centre)
+    count = max(120, math.ceil(half * math.sqrt(radius / fine)))
+    return [centre + cmath.rect(radius, start + half * (2 * k / count - 1)) for k in range(count + 1)]
+
+
 def within(start: complex, end: complex, centre: complex, radius: float) -> tuple[complex, complex] | None:
     """The piece of a line that lies in a circle."""
     along = end - start

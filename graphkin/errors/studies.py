@@ -267,6 +267,7 @@ _NO_BOBILLIER: WordTable = {
     "translation": ("its pole is at infinity, its rays are parallel.", "瞬心在无穷远处，各射线平行。"),
     "rest": ("it stands still at this instant.", "它此刻静止。"),
     "cusp": ("the point lies at the pole; its path has a cusp.", "该点位于瞬心，轨迹在此为尖点。"),
+    "alone": ("no other point of it has a path whose centre of curvature is known.", "除该点外，没有其他已知轨迹曲率中心的点。"),
     "line": ("the points that are guided lie on one ray of the pole.", "已知曲率中心的点在同一射线上。"),
 }
 

@@ -305,6 +305,10 @@ class Mechanism:
         """The title of a sliding pair, in this language, else its name."""
         return _spoken(self.slide_titles.get(name, {}), lang) or name
 
+    def driver_title(self, driver: Driver, lang: Lang) -> str:
+        """The name of a driver for people: `AB`, a wheel's name, the title of a slide."""
+        return self.slide_title(driver.link, lang) if driver.kind == "slide" else driver.name
+
     def pair(self, name: str) -> Pair:
         return next(pair for pair in self.pairs if pair.name == name)
 

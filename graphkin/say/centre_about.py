@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from graphkin.base.geometry import place
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import catalogue, names
@@ -91,20 +92,22 @@ def _degrees(direction: complex) -> float:
 
 def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     """The source of both points, and one sentence each stage."""
-    (first, second), (q, qc) = drawn.guides, drawn.crossings
+    first, second, q, qc = drawn.guides[0], drawn.guides[-1], drawn.crossings[0], drawn.crossings[-1]
     data = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
-    data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
+    data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer, "link": drawn.seen.called}
+    data = {name: letter.replace("'", "′") for name, letter in data.items()}
+    radius = 1e3 * abs(place(drawn.board.at(drawn.answer)) - place(drawn.board.at(drawn.point)))
     stages, pivots = [], any(entry.centre[2] for entry in drawn.guides)
     for count, stage in enumerate(drawn.construction.stages, start=1):  # whose lines may be parallel
         far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
         where = " line" if stage.say == "Q" and not pivots else " far" if far else ""
         if stage.say == "axis c" and drawn.point == second.point:
             where = " same"
-        stages.append(f"{circled(count)} {say(f'about.bobillier {stage.say}{where}', lang, **data)}")
+        stages.append(f"{circled(count)} {say(f'about.bobillier {stage.say}{where}', lang, **data, radius=radius)}")
     sources = []
     for entry in drawn.guides:
         kind = "measured" if entry.measured else "pivoted" if entry.pivoted else "guided"
-        sources.append(say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written))
+        sources.append(say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written.replace("'", "′")))
     return [*sources, *stages]
 
 

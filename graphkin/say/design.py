@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import degrees
 
-from graphkin.construction.drafting import Board, Drafting
+from graphkin.construction.drafting import Board, Drafting, Stage
 from graphkin.errors import GraphkinError, Lang, NoDesign
 from graphkin.model.mechanism import Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
-from graphkin.say.figures import figures, written
+from graphkin.say.figures import enough, figures, written
 from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import SentenceNumber, sense
 from graphkin.studies.design import Design, Reason, Solution, linkage_of
@@ -32,16 +32,24 @@ def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
         ratio = written(half_turn * less / more, degrees(numbers["theta"]), _DIGITS)
         words["of_K"] = ratio.replace("180", "180°", 1)
     if {"AC1", "AC2", "a", "b"} <= numbers.keys():
-        short, long = sorted((numbers["AC1"] * 1e3, numbers["AC2"] * 1e3))
-        one, other, two = figures(short, long, 2)
-        words["half_less"] = written((other - one) / two, numbers["a"] * 1e3, _DIGITS)
-        words["half_more"] = written((one + other) / two, numbers["b"] * 1e3, _DIGITS)
+        short, long = sorted(("AC1", "AC2"), key=numbers.__getitem__)
+        one, other, two = figures(numbers[short] * 1e3, numbers[long] * 1e3, 2)
+        halves = {"a": (other - one) / two, "b": (one + other) / two}
+        count = max(enough(half, numbers[name] * 1e3, _DIGITS) for name, half in halves.items())
+        words |= {short: one.text(count), long: other.text(count)}  # one length, one figure, wherever it stands
+        words |= {"half_less": halves["a"].text(count), "half_more": halves["b"].text(count)}
     for link, divisor in (("a", "R1"), ("c", "R2")):
         if {link, divisor, "d"} <= numbers.keys():
             frame, by = figures(numbers["d"] * 1e3, numbers[divisor])
             words[f"of_{divisor}"] = written(frame / by, numbers[link] * 1e3, _DIGITS)
-    stages = ((stage.say, any(step.name == "D" for step in stage.steps)) for stage in construction.stages)
+    stages = ((stage.say, _at_rocker(stage, board)) for stage in construction.stages)
     return [say(f"design.stage {key}", lang, which=at_rocker, **words) for key, at_rocker in stages]
+
+
+def _at_rocker(stage: Stage, board: Board) -> bool:
+    """True where a stage makes D, or makes no pivot and leans on D."""
+    made = {step.name for step in stage.steps}
+    return "D" in made or ("A" not in made and "D" in board.places)
 
 
 def phrased(reason: Reason, lang: Lang) -> str:
@@ -87,6 +95,11 @@ def lines(design: Design, lang: Lang = "en") -> list[str]:
     return shown
 
 
+def swing_letter(one: Solution) -> str:
+    """The letter for all that the output turns through; ψ itself may be its direction."""
+    return "Δψ" if "psi1" in one.construction.given else "ψ"
+
+
 def _lengths(one: Solution, lang: Lang) -> str:
     """l_AB = 20.773 mm, l_BC = .. of those it has; a guide bar turns about C."""
     frame = "l_AC" if one.b is None and one.c is None else "l_AD"
@@ -95,30 +108,45 @@ def _lengths(one: Solution, lang: Lang) -> str:
     return say("common.and", lang).join(lengths)
 
 
-def faults(one: Solution, lang: Lang) -> list[str]:
+def _faults(one: Solution, lang: Lang) -> list[str]:
     """Why it does not do."""
     return [say("design.invalid", lang) + phrased(reason, lang) for reason in one.why]
 
 
+def _notes(one: Solution, lang: Lang) -> list[str]:
+    return [phrased(reason, lang) for reason in one.notes if reason.key != "kind"]
+
+
+def _slow(one: Solution, lang: Lang, key: str = "design.slow") -> list[str]:
+    """The sense of the crank in the slow stroke of a quick-return design."""
+    moving = "C" if one.shape != "guide-bar" else "B"
+    return [] if one.pace is None else [say(key, lang, sense=sense(one.pace, lang), moving=moving)]
+
+
+def judgement(one: Solution, lang: Lang) -> list[str]:
+    """All that a drawing does not show: why it does not do, how the crank is to be turned, remarks."""
+    return [*_faults(one, lang), *_slow(one, lang, "design.sheet slow"), *_notes(one, lang)]
+
+
 def _judged(one: Solution, lang: Lang) -> Iterator[str]:
-    yield from (f"  {fault}" for fault in faults(one, lang))
+    yield from (f"  {fault}" for fault in _faults(one, lang))
     try:
         proof = report(linkage_of(one))  # by its lengths alone, without the drawing
     except GraphkinError as wrong:
         yield f"  {wrong.message(lang)}"
         return
-    angles = {"ψ": proof.swing, "θ": proof.theta, "γ_min": proof.gamma_min}
+    angles = {swing_letter(one): proof.swing, "θ": proof.theta, "γ_min": proof.gamma_min}
     facts = [kind_name(proof, lang)]
     facts += [f"{name} = {SentenceNumber(value):deg}" for name, value in angles.items() if value is not None]
     facts += [f"H = {SentenceNumber(proof.stroke):mm}"] if proof.stroke is not None else []
     facts += [f"K = {SentenceNumber(proof.k):n}"] if proof.k is not None else []
-    if one.pace is not None:
-        facts.append(say("design.slow", lang, sense=sense(one.pace, lang)))
+    facts += _slow(one, lang)
     yield f"  {say('design.proof', lang)}{say('common.and', lang).join(facts)}"
-    yield from (f"  {phrased(reason, lang)}" for reason in one.notes if reason.key != "kind")
+    yield from (f"  {note}" for note in _notes(one, lang))
 
 
 def mechanism_of(solution: Solution, kind: str) -> Mechanism:
-    """The linkage driven at AB with 1 rad/s, its file as its text. kind: of the design (`Design.kind`)."""
-    machine = linkage_of(solution).mechanism(omega=1.0)
+    """The linkage driven at AB with 1 rad/s as its positions follow each other, its file as its text. kind: of the
+    design (`Design.kind`)."""
+    machine = linkage_of(solution).mechanism(omega=solution.way)
     return filed(replace(machine, name="design", file="design.toml", title=in_both(f"design.title {kind}")))

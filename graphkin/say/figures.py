@@ -165,15 +165,15 @@ def joined_sum(parts: Sequence[tuple[float, Formula]]) -> Formula:
 
 def written(formula: Formula, result: float, digits: int = DIGITS) -> str:
     """A formula with as many digits as give its result as that is printed, with so many `digits`."""
-    if noting():
-        return formula.text()
+    return formula.text() if noting() else formula.text(enough(formula, result, digits))
+
+
+def enough(formula: Formula, result: float, digits: int = DIGITS) -> int:
+    """The number of digits by which a formula gives its result as that is printed, with so many `digits`."""
     printed = number(result, digits=digits)
     room = half_unit(printed) * (1 + _CLOSE)
-    counts = range(digits, _MOST_DIGITS + 1)
-    return next(
-        (formula.text(count) for count in counts if abs(formula.worth(count) - as_read(printed)) <= room),
-        formula.text(_MOST_DIGITS),
-    )
+    counts = range(digits, _MOST_DIGITS)
+    return next((n for n in counts if abs(formula.worth(n) - as_read(printed)) <= room), _MOST_DIGITS)
 
 
 def to_digits(value: float, digits: int) -> float:

@@ -94,6 +94,39 @@ def amount(report: Report, value: float) -> str:
     return millimetres(value) if report.driver_slides else angle(value)
 
 
+def limit_caption(report: Report, lang: Lang) -> list[str]:
+    """The lines under a figure of both limits: K, and the dead points where another part drives."""
+    texts = [say("linkages.sheet limits", lang, output=report.output)]
+    if report.k is not None:
+        key = "timed" if report.timed_by else "one" if report.slow is None else "k"
+        texts.append(say(f"linkages.sheet {key}", lang, k=number(report.k), crank=report.timed_by))
+    return texts + [_dead(report, name, lang) for name in report.dead if name != report.driver][:1]
+
+
+def transmission_caption(report: Report, lang: Lang) -> list[str]:
+    """The lines under a figure of the least transmission angle."""
+    gamma, alpha = (f"{number(degrees(angle or 0.0))}°" for angle in (report.gamma_min, report.alpha_max))
+    words = {"letter": _driving(report, report.driver), "driver": report.driver, "gamma": gamma, "alpha": alpha}
+    values = ", ".join(amount(report, end.driver) for end in report.least)
+    texts = [say("linkages.sheet gamma", lang, driver=report.driver)]
+    texts.append(say("linkages.sheet least", lang, values=values, **words))
+    return texts + ([_dead(report, report.driver, lang)] if report.driver in report.dead else [])
+
+
+def _driving(report: Report, driver: str) -> str:
+    """The letter for the place of a part that drives."""
+    return "s" if driver == report.slide else "φ"
+
+
+def _dead(report: Report, driver: str, lang: Lang) -> str:
+    values, slides = report.dead[driver], driver == report.slide
+    texts = (f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else angle(value) for value in values)
+    shown, linkage = ", ".join(texts).replace("-", "−"), report.linkage
+    words = {"driver": driver, "letter": _driving(report, driver), "pivot": linkage.names[linkage.arm[0]]}
+    from_pivot = slides and driver == report.output != report.driver  # else as the file counts it
+    return say(f"linkages.sheet {'dead' if values else 'none'}", lang, which=from_pivot, values=shown, **words)
+
+
 def _sums(report: Report, lang: Lang) -> str:
     """`AB + CD = 15 + 55 = 70 mm < BC + AD = 48 + 45 = 93 mm`."""
     sizes, sums = report.linkage.sizes, report.sums

@@ -12,7 +12,7 @@ from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import EDGE, IN_GRAVITY
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.running.path import Event
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import say, say_close
 from graphkin.say.names import in_signs, relative
 from graphkin.say.numbers import at_edge, exact, number
 from graphkin.say.sizes import files_unit, in_files_unit
@@ -24,14 +24,14 @@ CONSTANT = 1e-9  # beside the value itself, less than this is no change
 _BOOK_UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")
 
 
-def _at(course: Course, t: float) -> str:
+def _at(course: Course, t: float, lang: Lang) -> str:
     """`AB = 41.2°`, by where on the path."""
-    return _named(course, float(course.value(t).real))
+    return _named(course, float(course.value(t).real), lang)
 
 
-def _named(course: Course, value: float) -> str:
+def _named(course: Course, value: float, lang: Lang) -> str:
     """`AB = 41.2°`, by the driver's value."""
-    return f"{course.driver.name} = {_in_both_units(course, value)}"
+    return f"{course.method.mechanism.driver_title(course.driver, lang)} = {_in_both_units(course, value)}"
 
 
 def _in_both_units(course: Course, value: float) -> str:
@@ -54,33 +54,34 @@ def stop_line(course: Course, stop: Event, lang: Lang) -> str:
     reason = why(stop, lang)
     if stop.kind not in ("tangent", "parallel"):
         reason = say("sweeps.dead", lang, why=reason)
-    return say("sweeps.stop", lang, at=_at(course, stop.at), why=reason)
+    return say_close("sweeps.stop", lang, at=_at(course, stop.at, lang), why=reason)
 
 
 def change_line(course: Course, change: Event, lang: Lang) -> str:
     """Where a change point is, and why."""
-    return say("sweeps.change", lang, at=_at(course, change.at), why=why(change, lang))
+    return say_close("sweeps.change", lang, at=_at(course, change.at, lang), why=why(change, lang))
 
 
 def one_of_several(course: Course, driver: str, lang: Lang) -> Iterator[str]:
     """That positions of one turn are not all there are, where the mechanism is elsewhere after it."""
     if course.full_turn and np.ptp(course.t) <= TURN + 1e-9 and (turns := course.turns()) != 1:
-        yield say("sweeps.one turn", lang, driver=driver, which=not turns, count=turns or SEEN)
+        yield say_close("sweeps.one turn", lang, driver=driver, which=not turns, count=turns or SEEN)
 
 
 def remarks(course: Course, lang: Lang) -> Iterator[str]:
     """The range of the driver, and what it passes through."""
+    driver = course.method.mechanism.driver_title(course.driver, lang)
     if not course.full_turn:
         low, high = (_in_both_units(course, value) for value in course.reach)
-        yield say("sweeps.range", lang, driver=course.driver.name, low=low, high=high)
+        yield say_close("sweeps.range", lang, driver=driver, low=low, high=high)
         yield from (stop_line(course, stop, lang) for stop in course.stops)
         if link := _driven_through(course):
             yield say("sweeps.driven through", lang, link=link)
         stops = [stop.at for stop in course.path.stops]
         for end, side in ((course.path.low, -1), (course.path.high, 1)):
             if not any(stop * side > 0 for stop in stops):  # nothing stops it there but that no one looked farther
-                yield say("sweeps.open", lang, at=_at(course, end))
-    yield from one_of_several(course, course.driver.name, lang)
+                yield say_close("sweeps.open", lang, at=_at(course, end, lang))
+    yield from one_of_several(course, driver, lang)
     yield from (change_line(course, change, lang) for change in course.changes)
     if course.dropped.size:
         yield say("sweeps.dropped", lang, count=course.dropped.size)
@@ -109,7 +110,7 @@ def _driven_through(course: Course) -> str:
 def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]:
     """That positions were left out, by the driver's values there."""
     if undefined.size:
-        yield say("sweeps.undefined", lang, count=undefined.size, at=_named(course, float(undefined[0])))
+        yield say("sweeps.undefined", lang, count=undefined.size, at=_named(course, float(undefined[0]), lang))
 
 
 def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
@@ -123,7 +124,7 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
             yield say("sweeps.constant", lang, name=name, value=value)
             continue
         for which, k in enumerate((_first_greatest(values), _first_greatest(-values))):
-            place = _named(sweep.course, float(sweep.driven[k]))
+            place = _named(sweep.course, float(sweep.driven[k]), lang)
             value = in_signs(_value(sweep, entry, float(values[k])))
             yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
 

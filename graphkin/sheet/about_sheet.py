@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from graphkin.base.geometry import place as as_place
+from graphkin.base.lines import circle_places
 from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -20,11 +21,11 @@ from graphkin.sheet.centre_figure import INFINITY, centre_label, coordinates
 from graphkin.sheet.drafting_figure import DraftingFigure, angle, named, pointer, spot
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label, quantity_label
-from graphkin.sheet.marks import Fill
+from graphkin.sheet.marks import Fill, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.path_figure import circle, clipped
+from graphkin.sheet.path_figure import FINE, clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.titleblock import Strip, Table
 from graphkin.sheet.window import Entry, Figure, enlarged
@@ -37,9 +38,9 @@ _LONGEST = 28.0  # the longest velocity arrow [mm]
 _AXIS = 38.0  # half of the pole tangent, and of the normal [mm]
 _TOWARDS = 30.0  # how far a ray goes to a pole that is not on the paper [mm]
 
-_CURVATURE, _ARC, _WITHIN, _INSIDE = 2.6, 12.0, 0.8, 14.0
-"""So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm], and how far out
-on the shortest of their lines they lie at most; how far from the edge an arrow to what is too far ends [mm]."""
+_CURVATURE, _ARC, _WITHIN, _NEARER, _TICK, _INSIDE = 2.6, 12.0, 0.8, 0.85, 1.0, 6.0
+"""So many times larger Bobillier's figure may become; the length of the arcs of its equal angles [mm], how far out they
+lie on the shortest of their lines, one against the other, half of a tick; the end of an arrow from the edge [mm]."""
 
 
 def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
@@ -107,7 +108,8 @@ class _LinkDrawing:
             return
         pens: tuple[PenName, ...] = ("thin", "dashed")
         both = link.inflection, link.returning
-        rims = [circle(window(each.centre), each.radius / window.scale, room) for each in both]
+        seen = room.middle, abs(room.size), FINE
+        rims = [circle_places(window(each.centre), each.radius / window.scale, *seen) for each in both]
         every = [list(clipped(rim, room, pen)) for rim, pen in zip(rims, pens, strict=True)]
         for own, others, words in zip(every, every[::-1], ("inflection", "return"), strict=True):
             yield from own
@@ -199,7 +201,7 @@ class _BobillierDrawing:
             yield from self._equal_angles(made, stage)
 
     def _equal_angles(self, carried: CarriedAngle, stage: int) -> Iterator[Entry]:
-        """The angle between two rays of the pole, and the same between the axes: lettered arcs of one radius."""
+        """The angle between two rays of the pole and, nearer to it, the same between the axes: arcs with ticks."""
         lines, ends, (pole,) = self.solution.construction.made_by, dict[str, complex](), self.on.at(carried.at)
         for name in (carried.start, carried.end, carried.line, carried.name):
             if isinstance(line := lines[name], LineStep):
@@ -208,14 +210,17 @@ class _BobillierDrawing:
         if not all(ends.values()) or not self.on.room.holds(pole):
             return
         turn = cmath.phase((ends[carried.end] / ends[carried.start]) ** 2) / 2  # of lines: by less than a right angle
-        radius = min(_ARC / min(abs(turn) + 1e-9, 1.0), _WITHIN * min(map(abs, ends.values())))
-        for first in (ends[name] * cmath.rect(1, -turn) for name in (carried.end, carried.name)):
+        most = min(_ARC / min(abs(turn) + 1e-9, 1.0), _WITHIN * min(map(abs, ends.values())))
+        for name, radius in ((carried.end, most), (carried.name, _NEARER * most)):
+            first = ends[name] * cmath.rect(1, -turn)
             yield from angle(pole, first, turn, radius, plain("δ", italic=True), stage, heads=False)
+            middle = ends[name] / abs(ends[name]) * cmath.rect(1, -turn / 2)
+            yield Stroke((pole + (radius - _TICK) * middle, pole + (radius + _TICK) * middle), "thin", step=stage)
 
     def points(self, new: bool) -> Iterator[Entry]:
         """The points of the construction; new: and the point itself, where the mechanism does not show it."""
         point, solution = self.solution.point, self.solution
-        labels = {point: point_label(point), solution.crossings[1]: quantity_label("Q", point),
+        labels = {point: point_label(point), solution.crossings[-1]: quantity_label("Q", point),
                   solution.answer: quantity_label("K", point)}  # fmt: skip
         made = (step.name for step in solution.construction.steps if isinstance(step, PointStep))
         for name, stage in [*[(point, None)] * new, *((name, solution.construction.born(name)) for name in made)]:
@@ -223,7 +228,6 @@ class _BobillierDrawing:
             for at in self.on.at(name):
                 if self.on.room.holds(at):
                     yield from spot(at, label, step=stage)
-                elif name == solution.answer:  # too far off: its direction from the point, and its distance
+                elif name == solution.answer:  # too far off: its direction from the point
                     start, inside = *self.on.at(point), self.on.room.inset(_INSIDE, _INSIDE, _INSIDE)
-                    far = Run(", "), Run("ρ", True), Run(" = "), *number(1e3 * self.on.window.scale * abs(at - start))
-                    yield from pointer(start, at, inside, (*label, *far, Run(" mm")), stage)
+                    yield from pointer(start, at, inside, (Run("→ "), *label), stage)

@@ -22,7 +22,7 @@ from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.proof.roads import proved
 from graphkin.say.catalogue import say
-from graphkin.say.design import error, faults, mechanism_of, sentences
+from graphkin.say.design import error, judgement, mechanism_of, sentences, swing_letter
 from graphkin.say.numbers import circled
 from graphkin.sheet import symbols
 from graphkin.sheet.drafting_figure import NEAR, DraftingFigure, angle, spot
@@ -51,7 +51,7 @@ def design_sheet(design: Design, *, paper: str | None = None, lang: Lang = "en")
     method = planning.plan(mechanism_of(chosen, design.kind))
     plot, last = proved(method).plot, len(chosen.construction.stages) + 1
     told = [f"{circled(k)} {text}" for k, text in enumerate(sentences(chosen.construction, chosen.board(), lang), 1)]
-    on = _page(chosen, method, plot, paper, [*told, *faults(chosen, lang)])
+    on = _page(chosen, method, plot, paper, [*told, *judgement(chosen, lang)])
     drafting = DraftingFigure(chosen.construction, chosen.board(), on.window, on.room)
     figure, machine = DesignFigure(chosen, drafting, design.families).figure(), on.mechanism(plot).numbered(last)
     named = {want.label for want in figure.wanted}  # pivots are lettered from the start; the end of a bar not at all
@@ -68,7 +68,8 @@ def _page(one: Solution, method: Method, plot: Plot, paper: str | None, told: Se
     if "locus" in board.circles:
         centre, radius = geometry.place(board.circles["locus"][0]), geometry.number(board.circles["locus"][1])
         values = enlarged(values, [centre + radius * side for side in (1, 1j, -1, -1j)], _MOST)
-    return place_for(method, [plot], values, paper, Strip([found_sizes(report(linkage_of(one)))], told))
+    sizes = found_sizes(report(linkage_of(one)), swing=swing_letter(one))
+    return place_for(method, [plot], values, paper, Strip([sizes], told))
 
 
 _DOT = 0.45

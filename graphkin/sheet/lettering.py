@@ -202,11 +202,11 @@ _RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
 _LOW = r"(?:[^\s()（）/|²³·→、。，；：:,;.]|[,.](?=\w))+"
 _SIGN = (
     r"(?P<letter>[A-Za-zα-ωṡ]\u0308?)(?P<part>[ⁿᵗᵏʳ]*)"
-    rf"(?:_(?P<low>{_LOW})|(?P<digits>\d+))(?P<power>[²³]?)(?![A-Za-z])"
+    rf"(?:_(?P<low>{_LOW})|(?P<digits>\d+)|(?<=[ⁿᵗᵏʳ]))(?P<power>[²³]?)(?![A-Za-z])"
 )
 _POINT = re.compile(r"[A-Z][0-9]*′*")
 _POINTS = rf"(?:(?<=[⊥∥→·∆])|(?<=× )|(?<=[A-Z\d]/))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
-_NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z′]*\d)(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
+_NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z]*[\d′])(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
 _NODE = re.compile(r"[a-z]\d*(?:_\d+|,\d+(?=′))?′*(?:(?<=′)\d+′*)?")
 _CORNER_LETTER = r"(?:[a-z](?=_[a-z])|(?![ervxy]_[A-Z])[b-km-ru-z])"  # of n_lever′, n_OA′; v_E′ is a motion of E′
 _WITH_WORD = rf"[A-Za-z]\d*′+_[^\W\d_]\w*′*|{_CORNER_LETTER}_[^\W\d_]\w*′+"  # b′_lever″, too
@@ -219,7 +219,8 @@ _STRETCH = (
     r"|(?<= on )[a-z]\d*[a-z]\d*(?=[,.] )|(?<=: )[a-z]\d*[a-z]\d*(?=, carried)"
 )
 _ALONE = (  # `θ`, `K`, `AD`, `p`, `A` and `a` of a sentence where they are no words
-    r"[α-ωΑ-Ω](?!\w)|(?<![\w°′’'\-])(?:[B-HJ-Z]|[A-HK-S]{2}|[A-H]{3,4}|A(?=[,.;:)、，。；）]|$| [\u4e00-\u9fff(（]))"
+    r"[α-ωΑ-Ω](?!\w)|(?<!\w)(?:m?C[mn](?!\w)|[av](?=²))"
+    r"|(?<![\w°′’'\-])(?:[B-HJ-Z]|[A-HK-S]{2}|[A-H]{3,4}|A(?=[,.;:)、，。；）]|$| [\u4e00-\u9fff(（]))"
     r"(?![\w'’\-])|(?<=[^\s.:;] )A(?![\w'’\-])|A(?= (?:is|lies|moves|stays|above|below) )"
     r"|(?<![\w'’./(（°\-])(?<![^a-z]\d )(?<!^\d )(?:[b-ln-rt-z]"
     r"|a(?=[,;:)、，。；）]| ?[⊥∥\u4e00-\u9fff]| (?:lies|is|[=∽]) | and [a-z]\d*′*[ ,.]))′*(?![\w'’\-]|/min|\.[A-Za-z])"
@@ -255,7 +256,7 @@ def points_label(text: str) -> Label:
 def _sign(match: re.Match[str]) -> list[Run]:
     """A letter, its subscript in italics (not so digits, Chinese, min and max), and its part or power above that."""
     letter, part, low, digits, power = match.group("letter", "part", "low", "digits", "power")
-    low = low or digits  # points that bear the number of their link after a digit: `{B1_3,B1_2}`, as labels have it
+    low = low or digits or ""  # points that bear the number of their link after a digit: `{B1_3,B1_2}`, as in labels
     several = low.startswith("{") or ("_" in low and "," in low)
     low = low.strip("{}").replace("_", " ").replace(",", ", ") if several else low.replace("@", " ")
     runs = quantity_label(letter, low, "".join(_RAISED[c] for c in part))

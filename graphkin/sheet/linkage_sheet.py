@@ -13,14 +13,11 @@ from dataclasses import replace
 from functools import partial
 from itertools import combinations
 
-import numpy as np
-
 from graphkin.base.lines import away_from
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
-from graphkin.say import numbers
 from graphkin.say.catalogue import say
-from graphkin.say.linkages import amount, kind_name, titled
+from graphkin.say.linkages import kind_name, limit_caption, titled, transmission_caption
 from graphkin.say.reading import capitalized
 from graphkin.sheet import lettering, symbols
 from graphkin.sheet.drafting_figure import angle
@@ -71,61 +68,41 @@ def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
 
 
 def _pictures(one: Report, lang: Lang, several: bool) -> list[Picture]:
-    """Limits and transmission angles; with `several`, captions begin with the letters of the linkage."""
-    start = f"{SCALE} {''.join(one.linkage.names)}: " if several else ""
+    """Limits and transmission angles; with `several`, captions have the letters of the linkage and its own scale."""
+    start = f"{''.join(one.linkage.names)}: " if several else ""
     pictures = [_limits(one, lang, start)] if one.limits else []
     if one.critical and one.gamma_min is not None and not one.level:
         pictures.append(_transmission(one, lang, start))
     ends = one.critical[:2]
-    return pictures or [_picture(ends, partial(drawn_over, one.linkage, ends), start + kind_name(one, lang))]
+    pictures = pictures or [_picture(ends, partial(drawn_over, one.linkage, ends), start + kind_name(one, lang))]
+    return [replace(each, texts=(*each.texts, SCALE)) for each in pictures] if several else pictures
 
 
 def _limits(one: Report, lang: Lang, start: str) -> Picture:
     def draw(window: Window) -> Figure:
         return Figure.of(_limit_angles(one, window)) + drawn_over(one.linkage, one.limits, window, around=one.critical)
 
-    texts = [start + say("linkages.sheet limits", lang, output=one.output)]
-    if one.k is not None:
-        key = "timed" if one.timed_by else "one" if one.slow is None else "k"
-        texts.append(say(f"linkages.sheet {key}", lang, k=numbers.number(one.k), crank=one.timed_by))
-    texts += [_dead(one, name, lang) for name in one.dead if name != one.driver][:1]
-    return _picture(one.limits, draw, *texts, ground=_on_ground(one))
+    head, *more = limit_caption(one, lang)
+    return _picture(one.limits, draw, start + head, *more, ground=one.guided)
 
 
 def _transmission(one: Report, lang: Lang, start: str) -> Picture:
     """The position of the least transmission angle, and one to compare it with; first one that is not folded flat."""
-    shown = sorted((one.least[0], *[end for end in one.critical if end is not one.least[0]][:1]), key=_flat)
-    shown = [one.linkage.drawn, shown[0]] if _flat(shown[0]) else shown
+    others = [end for end in one.critical if end is not one.least[0]]
+    shown = sorted((one.least[0], *others[:1]), key=lambda end: end.is_flat)
+    shown = [one.linkage.drawn, shown[0]] if shown[0].is_flat else shown
 
     def draw(window: Window) -> Figure:
         linkage = drawn_over(one.linkage, shown, window, True, (*one.limits, *one.critical))
         return Figure.of(_transmission_angles(one, shown, window)) + linkage
 
-    gamma, alpha = (f"{numbers.number(math.degrees(angle or 0.0))}°" for angle in (one.gamma_min, one.alpha_max))
-    letter, values = "s" if one.driver == one.slide else "φ", ", ".join(amount(one, end.driver) for end in one.least)
-    least = say("linkages.sheet least", lang, gamma=gamma, alpha=alpha, letter=letter, driver=one.driver, values=values)
-    dead = [_dead(one, one.driver, lang)] if one.driver in one.dead else []
-    head = start + say("linkages.sheet gamma", lang, driver=one.driver)
-    return _picture(shown, draw, head, least, *dead, ground=_on_ground(one))
+    head, *more = transmission_caption(one, lang)
+    return _picture(shown, draw, start + head, *more, ground=one.guided)
 
 
-def _on_ground(one: Report) -> list[complex]:
-    """The places on a fixed guide, which is drawn as far in each figure [m]."""
-    guided = {slide.point for slide in one.linkage.mechanism().slides if slide.guide == FRAME}
-    ends = (zip(one.linkage.names, end.places, strict=True) for end in (*one.limits, *one.critical))
-    return [place for end in ends for name, place in end if name in guided]
-
-
-def _dead(one: Report, driver: str, lang: Lang) -> str:
-    values, slides = one.dead[driver], driver == one.slide
-    texts = (f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else numbers.angle(value) for value in values)
-    shown = ", ".join(texts).replace("-", "−")
-    return say(f"linkages.sheet {'dead' if values else 'none'}", lang, driver=driver, values=shown)
-
-
-def found_sizes(one: Report, name: str = "") -> Table:
-    """Its lengths, and what is found of it; among several after its name."""
-    turn, psi, theta, high, k = math.degrees(1), *(quantity_label(letter, "") for letter in "ψθHK")
+def found_sizes(one: Report, name: str = "", swing: str = "ψ") -> Table:
+    """Its lengths, and what is found of it; among several after its name. swing: what its output's range is called."""
+    turn, psi, theta, high, k = math.degrees(1), *(plain(letter, True) for letter in (swing, *"θHK"))
     least, most = quantity_label("γ", "min"), quantity_label("α", "max")
     sizes: list[tuple[Label, float | None, float, str]] = []
     sizes += [(points_label(link), size, 1e3, " mm") for link, size in one.linkage.sizes.items()]
@@ -150,13 +127,6 @@ _PAST_BLOCK = 6.5  # side of the square in a right angle where it is to be seen 
 def _picture(positions: Row, draw: Callable[[Window], Figure], *texts: str, ground: Sequence[complex] = ()) -> Picture:
     places = [*ground, *(place for position in positions for place in position.places)]
     return Picture(Extent.of(places, draw), draw, texts)
-
-
-def _flat(position: LinkagePosition) -> bool:
-    """True where all its points are on one line."""
-    places = np.array(position.places) - position.places[0]
-    along = places[np.abs(places).argmax()]
-    return bool((np.abs((places / along).imag) < 1e-6).all())
 
 
 def on_paper(position: LinkagePosition, window: Window) -> list[Place]:

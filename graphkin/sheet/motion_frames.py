@@ -10,6 +10,7 @@ ends say as much. What is asked for stands under the headings with its running v
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, cached_property
@@ -79,7 +80,7 @@ def motion_frames(
              for t in moved.evenly(count, turns)]  # fmt: skip
     plots = [replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))) for t in times]
     papers = [one for one in papers_for(paper) if one.width > one.height or paper]  # as screens are
-    values = _running_values(moved, times)
+    values = _running_values(moved, times, lang, turns)
     figures = [MotionFigure(method, plots, plane, lang, not turns, values.get(plane, ()))
                for plane in ((only,) if only else PLANES)]  # fmt: skip
     extents = {figure.plane: figure.extent(figure.smaller) for figure in figures}
@@ -89,19 +90,24 @@ def motion_frames(
             for plot, each in zip(plots, panels, strict=True)]  # fmt: skip
 
 
-def _running_values(moved: Course, times: Sequence[float]) -> dict[Plane, list[list[Label]]]:
-    """Values of what is asked, and of the driver: by plane a row a quantity, in it a label a position."""
-    machine, driver = moved.method.mechanism, moved.driver
-    turns = driver.kind == "angle" and driver.from_vector is None
-    names = [f"theta {driver.link}"] if turns else []
-    names = [*names, *(name for name in drawable(machine, asked(machine)) if centre_of(machine, name) is None)]
-    rows: dict[Plane, list[list[Label]]] = {}
-    for series in quantities_at(moved, [*dict.fromkeys(names)], np.array(times)).series:
-        unit, values, letters = EDGE[series.unit], series.signed * EDGE[series.unit].factor, label_of(series.quantity)
-        if [series.name] == names[:1] and turns:  # as the sheets have it
-            letters, values = quantity_label("φ", machine.called(driver.link)), values % 360
-        row = [valued(letters, value, unit.after) for value in values]
-        rows.setdefault(_PLANE.get(series.unit, "position"), []).append(row)
+def _running_values(moved: Course, times: Sequence[float], lang: Lang, turns: int) -> dict[Plane, list[list[Label]]]:
+    """Values of the driver and of what is asked: by plane a row a quantity, in it a label a position. Sizes, as in the
+    polygons, with the sense of what turns."""
+    machine, driver, t = moved.method.mechanism, moved.driver, np.array(times)
+    of = machine.called(driver.link) if driver.kind == "angle" else machine.driver_title(driver, lang)
+    letters = quantity_label("s" if driver.kind == "slide" else "φ", driver.name if driver.from_vector else of)
+    unit, driven = EDGE[moved.unit], np.asarray(moved.value(t))
+    driven = (driven % (math.tau * max(1, turns)) if moved.angular else driven) * unit.factor
+    rows: dict[Plane, list[list[Label]]] = {"position": [[valued(letters, value, unit.after) for value in driven]]}
+    names = (name for name in drawable(machine, asked(machine)) if centre_of(machine, name) is None)
+    for series in quantities_at(moved, [*dict.fromkeys(names)], t).series:
+        unit, values, letters = EDGE[series.unit], series.values, label_of(series.quantity)
+        turns = series.unit.startswith("rad/")
+        senses = [f" {say('sheet.sense', lang, which=int(v < 0))}" if turns and v else "" for v in values]
+        sizes = (valued(letters, (abs(v) if turns else v) * unit.factor, unit.after) for v in values)
+        row = [(*size, *plain(sense)) for size, sense in zip(sizes, senses, strict=True)]
+        if row not in (every := rows.setdefault(_PLANE.get(series.unit, "position"), [])):
+            every.append(row)
     return {plane: every[:_ROWS] for plane, every in rows.items()}
 
 

@@ -6,12 +6,13 @@ Sizes are in millimetres. A scale is what one millimetre on paper stands for: mu
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Literal
 
 import numpy as np
 
+from graphkin.base.boxes import rows_of
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import UnknownPaper
@@ -59,6 +60,11 @@ class Room:
         wide, high = self.size.real / columns, self.size.imag / -(-count // columns)
         corners = ((self.left + k % columns * wide, self.top + k // columns * high) for k in range(count))
         return [Room(left, top, left + wide, top + high) for left, top in corners]
+
+    def shared(self, needs: Sequence[Sequence[complex]]) -> list[Room]:
+        """Cells row by row, of these sizes [mm] and what is left; none where they do not fit."""
+        cells = rows_of(needs, self.size)
+        return [Room(self.left + x, self.top + y, self.left + right, self.top + low) for x, y, right, low in cells]
 
 
 _A4 = 210.0 * 297.0  # [mm^2]

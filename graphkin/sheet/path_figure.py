@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -14,9 +12,9 @@ from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.say import names
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import say, say_close
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.lettering import LEAST, Label, formula, number, plain
+from graphkin.sheet.lettering import LABEL, Label, formula, number, plain
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.symbols import arrow
@@ -25,9 +23,10 @@ from graphkin.sheet.window import Entry, Figure, Window, corners
 if TYPE_CHECKING:
     from graphkin.studies.sweeps import PointPath
 
-_FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
+FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
 _TICK, _NUMBERED = 0.9, 1.5  # half of a tick [mm]
 _LONGEST, _GREAT = 16.0, 3.0  # the longest velocity [mm]; so many times most others it is left out
+_LANE = 2.2  # how far arrows keep to the right of a way that is gone to and fro [mm]
 
 
 def clipped(
@@ -38,19 +37,11 @@ def clipped(
 
     if len(places) < 2:
         return
-    line = shapely.LineString([(z.real, z.imag) for z in places]).simplify(_FINE)
+    line = shapely.LineString([(z.real, z.imag) for z in places]).simplify(FINE)
     inside = shapely.clip_by_rect(line, room.left, room.top, room.right, room.bottom)
     for part in getattr(inside, "geoms", [inside]):
         if part.geom_type == "LineString" and part.length > 0.1:
             yield Stroke(tuple(complex(x, y) for x, y in part.coords), pen, step=step)
-
-
-def circle(centre: Place, radius: float, room: Room) -> list[Place]:
-    """A circle on paper as a polyline; of a very large one the part about the room."""
-    half = min(math.pi, 2 * abs(room.size) / radius) if radius > 0 else math.pi
-    start = cmath.phase(room.middle - centre)
-    count = max(120, math.ceil(half * math.sqrt(radius / _FINE)))
-    return [centre + cmath.rect(radius, start + half * (2 * k / count - 1)) for k in range(count + 1)]
 
 
 @frozen
@@ -84,31 +75,35 @@ class Paths:
         import shapely
 
         whole = window.origin + np.conj(curve.places) / window.scale
-        line = shapely.LineString(np.stack([whole.real, whole.imag], axis=-1)).simplify(_FINE)
+        line = shapely.LineString(np.stack([whole.real, whole.imag], axis=-1)).simplify(FINE)
         places = tuple(complex(x, y) for x, y in line.coords)[: -1 if curve.closed else None]
         owner = curve.course.method.mechanism.owners[curve.point][0]
         shows = Shows(owner, "path", (curve.point,), curve.course.driver.name)
         yield Stroke(places, "outline", closed=curve.closed, shows=shows)
         middle, at = complex(np.mean(places)), places[len(places) // 8]
         name = formula(say("sheet.path of", self.lang, point=names.point(curve.point)))
-        yield LabelRequest(name, at, gap=1.2, away=at - middle, size=LEAST)
+        yield LabelRequest(name, at, gap=1.2, away=at - middle, size=LABEL)
         for tick in curve.ticks:
             at, across = window(tick.place), window.turned(tick.way) * 1j
             half = _NUMBERED if tick.numbered else _TICK
             yield Stroke((at - half * across, at + half * across), "thin") if across else Disc(at, half / 2, "thin")
             if tick.numbered:
                 value = plain(curve.shown(tick.value))
-                yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LEAST, spare=True)
+                yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LABEL, spare=True)
             if self.arrows and abs(tick.velocity) <= _LONGEST * self.scale:
-                yield from arrow(at, at + window.turned(tick.velocity) / (self.scale * window.times), "velocity")
+                along = window.turned(tick.velocity) / (self.scale * window.times)
+                start = at + _LANE * 1j * along / abs(along) if tick.both else at
+                yield from arrow(start, start + along, "velocity")
 
     @property
     def lines(self) -> list[Label]:
         """From tick to tick, and the scale of the velocities."""
         lines: list[Label] = []
         for one in self.curves[:1]:
-            driver, step = one.course.driver.name, one.shown(one.step)
-            lines.append(formula(say("sheet.ticks", self.lang, step=step, driver=driver)))
+            driver, machine = one.course.driver, one.course.method.mechanism
+            step, name = one.shown(one.step), machine.driver_title(driver, self.lang)
+            which = ("angle", "spin", "slide").index(driver.kind)
+            lines.append(formula(say_close("sheet.ticks", self.lang, which=which, step=step, driver=name)))
             if self.arrows:
                 lines.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
                 if self._speeds[-1] > _LONGEST * self.scale:

@@ -173,7 +173,7 @@ class _PlaneTables:
                 text, unit = lines.result(quantity), EDGE[quantity.unit].sign
                 figure = text.removesuffix(unit).rstrip()
                 unit = "" if figure == text else unit
-            rows.append((bold(_unit(label, unit) if unit else label), bold(formula(figure))))
+            rows.append((bold(_unit(label, unit) if unit else (*label, Run(" ="))), bold(formula(figure))))
         return Table((plain({"en": "asked", "zh": "所求"}[self.lang]), ()), tuple(rows))
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import log
 
+from graphkin.base.scales import finer
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
@@ -13,11 +14,11 @@ from graphkin.planning import Method
 from graphkin.sheet.composition import Planes
 from graphkin.sheet.drafting_figure import together
 from graphkin.sheet.layout import HEAD, Layout, lay_out
-from graphkin.sheet.lettering import LABEL, formula, width
+from graphkin.sheet.lettering import LABEL, Label, formula, width
 from graphkin.sheet.marks import Text
 from graphkin.sheet.mechanism_figure import plain_mechanism, plainly
 from graphkin.sheet.page import Page, Panel, Sheet, heading
-from graphkin.sheet.paper import Paper, Room, papers_for
+from graphkin.sheet.paper import Paper, Room, papers_for, written
 from graphkin.sheet.text_blocks import broken
 from graphkin.sheet.titleblock import Strip
 from graphkin.sheet.window import Extent, Figure, Window
@@ -87,8 +88,8 @@ def problem_picture(method: Method, plot: Plot, size: complex, lang: Lang) -> Sh
 # --- one grid for sheets of several figures ---------------------------------------------------------------------------
 
 
-SCALE = "(1: )"
-"""Stands in a caption for the scale of its figure."""
+SCALE = "μ_l"
+"""A line of a caption that stands for the scale of its figure."""
 _PITCH, _SIDES, _FOOT = 1.35 * LABEL, 3.0, 4.5
 """From line to line of captions; what stays free beside them, and at their top and foot together [mm]."""
 
@@ -101,9 +102,16 @@ class Picture:
     draw: Callable[[Window], Figure]
     texts: Sequence[str] = ()
 
-    def lines(self, wide: float) -> list[str]:
+    def lines(self, wide: float, scale: float = 1.0) -> list[Label]:
         """Its caption in a cell of that width [mm]."""
-        return [line for text in self.texts for line in broken(text, wide - 2 * _SIDES, LABEL)]
+        lines = (line for text in self.texts for line in broken(text, wide - 2 * _SIDES, LABEL))
+        return [written("position", scale) if line == SCALE else formula(line) for line in lines]
+
+    def need(self, wide: float, foot: float, scale: float) -> complex:
+        """The least cell at a scale for its figure and for its caption as it is in a cell of that width [mm]."""
+        least = max((width(line, LABEL) for line in self.lines(wide, scale)), default=0.0) + 2 * _SIDES
+        size = self.extent.cut_out(scale).size
+        return complex(max(size.real, least), size.imag + foot)
 
     def panel(self, cell: Room, foot: float, scale: float) -> Panel:
         """On paper, its caption in the foot of its cell."""
@@ -111,8 +119,7 @@ class Picture:
         return Panel(self.draw(window), window, cell.inset(1, 1, foot), tuple(self.caption(cell, foot, scale)))
 
     def caption(self, cell: Room, foot: float, scale: float = 1.0) -> Iterator[Text]:
-        for k, line in enumerate(self.lines(cell.size.real), start=1):
-            label = formula(line.replace(SCALE, f"(1:{scale * 1e3:g})"))
+        for k, label in enumerate(self.lines(cell.size.real, scale), start=1):
             corner = complex(cell.middle.real - width(label, LABEL) / 2, cell.bottom - foot + k * _PITCH)
             yield Text(label, corner, LABEL)
 
@@ -125,15 +132,25 @@ def foot_of(pictures: Iterable[Picture], wide: float) -> float:
 def gridded(
     groups: Sequence[Sequence[Picture]], paper: Paper, strip: Strip, head: float = 0.0
 ) -> tuple[float, list[Panel]]:
-    """Pictures in equal cells over a strip, each group at one scale, in as many columns as make them largest; and the
-    coarsest of the scales [m/mm]; head: room over them [mm]."""
-    field, _ = paper.divided(strip.height(paper))
+    """Pictures in rows over a strip, each group at one scale, in as many columns as make them largest; and the coarsest
+    of the scales [m/mm]; head: room over them [mm]."""
+    field = paper.divided(strip.height(paper))[0].inset(0, head, 0)
     every = [(picture, number) for number, group in enumerate(groups) for picture in group]
     tried = list[tuple[float, float, list[Room], list[float]]]()
     for columns in range(1, len(every) + 1):
-        cells = field.inset(0, head, 0).cells(len(every), columns)
-        foot = foot_of((picture for picture, _ in every), cells[0].size.real)
-        scales = [max(one.extent.scale(cells[0].inset(0, 0, foot)) for one in group) for group in groups]
+        equal = field.cells(len(every), columns)
+        wide = equal[0].size.real
+        foot = foot_of((picture for picture, _ in every), wide)
+        scales = [max(one.extent.scale(equal[0].inset(0, 0, foot)) for one in group) for group in groups]
+        rows, cells = [every[k : k + columns] for k in range(0, len(every), columns)], equal
+        free = {k for k, group in enumerate(groups) if all(one.extent.given is None for one in group)}
+        while free:  # of what others leave free the smallest figure is made larger, as long as one can be
+            small = min(free, key=lambda k: max(one.extent.longest for one in groups[k]) / scales[k])
+            more = [finer(scale) if k == small else scale for k, scale in enumerate(scales)]
+            if found := field.shared([[one.need(wide, foot, more[of]) for one, of in row] for row in rows]):
+                scales, cells = more, found
+            else:
+                free.remove(small)
         tried.append((sum(map(log, scales)), foot, cells, scales))
     _, foot, cells, scales = min(tried, key=lambda one: one[0])
     each = zip(every, cells, strict=True)

@@ -153,3 +153,52 @@ def test_a_motion_that_starts_at_a_dead_point_is_refused_as_its_sheet_is():
     """A tenth of a micron short of its reach: there is a way to go, of 0.005 deg."""
     with pytest.raises(DeadPoint):
         motion_frames(graphkin.plan(graphkin.loads(STRETCHED)))
+
+
+@pytest.mark.parametrize(("drive", "told"), [
+    ('link = "1"\nomega = "90 rpm"', "φ1 = 30°"), ('vector = "OC"\nangle = 25\nomega = 3', "φH = 25°"),
+])  # fmt: skip
+def test_the_drivers_place_and_the_sense_of_what_turns_are_told(drive: str, told: str):
+    """Of a driver without a direction the angle from the drawn position on; no sign that nobody explains."""
+    pose = '[[pose]]\nvector = "OC"\nangle = 25\n' * ("link" in drive)
+    machine = graphkin.loads(PLANETARY.format(drive=drive, pose=pose))
+    frames = motion_frames(graphkin.plan(machine), 12)
+    texts = ["".join(run.text for run in mark.label) for frame in frames for mark in frame.marks if isinstance(mark, Text)]
+    assert told in texts
+    assert any(text.startswith("ω2 = ") and text.endswith(" cw") for text in texts)
+    assert not any("= −" in text for text in texts)
+
+
+PLANETARY = """
+ask = ["omega 2", "v P"]
+[frame]
+O = [0, 0]
+[links.1]
+points = ["O"]
+[links.H]
+OC = 45
+[links.2]
+CP = 15
+[[gear]]
+links = ["1", "2"]
+centres = ["O", "C"]
+radii = [30, 15]
+[[gear]]
+links = ["2", "frame"]
+centres = ["C", "O"]
+radii = [15, 60]
+internal = true
+[[driver]]
+{drive}
+{pose}[[pose]]
+vector = "CP"
+angle = 80
+"""
+
+
+def test_a_slide_that_drives_tells_its_displacement():
+    frames = motion_frames(graphkin.plan(graphkin.load("p3-22")), 4)
+    driver = frames[0].mechanism.drivers[0]
+    texts = ["".join(run.text for run in mark.label) for mark in frames[0].marks if isinstance(mark, Text)]
+    assert driver.kind == "slide"
+    assert any(text.startswith("s") and text.endswith(" mm") for text in texts)

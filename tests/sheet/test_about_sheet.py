@@ -12,7 +12,7 @@ from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, UnknownPaper
 from graphkin.sheet.about_sheet import about_sheet, bobillier_sheet
-from graphkin.sheet.marks import Disc, Stroke, Text
+from graphkin.sheet.marks import ArcMark, Disc, Stroke, Text
 from graphkin.sheet.page import step_sheets
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.about import About, Circle, about
@@ -114,3 +114,17 @@ def test_bobillier_on_paper(name: str, link: str, point: str | complex):
     assert counts == sorted(counts)
     assert counts[-1] == len(bobillier_sheet(drawn).marks)
     assert all(mark.new == (mark.step == 4) for mark in steps[3].marks)
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_equal_angles_are_two_arcs_and_the_radius_is_told(lang: str):
+    drawn = bobillier(seen("fig3-4", "3"), "E")
+    sheet = bobillier_sheet(drawn, lang=lang)  # type: ignore[arg-type]
+    arcs = [mark for mark in sheet.marks if isinstance(mark, ArcMark) and mark.step == 5]
+    assert len(arcs) == 2
+    assert arcs[0].radius > arcs[1].radius + 1
+    assert arcs[0].sweep == pytest.approx(arcs[1].sweep)
+    ticks = [mark for mark in sheet.marks if isinstance(mark, Stroke) and mark.step == 5 and mark.pen == "thin"]
+    assert len(ticks) == 2
+    radius = abs(drawn.board.at(drawn.answer) - drawn.board.at("E")) * 1e3
+    assert any(f"ρ = {radius:.4g}"[:8] in text for text in lettered(sheet))

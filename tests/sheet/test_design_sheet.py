@@ -1,6 +1,8 @@
 """The sheet of a design, measured: it is at scale, letters lie on nothing, steps come one after the other."""
 
+import cmath
 import math
+from itertools import pairwise
 from xml.etree import ElementTree
 
 import numpy as np
@@ -11,13 +13,13 @@ import graphkin
 from graphkin import files as loading
 from graphkin.errors import NoDesign
 from graphkin.outputs.svg import svg
-from graphkin.say.design import mechanism_of
+from graphkin.say.design import judgement, mechanism_of
 from graphkin.sheet.design_sheet import design_sheet
-from graphkin.sheet.lettering import box
+from graphkin.sheet.lettering import box, formula
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import step_sheets
-from graphkin.studies.design import angle_pairs, rocker
+from graphkin.studies.design import angle_pairs, coupler_positions, hinges, rocker
 
 
 def words(mark):
@@ -47,6 +49,50 @@ def test_a_linkage_that_does_not_do_says_why():
     assert not design.best.valid
     said = "\n".join(words(mark) for mark in design_sheet(design).marks if isinstance(mark, Text))
     assert "This does not do: AB comes out negative" in said
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+@pytest.mark.parametrize("name", DESIGNS)
+def test_what_is_said_of_a_design_stands_on_its_sheet(name, lang):
+    one = DESIGNS[name].best
+    told = "".join(words(mark) for mark in design_sheet(DESIGNS[name], lang=lang).marks if isinstance(mark, Text))
+    for text in judgement(one, lang):
+        assert "".join(run.text for run in formula(text)).replace(" ", "") in told.replace(" ", "")
+    assert (one.pace is not None) == (("slow stroke" if lang == "en" else "慢行程") in told)
+
+
+CLOCKWISE = coupler_positions(hinges([0.05j, 0.03 + 0.065j, 0.065 + 0.06j], [0, rad(-15), rad(-40)], 0.05))
+
+
+@pytest.mark.parametrize("design", [*DESIGNS.values(), CLOCKWISE])
+def test_the_crank_turns_as_the_positions_follow_each_other(design):
+    one = design.best
+    turned = [places["B"] - places["A"] for places in one.limits]
+    way = mechanism_of(one, design.kind).drivers[0].rate
+    if one.pace is None and one.valid:
+        passed = [cmath.phase(other / first) * way % math.tau for first, other in pairwise(turned)]
+        assert sum(passed) < math.tau
+    elif one.pace is not None:
+        slow = cmath.phase(turned[1] / turned[0]) * way % math.tau
+        assert slow == pytest.approx(math.pi + one.theta)
+
+
+def test_one_length_has_one_figure_and_given_positions_have_their_number():
+    told = "".join(words(mark) for mark in design_sheet(rocker(0.075, rad(45), 1.25, frame=0.08)).marks if isinstance(mark, Text))
+    assert told.count("61.2534") == told.count("111.002") == 3
+    assert "111.00 " not in told
+    numbers = [words(mark) for mark in design_sheet(CLOCKWISE).marks if isinstance(mark, Text)]
+    assert "①" in numbers
+    for name in ("rocker", "slider"):
+        told = "".join(words(mark) for mark in design_sheet(DESIGNS[name]).marks if isinstance(mark, Text))
+        assert "meet it again at F and G" in told
+
+
+def test_a_range_is_not_called_as_a_direction():
+    texts = [words(mark) for mark in design_sheet(DESIGNS["pairs"]).marks if isinstance(mark, Text)]
+    assert "ψ1 = 60°" in texts
+    assert "Δψ" in texts
+    assert "ψ" not in texts
 
 
 @pytest.mark.parametrize("name", DESIGNS)

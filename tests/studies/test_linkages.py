@@ -564,6 +564,57 @@ def test_sheet_of_a_linkage_behind_another(name, lang):
         assert not re.search(r'\bnan\b', drawing)
 
 
+WHITWORTH = """
+[frame]
+name = "6"
+A = [0, 0]
+C = [0, -40]
+[links.1]
+AB = 90
+[links.2]
+points = ["B"]
+[links.3]
+CD = 60
+[links.4]
+DF = 200
+[links.5]
+points = ["F"]
+[[slide]]
+block = "2"
+point = "B"
+guide = "3"
+through = "C"
+from = "CD"
+angle = 180
+[[slide]]
+name = "ram"
+block = "5"
+point = "F"
+guide = "frame"
+through = "C"
+angle = 0
+[[driver]]
+vector = "AB"
+angle = 35
+omega = "60 r/min"
+[sketch]
+D = [-50, -85]
+F = [-240, -40]
+"""
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_each_linkage_tells_its_scale_and_takes_the_room_that_others_leave(lang):
+    sheet = limit_sheet([reported(found) for found in found_in(loads(WHITWORTH))], lang)
+    told = ["".join(run.text for run in mark.label) for mark in sheet.marks if isinstance(mark, Text)]
+    assert not any("(1:" in text for text in told)
+    scales = [float(text.split(" = ")[1].split()[0]) for text in told if text.startswith("μl = ")]
+    assert len(scales) == 3  # once under each figure, and none for all
+    assert max(scales) <= 0.004
+    (dead,) = [text for text in told if "sF = " in text]
+    assert "from" in dead or "自 C" in dead
+
+
 def moved(linkage, turn):
     """The same linkage somewhere else, turned."""
     places = tuple(0.03 - 0.02j + z * np.exp(1j * turn) for z in linkage.places)

@@ -15,7 +15,7 @@ from si_values import si
 import graphkin
 from graphkin.check.ruler import measure
 from graphkin.cli import main
-from graphkin.errors import GraphkinError
+from graphkin.errors import GraphkinError, Lang
 from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
@@ -234,3 +234,29 @@ def test_velocities_near_a_dead_point_do_not_shrink_the_others() -> None:
     assert 0.6 * len(ticks) < len(heads) < len(ticks)
     words = [plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)]
     assert "arrows of over 16 mm are left out" in words
+
+
+def test_arrows_of_a_way_gone_to_and_fro_keep_apart():
+    """Those of one sense on one side of the path, the others beyond it; on a loop they start at their ticks."""
+    for name, point, aside in (("ex3-1", "C", True), ("ex3-5", "E", False)):
+        drawing = graphkin.Drawing.of(graphkin.load(name))
+        path, sheet = point_path(drawing.method, point), drawing.sheet(paths=[point], arrows=True, only="position")
+        scale, origin = sheet.scales["position"], sheet.origins["position"]
+        ticks = [origin + tick.place.conjugate() / scale for tick in path.ticks]
+        arrows = [mark for mark in sheet.marks if isinstance(mark, Stroke) and mark.accent == "velocity" and mark.pen == "vector"]
+        assert arrows
+        for mark in arrows:
+            apart = min(abs(mark.places[0] - at) for at in ticks)
+            assert (apart > 2) == aside, (name, apart)
+
+
+@pytest.mark.parametrize(("name", "point", "words"), [
+    ("ex3-1", "C", {"en": "a tick every 30° of AB", "zh": "AB 每转 30° 标一刻度"}),
+])  # fmt: skip
+def test_ticks_are_told_as_people_say_it(name: str, point: str, words: dict[Lang, str]):
+    for lang, wanted in words.items():
+        sheet = graphkin.Drawing.of(graphkin.load(name)).sheet(paths=[point], only="position", lang=lang)
+        assert wanted in ["".join(run.text for run in mark.label) for mark in sheet.marks if isinstance(mark, Text)]
+        sizes = [mark.size for mark in sheet.marks if isinstance(mark, Text) and "".join(run.text for run in mark.label) == "90°"]
+        assert sizes
+        assert min(sizes) >= 3.5

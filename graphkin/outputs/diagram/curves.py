@@ -12,7 +12,9 @@ import numpy as np
 
 from graphkin.base.geometry import Array, number
 from graphkin.base.value import frozen
+from graphkin.model.units import Unit
 from graphkin.running.path import Event
+from graphkin.say.sizes import files_unit
 from graphkin.studies import sweeps
 from graphkin.studies.sweeps import Course, Road, Series
 
@@ -52,6 +54,10 @@ class Curves:
     high: float
     t: Array
     series: tuple[Series, ...]
+
+    def shown(self, unit: str) -> Unit:
+        """The unit in which values of an SI unit are shown: by the file's unit of length."""
+        return files_unit(self.course.method.mechanism, unit)
 
     @property
     def events(self) -> tuple[Event, ...]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from graphkin.base.geometry import number
 from graphkin.errors import Lang
-from graphkin.model.quantities import EDGE
+from graphkin.model.units import Unit
 from graphkin.outputs.diagram import panels
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import has_chinese, pieces, typeset, writable
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.axes._base import _AxesBase
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
+    from matplotlib.offsetbox import AnnotationBbox
 
     from graphkin.outputs.diagram.page import DiagramPage
 
@@ -33,6 +34,7 @@ HIGH, LOW = 58.0, 34.0
 TOP, FOOT, LINE, BETWEEN = 14.0, 10.5, 4.0, 3.5
 ROW = 4.8  # height of a row of a legend [mm]
 BROAD, THIN = 0.35, 0.18  # lines after ISO 128 [mm]
+_UNDER = -15.0  # the name of the x axis, under that [pt]
 GREY = "#d8d8d8"
 DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
     "-", (0, (7, 2)), (0, (8, 2, 1.5, 2)), (0, (2.5, 1.5)), (0, (8, 2, 1.5, 2, 1.5, 2)), (0, (1, 1.4)),
@@ -42,7 +44,6 @@ DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
 
 def draw(curves: Curves, lang: Lang) -> DiagramPage:
     """All panels of a diagram, with title, legends, extremes and notes."""
-    from matplotlib.offsetbox import AnnotationBbox, HPacker
     from matplotlib.text import Text
 
     from graphkin.outputs.diagram.page import DiagramPage
@@ -66,14 +67,25 @@ def draw(curves: Curves, lang: Lang) -> DiagramPage:
     _fit_sides(page, drawn)
     for k, line in enumerate(notes):
         start, foot = drawn[0].sides[0].get_position().x0, ((len(notes) - k) * LINE - 1.5) / total
-        box = HPacker(children=[*pieces(line, 8)], align="baseline", pad=0, sep=0)
-        page.add_artist(AnnotationBbox(box, (start, foot), xycoords="figure fraction", box_alignment=(0.0, 0.0),
-                                       frameon=False, pad=0))  # fmt: skip
+        page.add_artist(_line(line, 8, (start, foot), (0.0, 0.0)))
     note_peaks(page, curves, drawn, lang)
     for text in page.findobj(Text):
         assert isinstance(text, Text)
         text.set_math_fontfamily("stix")
     return page
+
+
+def _line(
+    text: str, size: float, at: tuple[float, float], side: tuple[float, float], of: str = "figure fraction",
+    off: tuple[float, float] = (0.0, 0.0),
+) -> AnnotationBbox:  # fmt: skip
+    """Words and formulas in one line; side: which part of it lies so far `off` [pt] the place."""
+    from matplotlib.offsetbox import AnnotationBbox, HPacker
+
+    box = HPacker(children=[*pieces(text, size)], align="baseline", pad=0, sep=0)
+    return AnnotationBbox(
+        box, at, xybox=off, xycoords=of, boxcoords="offset points", box_alignment=side, frameon=False, pad=0
+    )
 
 
 def _label(curves: Curves, k: int) -> Label:
@@ -85,11 +97,14 @@ def _label(curves: Curves, k: int) -> Label:
 def _head(page: Figure, curves: Curves, lang: Lang, total: float) -> None:
     """Title and drivers; long ones are written smaller."""
     mechanism = curves.course.method.mechanism
-    lines = (writable(mechanism.headline(lang)), 11.0, 6.0), (panels.about_drivers(curves.course, lang), 9.0, 10.5)
-    for text, size, below in lines:
+    lines = (writable(mechanism.headline(lang)), 11.0, 6.0), (panels.about_drivers(curves, lang), 9.0, 10.5)
+    for k, (text, size, below) in enumerate(lines):
         wide = sum(1.0 if has_chinese(letter) else 0.5 for letter in text) * size * POINT
         size *= min(1.0, (WIDTH - 10.0) / wide)
-        page.text(0.5, 1 - below / total, text, fontsize=size, parse_math=False, ha="center")
+        if k:  # quantities in italics, as at the curves
+            page.add_artist(_line(text, size, (0.5, 1 - below / total), (0.5, 0.25)))
+        else:
+            page.text(0.5, 1 - below / total, text, fontsize=size, parse_math=False, ha="center")
 
 
 def _panel(
@@ -102,15 +117,16 @@ def _panel(
     sides = [first, *(first.twinx() for _ in panel.axes[1:])]
     for side, axis, ends in zip(sides, panel.axes, panels.limits(curves, panel), strict=True):
         side.set_ylim(*ends)
-        _divide(side, side, axis.unit, ends, max(map(abs, ends)), lang)
+        _divide(side, side, axis.unit, curves.shown(axis.unit), ends, lang)
     _across(first, curves, lang, last)
     lines: dict[int, tuple[Axes, Line2D]] = {}
-    across = curves.course.value(curves.t) * EDGE[curves.course.unit].factor
+    across = curves.course.value(curves.t) * curves.shown(curves.course.unit).factor
     for side, k in ((side, k) for side, axis in zip(sides, panel.axes, strict=True) for k in axis.curves):
         dashes, entry = DASHES[len(lines) % len(DASHES)], curves.series[k]
         (line,) = side.plot(
-            across, entry.signed * EDGE[entry.unit].factor, color=ACCENTS.get(panel.kind, "black"), linestyle=dashes,
-            linewidth=BROAD / POINT, label=typeset(_label(curves, k)), gid=f"curve-{k}", solid_joinstyle="round",
+            across, entry.signed * curves.shown(entry.unit).factor, color=ACCENTS.get(panel.kind, "black"),
+            linestyle=dashes, linewidth=BROAD / POINT, label=typeset(_label(curves, k)), gid=f"curve-{k}",
+            solid_joinstyle="round",
         )  # fmt: skip
         lines[k] = side, line
     first.set_title(say(f"diagrams.panel {panel.kind}", lang), loc="left", fontsize=9, pad=4, y=1.0)
@@ -123,21 +139,21 @@ def _panel(
     if bottom < 0 < top and (panel.kind != "position" or len(panel.axes) == 1):
         first.axhline(0, color="black", linewidth=THIN / POINT, zorder=1.5)
     for event in curves.events:  # where the driver stops, and change points
-        at = number(curves.course.value(event.at)) * EDGE[curves.course.unit].factor
+        at = number(curves.course.value(event.at)) * curves.shown(curves.course.unit).factor
         first.axvline(at, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
     return DrawnPanel(tuple(sides), lines)
 
 
-def _divide(axis: _AxesBase, side: Axes, unit: str, ends: tuple[float, float], size: float, lang: Lang) -> None:
+def _divide(axis: _AxesBase, side: Axes, unit: str, shown: Unit, ends: tuple[float, float], lang: Lang) -> None:
     """Round ticks and name of a y axis beside `side`; very large and small numbers have a power of ten. At most one
     tick in 7 mm, and none so near to the lower edge that its figure would stand on those of the x axis."""
-    low, high = ends
+    (low, high), size = ends, max(map(abs, ends))
     power = 0 if size == 0 or 0.01 <= size < 1e5 else 3 * math.floor(math.log10(size) / 3)
     height = side.bbox.height / side.figure.dpi / MM
     low += (high - low) * 1.2 / height
     ticks = panels.division(low, high, most=max(3, int(height / 7)), degrees=unit == "rad")
     axis.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
-    axis.set_ylabel(panels.upright_label(unit, lang, power), labelpad=3)
+    axis.set_ylabel(panels.upright_label(unit, shown, lang, power), labelpad=3)
     axis.tick_params(direction="in", width=THIN / POINT, length=3, labelsize=8, pad=2.5)
     for spine in axis.spines.values():
         spine.set_linewidth(THIN / POINT)
@@ -152,7 +168,7 @@ def _tick(value: float, ticks: Sequence[float], power: int) -> str:
 def _across(first: Axes, curves: Curves, lang: Lang, last: bool) -> None:
     """The x axis: a turn by 30 degrees; a little wider than the range where stops are at its ends."""
     course = curves.course
-    factor = EDGE[course.unit].factor
+    factor = curves.shown(course.unit).factor
     low, high = sorted(number(course.value(t)) * factor for t in (curves.low, curves.high))
     beyond = 0.015 * (high - low) if course.path.stops else 0.0
     first.set_xlim(low - beyond, high + beyond)
@@ -161,7 +177,7 @@ def _across(first: Axes, curves: Curves, lang: Lang, last: bool) -> None:
     first.grid(color=GREY, linewidth=THIN / POINT / 2)
     first.set_axisbelow(True)
     if last:
-        first.set_xlabel(panels.across(course, lang), labelpad=3)
+        first.add_artist(_line(panels.across(curves, lang), 9, (0.5, 0), (0.5, 1.0), "axes fraction", (0, _UNDER)))
 
 
 def _fit_sides(page: Figure, drawn: Sequence[DrawnPanel]) -> None:

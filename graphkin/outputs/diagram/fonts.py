@@ -81,12 +81,6 @@ def writable(text: str) -> str:
     return "".join(letter if letter in there else "?" for letter in line)
 
 
-def lowered(name: str) -> str:
-    """The points of a name with their digits below, `O₂A`: formulas and Chinese do not stand in one text."""
-    digits = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-    return writable(re.sub(r"(?<=[A-Z])\d+", lambda found: found[0].translate(digits), name))
-
-
 def pieces(line: str, size: float) -> Iterator[OffsetBox]:
     """Words and formulas of a line by themselves: beside Chinese letters matplotlib sets none. A blank with which a
     piece begins is room before it: a viewer of SVG leaves such a blank out."""

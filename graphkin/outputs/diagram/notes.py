@@ -14,7 +14,6 @@ import numpy as np
 from graphkin.base.geometry import Array, number
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.model.quantities import EDGE
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.panels import event_mark, figure_of, place_of
 from graphkin.running.path import Event
@@ -86,9 +85,9 @@ def _write_peaks(page: Figure, curves: Curves, drawn: DrawnPanel, paths: Sequenc
     top = drawn.sides[-1]
     texts: list[Text] = []
     notes: list[Note] = []
-    across = EDGE[curves.course.unit].factor
+    across = curves.shown(curves.course.unit).factor
     for k, peak in [(curve, peak) for curve in drawn.lines for peak in curves.peaks[curve]]:
-        (side, line), unit = drawn.lines[k], EDGE[curves.series[k].unit]
+        (side, line), unit = drawn.lines[k], curves.shown(curves.series[k].unit)
         place = number(curves.course.value(peak.t)) * across, peak.value * unit.factor
         degree = unit.sign if unit.sign == "°" else ""
         text = f"{figure_of(place[1])}{degree} ({place_of(curves, peak.t)})"
@@ -122,7 +121,7 @@ def _name_event(
     from matplotlib.transforms import Bbox
 
     first, top = drawn.sides[0], drawn.sides[-1]
-    across = EDGE[curves.course.unit].factor
+    across = curves.shown(curves.course.unit).factor
     x = float(first.transData.transform((number(curves.course.value(event.at)) * across, 0))[0])
     text = top.text(0, 0, event_mark(event, lang), fontsize=SIZE, rotation=90, transform=None, va="bottom", zorder=5)
     size = _extent(page, text)

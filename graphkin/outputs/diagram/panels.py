@@ -11,18 +11,19 @@ from graphkin.base.geometry import number
 from graphkin.base.scales import multiples, round_step
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.model.quantities import EDGE, driven
+from graphkin.model.quantities import driven
+from graphkin.model.units import Unit
 from graphkin.outputs.diagram.curves import Curves
-from graphkin.outputs.diagram.fonts import lowered, typeset, writable
+from graphkin.outputs.diagram.fonts import typeset, writable
 from graphkin.running.path import Event
-from graphkin.say.catalogue import say
+from graphkin.say.catalogue import say, say_close
 from graphkin.say.names import in_signs
-from graphkin.say.numbers import given_figure
+from graphkin.say.numbers import degrees, given_figure, heading
 from graphkin.say.sweeps import one_of_several, why
 from graphkin.say.text_table import unbraced
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.lettering import number as number_label
-from graphkin.studies.sweeps import Course
+from graphkin.studies.sweeps import Series
 
 MOST = 6  # more curves than these do not stand together
 KINDS = ("position", "velocity", "acceleration", "ratio")
@@ -78,7 +79,7 @@ def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
     with_zero = panel.kind != "position"
     ends: list[tuple[float, float]] = []
     for axis in panel.axes:
-        factor = EDGE[axis.unit].factor
+        factor = curves.shown(axis.unit).factor
         bounds = [(low * factor, high * factor) for low, high in map(curves.bounds, axis.curves)]
         bounds += [(0.0, 0.0)] if with_zero else []
         ends.append((min(low for low, _ in bounds), max(high for _, high in bounds)))
@@ -100,7 +101,7 @@ def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
 
 def _hidden(curves: Curves, panel: CurvePanel, ends: Sequence[tuple[float, float]]) -> bool:
     """True where a curve of the second axis would lie on one of the first over a part of its way, off zero."""
-    first, second = ([curves.series[k].signed * EDGE[axis.unit].factor / (high - low) for k in axis.curves]
+    first, second = ([curves.series[k].signed * curves.shown(axis.unit).factor / (high - low) for k in axis.curves]
                      for axis, (low, high) in zip(panel.axes, ends, strict=True))  # fmt: skip
     close = ((abs(one - other) < _NEAR) & (abs(one) > 2 * _NEAR) for one in first for other in second)
     return any(np.mean(each) > _PART for each in close)
@@ -125,23 +126,24 @@ def figure_of(value: float) -> str:
 def place_of(curves: Curves, t: float) -> str:
     """The driver's value at which something is reached: `125.3°`, `72.35 mm`; as finely as the diagram shows it."""
     course = curves.course
-    unit, parts = EDGE[course.unit], 2000 if course.angular else 5000
+    unit, parts = curves.shown(course.unit), 2000 if course.angular else 5000
     step = abs(number(course.value(curves.high)) - number(course.value(curves.low))) * unit.factor / parts
     digits = max(0, -math.floor(math.log10(step)))
     value = round(number(course.value(t)) * unit.factor, digits) + 0.0
     return f"{value:.{digits}f}".replace("-", "−") + unit.after
 
 
-def across(course: Course, lang: Lang) -> str:
+def across(curves: Curves, lang: Lang) -> str:
     """The name of the x axis."""
-    driver = course.driver
+    course, driver = curves.course, curves.course.driver
     kind = "between" if driver.kind == "angle" and driver.from_vector is not None else driver.kind
-    return say(f"diagrams.across {kind}", lang, name=lowered(driver.name))
+    name, unit = writable(course.method.mechanism.driver_title(driver, lang)), curves.shown(course.unit).sign
+    return say_close(f"diagrams.across {kind}", lang, name=name, unit=unit)
 
 
-def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
+def upright_label(unit: str, shown: Unit, lang: Lang, power: int = 0) -> str:
     """The name of a y axis: `ω [rad/s]`, in Chinese as the standard has it `ω /(rad/s)`."""
-    name, letter = EDGE[unit].sign, LETTERS.get(unit, "")
+    name, letter = shown.sign, LETTERS.get(unit, "")
     if power:
         name = f"10^{{{power}}}" + (f"\\ {name}" if name else "")
     name = "$\\mathrm{" + name.replace("²", "^2") + "}$" if "²" in name or "\\" in name or power else name
@@ -152,22 +154,23 @@ def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
     return (f"{letter} /({name})" if compound else f"{letter} /{name}").strip() if name else letter
 
 
-def about_drivers(course: Course, lang: Lang) -> str:
+def about_drivers(curves: Curves, lang: Lang) -> str:
     """`driver AB: ω = 10 rad/s`, and where those stand that do not move."""
-    colon, comma = say("common.colon", lang), say("common.and", lang)
+    colon, comma, course = say("common.colon", lang), say("common.and", lang), curves.course
     drivers = []
     for k, driver in enumerate(course.method.drivers):
-        letters = ("v", "m/s", "a", "m/s²") if driver.kind == "slide" else ("ω", "rad/s", "α", "rad/s²")
-        speed, per_second, gain, per_square = letters
+        slides = driver.kind == "slide"
         still = not course.path.pace[k]
-        parts = [EDGE[driven(driver.kind == "slide")].shown(float(course.path.start[k]))] if still else []
-        if driver.rate or not still:
-            parts.append(f"{speed} = {given_figure(driver.rate)} {per_second}")
-        if driver.acceleration:
-            parts.append(f"{gain} = {given_figure(driver.acceleration)} {per_square}")
-        drivers.append(f"{lowered(driver.name)}{colon}{comma.join(part.replace('-', '−') for part in parts)}")
-    word = say("diagrams.driver" if len(drivers) == 1 else "diagrams.drivers", lang)
-    return word + say("common.semicolon", lang).join(drivers)
+        parts = [curves.shown(driven(slides)).shown(float(course.path.start[k]))] if still else []
+        rates = zip("va" if slides else "ωα", ("m/s", "m/s^2") if slides else ("rad/s", "rad/s^2"))
+        for (letter, unit), rate in zip(rates, (driver.rate, driver.acceleration), strict=True):
+            if rate or (letter in "vω" and not still):
+                shown = curves.shown(unit)
+                parts.append(f"{letter} = {given_figure(rate * shown.factor)} {shown.sign}")
+        name = writable(course.method.mechanism.driver_title(driver, lang))
+        drivers.append(f"{name}{colon}{comma.join(part.replace('-', '−') for part in parts)}")
+    key = "diagrams.driver" if len(drivers) == 1 else "diagrams.drivers"
+    return say_close(key, lang, names=say("common.semicolon", lang).join(drivers))
 
 
 def event_mark(event: Event, lang: Lang) -> str:
@@ -179,17 +182,33 @@ def event_mark(event: Event, lang: Lang) -> str:
 
 def foot_lines(curves: Curves, layout: Sequence[CurvePanel], lang: Lang) -> Iterator[str]:
     """The lines below the diagram: what one does not see in its curves, and where the driver stops or may turn."""
-    driver, sizes = lowered(curves.course.driver.name), list[str]()
+    machine, moved, sizes = curves.course.method.mechanism, curves.course.driver, list[Series]()
+    driver = writable(machine.driver_title(moved, lang))
     yield from one_of_several(curves.course, driver, lang)
-    if curves.course.driver.rate < 0:
-        yield say("diagrams.backwards", lang, driver=driver)
+    if moved.rate < 0:
+        yield say_close("diagrams.backwards", lang, driver=driver)
+    if any(each.acceleration for each in machine.drivers):
+        yield say("diagrams.as stated", lang)
+    ways = dict[str, list[Series]]()
     for panel in layout:
         every = [curves.series[k] for axis in panel.axes for k in axis.curves]
         if any(np.nanmin(each.signed, initial=0.0) < 0 for each in every):
-            sizes += [in_signs(one.name) for one in every if one.vectors is not None and one.along is None]
+            sizes += [one for one in every if one.vectors is not None and one.along is None]
+        for one in every:
+            if one.along is not None:
+                ways.setdefault(heading(degrees(one.along), lang), []).append(one)
+            elif one.unit in ("rad/s", "rad/s^2"):
+                ways.setdefault(say("common.ccw", lang), []).append(one)
+    for way, those in ways.items():
+        if any(np.nanmin(each.signed, initial=0.0) < 0 for each in those):
+            yield say("diagrams.signs", lang, names=_listed(those, lang), way=way)
     if sizes:
-        yield say("diagrams.sizes", lang, names=writable(unbraced(say("common.list", lang).join(sizes))))
+        yield say("diagrams.sizes", lang, names=_listed(sizes, lang))
     yield from (event_line(curves, event, lang) for event in curves.events)
+
+
+def _listed(every: Sequence[Series], lang: Lang) -> str:
+    return writable(unbraced(say("common.list", lang).join(in_signs(one.name) for one in every)))
 
 
 def event_line(curves: Curves, event: Event, lang: Lang) -> str:

@@ -151,6 +151,10 @@ PHRASES: Phrases = {
                                  "v²/aⁿ).",
                                  "点 {point}：由 v、a 求得其轨迹的曲率中心 {centre}（ρ = v²/aⁿ）。"),
     "about.bobillier P": ("The two rays meet at the pole {p}.", "两射线的交点为瞬心 {p}。"),
+    "about.bobillier P rolling": ("Link {link} rolls on the frame: they touch at the pole {p}, on the ray {a}{a0}.",
+                                  "构件 {link} 在机架上纯滚动：接触点即瞬心 {p}，在射线 {a}{a0} 上。"),
+    "about.bobillier tangent": ("The common tangent in {p}, at right angles to {a}{a0}, is the pole tangent.",
+                                "过 {p} 作 {a}{a0} 的垂线，即公切线，也就是极切线。"),
     "about.bobillier Q": ("The lines {a}{b} and {a0}{b0} meet at {q}.", "直线 {a}{b} 与 {a0}{b0} 的交点为 {q}。"),
     "about.bobillier Q far": ("The lines {a}{b} and {a0}{b0} are parallel: {q} lies at infinity.",
                               "直线 {a}{b} 与 {a0}{b0} 平行：{q} 在无穷远处。"),
@@ -161,11 +165,15 @@ PHRASES: Phrases = {
     "about.bobillier axis c": ("Carry the angle δ from the ray of {b} to {p}{c} over to {p}{q}, with its sense: this "
                                "is the collineation axis of {a} and {c}.",
                                "将 {b} 的射线到 {p}{c} 的转角 δ（连同转向）移到 {p}{q} 上，得点 {a}、{c} 的共线轴。"),
+    "about.bobillier axis c rolling": ("Carry the angle δ from the tangent to {p}{c} over to the ray of {a}, with its "
+                                       "sense: this is the collineation axis of {a} and {c}.",
+                                       "将切线到 {p}{c} 的转角 δ（连同转向）移到 {a} 的射线上，得点 {a}、{c} 的共线轴。"),
     "about.bobillier axis c same": ("{p}{c} is the ray of {b} itself: {p}{q} is the collineation axis of {a} and {c}.",
                                     "{p}{c} 即 {b} 的射线：{p}{q} 就是点 {a}、{c} 的共线轴。"),
     "about.bobillier Qc": ("It meets the line {a}{c} at {qc}.", "它与直线 {a}{c} 的交点为 {qc}。"),
-    "about.bobillier K": ("The line {a0}–{qc} meets the ray {p}{c} at {k}, the centre of curvature of the path of {c}.",
-                          "直线 {a0}–{qc} 与射线 {p}{c} 的交点 {k} 即为点 {c} 轨迹的曲率中心。"),
+    "about.bobillier K": ("The line {a0}–{qc} meets the ray {p}{c} at {k}, the centre of curvature of the path of {c}: "
+                          "ρ = {radius:read} mm from {c}.",
+                          "直线 {a0}–{qc} 与射线 {p}{c} 的交点 {k} 即为点 {c} 轨迹的曲率中心，到 {c} 的距离 ρ = {radius:read} mm。"),
     "about.bobillier K far": ("The line {a0}–{qc} is parallel to the ray {p}{c}: the path of {c} is straight at this "
                               "instant.",
                               "直线 {a0}–{qc} 与射线 {p}{c} 平行：点 {c} 的轨迹此刻曲率为零。"),

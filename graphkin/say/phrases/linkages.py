@@ -152,14 +152,17 @@ PHRASES: Phrases = {
                                    "在 C1C2 的另一侧（背离 D）作 ∠C2C1P = 90° − θ = {rest:deg}，作 C2P ⊥ C1C2，两线交于 P "
                                    "点（此时慢行程方向相反）。"),
     "design.stage circle": ("Draw the circle through C1, C2 and P (centre O, the middle of C1P): from its points C1C2 "
-                            "is seen under θ. A is not on the dashed arcs: beyond F or G the assembly would change.",
-                            "作 △C1C2P 的外接圆（圆心 O 为 C1P 的中点）；圆上各点对 C1C2 的圆周角均为 θ。A "
-                            "点不在虚线弧上：越过 F、G 则装配方式改变。"),
+                            "is seen under θ. [The lines at right angles to C1C2 in C1 and C2|The lines C1D and C2D] "
+                            "meet it again at F and G. A is not on the dashed arcs: beyond F or G the assembly would "
+                            "change.",
+                            "作 △C1C2P 的外接圆（圆心 O 为 C1P 的中点）；圆上各点对 C1C2 的圆周角均为 θ。[过 C1、C2 作 C1C2 的垂线"
+                            "|直线 C1D、C2D]，与圆另交于 F、G。A 点不在虚线弧上：越过 F、G 则装配方式改变。"),
     "design.stage circle beyond": ("Draw the circle through C1, C2 and P (centre O, the middle of C1P): from its "
-                                   "points beyond C1C2 the chord is seen under θ. A is not on the dashed arcs: "
-                                   "beyond F or G the assembly would change.",
-                                   "作 △C1C2P 的外接圆（圆心 O 为 C1P 的中点）；C1C2 外侧圆弧上各点对 C1C2 的圆周角均为 θ。A "
-                                   "点不在虚线弧上：越过 F、G 则装配方式改变。"),
+                                   "points beyond C1C2 the chord is seen under θ. [The lines at right angles to C1C2 "
+                                   "in C1 and C2|The lines C1D and C2D] meet it again at F and G. A is not on the "
+                                   "dashed arcs: beyond F or G the assembly would change.",
+                                   "作 △C1C2P 的外接圆（圆心 O 为 C1P 的中点）；C1C2 外侧圆弧上各点对 C1C2 的圆周角均为 θ。[过 C1、C2 作 "
+                                   "C1C2 的垂线|直线 C1D、C2D]，与圆另交于 F、G。A 点不在虚线弧上：越过 F、G 则装配方式改变。"),
     "design.stage A by frame": ("With D as centre and the frame's length {frame:mm} as radius draw an arc; it meets "
                                 "the circle at A, so that AD = {frame:mm}.",
                                 "以 D 为圆心、机架长 {frame:mm} 为半径作弧，与该圆交于 A 点，使 AD = {frame:mm}。"),
@@ -182,13 +185,13 @@ PHRASES: Phrases = {
     "design.stage A at best": ("A may be anywhere on the admissible arcs: take the point with the largest least "
                                "transmission angle (found numerically along the arcs).",
                                "A 点可在许用圆弧上任选：取最小传动角为最大的一点（沿圆弧用数值方法求得）。"),
-    "design.stage rocker lengths": ("Measure AC1 = {AC1:mm}, AC2 = {AC2:mm}, AD = {d:mm}. Crank l_AB = |AC2 − AC1|/2 "
+    "design.stage rocker lengths": ("Measure AC1 = {AC1} mm, AC2 = {AC2} mm, AD = {d:mm}. Crank l_AB = |AC2 − AC1|/2 "
                                     "= {half_less} = {a:mm}, coupler l_BC = (AC1 + AC2)/2 = {half_more} = {b:mm}.",
-                                    "量得 AC1 = {AC1:mm}，AC2 = {AC2:mm}，AD = {d:mm}。解得曲柄 l_AB = |AC2 − AC1|/2 = "
+                                    "量得 AC1 = {AC1} mm，AC2 = {AC2} mm，AD = {d:mm}。解得曲柄 l_AB = |AC2 − AC1|/2 = "
                                     "{half_less} = {a:mm}，连杆 l_BC = (AC1 + AC2)/2 = {half_more} = {b:mm}。"),
-    "design.stage slider lengths": ("Measure AC1 = {AC1:mm}, AC2 = {AC2:mm}. Crank l_AB = |AC2 − AC1|/2 = {half_less} "
+    "design.stage slider lengths": ("Measure AC1 = {AC1} mm, AC2 = {AC2} mm. Crank l_AB = |AC2 − AC1|/2 = {half_less} "
                                     "= {a:mm}, rod l_BC = (AC1 + AC2)/2 = {half_more} = {b:mm}.",
-                                    "量得 AC1 = {AC1:mm}，AC2 = {AC2:mm}。解得曲柄 l_AB = |AC2 − AC1|/2 = {half_less} = "
+                                    "量得 AC1 = {AC1} mm，AC2 = {AC2} mm。解得曲柄 l_AB = |AC2 − AC1|/2 = {half_less} = "
                                     "{a:mm}，连杆 l_BC = (AC1 + AC2)/2 = {half_more} = {b:mm}。"),
     "design.stage theta swing": ("The bar's swing equals the angle between the crank's limit positions: ψ = θ = "
                                  "180°(K − 1)/(K + 1) = {of_K} = {theta:deg}.",
@@ -321,21 +324,26 @@ PHRASES: Phrases = {
     "design.axes rocker": ("D is the origin, the y axis bisects ∠C1DC2", "以 D 为原点，y 轴为 ∠C1DC2 的平分线"),
     "design.axes slider": ("C1 is the origin, the x axis points to C2", "以 C1 为原点，x 轴由 C1 指向 C2"),
     "design.arcs": ("from {start:deg} to {end:deg}", "{start:deg} 至 {end:deg}"),
-    "design.slow": ("slow stroke C1 to C2 with the crank {sense}", "曲柄{sense}转动时 C1 至 C2 为慢行程"),
-    "design.title rocker": ("Crank-rocker from K", "曲柄摇杆机构设计"),
-    "design.title slider": ("Slider-crank from K", "曲柄滑块机构设计"),
-    "design.title guide-bar": ("Oscillating guide bar from K", "摆动导杆机构设计"),
+    "design.slow": ("slow stroke {moving}1 to {moving}2 with the crank {sense}",
+                    "曲柄{sense}转动时 {moving}1 至 {moving}2 为慢行程"),
+    "design.title rocker": ("Crank-rocker from its time ratio", "曲柄摇杆机构设计"),
+    "design.title slider": ("Slider-crank from its time ratio", "曲柄滑块机构设计"),
+    "design.title guide-bar": ("Oscillating guide bar from its time ratio", "摆动导杆机构设计"),
     "design.title coupler": ("Four-bar from coupler positions", "按连杆位置设计四杆机构"),
     "design.title angles": ("Four-bar from pairs of angles", "按对应角位置设计四杆机构"),
     "linkages.sheet limits": ("Limit positions of {output}", "{output} 的极限位置"),
     "linkages.sheet k": ("K = (180° + θ)/(180° − θ) = {k}", "K = (180° + θ)/(180° − θ) = {k}"),
     "linkages.sheet timed": ("K = {k} (crank {crank})", "K = {k}（曲柄 {crank}）"),
     "linkages.sheet one": ("θ = 0, K = 1: no quick return", "θ = 0，K = 1，无急回特性"),
-    "linkages.sheet dead": ("dead points where {driver} drives: {values}", "{driver} 主动时的死点：{values}"),
+    "linkages.sheet dead": ("dead points where {driver} drives: {letter}_{driver} = {values}[| (along the guide, from "
+                            "{pivot})]",
+                            "{driver} 主动时的死点：{letter}_{driver} = {values}[|（沿导路，自 {pivot} 量起）]"),
     "linkages.sheet none": ("no dead point where {driver} drives", "{driver} 主动时无死点"),
     "linkages.sheet gamma": ("Transmission angle, {driver} driving", "传动角（{driver} 主动）"),
     "linkages.sheet least": ("γ_min = {gamma}, α_max = {alpha}, at {letter}_{driver} = {values}",
                              "γ_min = {gamma}，α_max = {alpha}，此时 {letter}_{driver} = {values}"),
     "linkages.sheet family": ("Linkages of four links", "平面四杆机构的类型"),
     "design.sheet heading": ("Design by construction", "图解设计"),
+    "design.sheet slow": ("The slow stroke is that from {moving}1 to {moving}2, with the crank {sense}.",
+                          "曲柄{sense}转动时，{moving}1 至 {moving}2 为慢行程。"),
 }

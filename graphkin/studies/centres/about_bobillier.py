@@ -2,7 +2,8 @@
 
 The pole tangent makes with one ray of the pole the angle that the other ray makes with the collineation axis. So the
 axis of two other points is the known one turned as their rays are turned: an angle is carried over, and lines cross.
-A guided point whose centre lies at infinity (a slider) is no exception.
+A guided point whose centre lies at infinity (a slider) is no exception. A wheel that rolls on the frame shows pole
+and pole tangent itself, where it touches its track: one guided point is enough, and the angle is that of the tangent.
 Source: theory of machines, Euler-Savary and Bobillier.
 """
 
@@ -18,8 +19,8 @@ import numpy as np
 from graphkin.base.geometry import cross, number
 from graphkin.base.plain import Plain
 from graphkin.base.value import bulky, frozen
-from graphkin.construction.drafting import INFINITE, Board, replay
-from graphkin.construction.drafting.steps import CarriedAngle, Drafting, DraftMeet, Far, Pricked, Stage, Through
+from graphkin.construction import drafting
+from graphkin.construction.drafting import INFINITE, Board, Drafting, DraftMeet, Far, Pricked, Stage, Through, replay
 from graphkin.errors.studies import NoBobillier
 from graphkin.model.mechanism import FRAME
 from graphkin.studies.centres.about import About, about_json
@@ -47,16 +48,17 @@ class Guided:
 class Bobillier:
     """The construction on a link about its pole, and the letters of its points.
 
-    guides   the two points it starts from
-    point, answer  the point and its centre of curvature; pole, crossings: the letters of P, and of Q and the second Q
+    guides   the two points it starts from; one of a wheel that rolls on the frame
+    point, answer  the point and its centre of curvature; pole, crossings: the letters of P, and of Q, if any, and the
+             second Q
     """
 
     seen: About
     construction: Drafting
-    guides: tuple[Guided, Guided]
+    guides: tuple[Guided, ...]
     point: str
     pole: str
-    crossings: tuple[str, str]
+    crossings: tuple[str, ...]
     answer: str
 
     @cached_property
@@ -113,7 +115,7 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
     """The construction for a point of the mechanism, or for a place [m] of the link's plane.
 
     Raises NoBobillier where the pole is a fixed point or at infinity, where the link is at rest or the point at the
-    pole, and where the guided points lie on one ray.
+    pole, where the guided points lie on one ray, and where only the point's own path shows its centre.
     """
     owners = seen.found.method.mechanism.owners
 
@@ -138,32 +140,44 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
         reason = "cusp"
     if reason:
         raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, reason)
-    first, second = map(lettered, _clearest_pair(seen, place))
-    points = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
-    points |= {first.written: first.centre, second.written: second.centre}
+    guides = tuple(map(lettered, _clearest(seen, place)))
+    points = {entry.point: _finite(entry.place) for entry in guides} | {letter: _finite(place)}
+    points |= {entry.written: entry.centre for entry in guides}
     pole, q, qc, answer = (free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
-    stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
-    return Bobillier(seen, Drafting({}, stages, points), (first, second), letter, pole, (q, qc), answer)
+    first, *others = guides
+    begun = _of_two(first, others[0], letter, pole, q) if others else _of_wheel(first, letter, pole, seen.pole)
+    stages, crossings = (*begun, *_ended(first, letter, qc, answer)), (q, qc) if others else (qc,)
+    return Bobillier(seen, Drafting({}, stages, points), guides, letter, pole, crossings, answer)
 
 
-def _clearest_pair(seen: About, place: complex) -> tuple[Guided, Guided]:
-    """Two guided points on different rays, the first on another ray than the point; guides before measured ones.
+def _rolls(seen: About) -> bool:
+    """True where the link is a wheel that rolls on the frame."""
+    every = (pair.rolling for pair in seen.found.method.mechanism.pairs)
+    return any({*rolling.wheels} == {seen.link, FRAME} for rolling in every if rolling is not None)
+
+
+def _clearest(seen: About, place: complex) -> tuple[Guided, ...]:
+    """Two guided points on different rays, the first on another ray than the point; guides before measured ones. The
+    point itself is none that is measured: its centre is what is looked for. One guide of a wheel on the frame may do.
 
     Rays are far from being one, and the first point far from the pole, where its lines would say nothing.
     """
     near = INFINITE * seen.size
-    able = [entry for entry in guided(seen) if abs(entry.place - seen.pole) > near or not entry.measured]
+    able = [entry for entry in guided(seen)
+            if not entry.measured or min(abs(entry.place - seen.pole), abs(entry.place - place)) > near]  # fmt: skip
     out = (place - seen.pole) / abs(place - seen.pole)
-    best: tuple[tuple[bool, float], tuple[Guided, Guided]] | None = None
-    for first, second in permutations(able, 2):
+    alone = [(entry,) for entry in able if not entry.measured] if _rolls(seen) else []
+    best: tuple[tuple[bool, float], tuple[Guided, ...]] | None = None
+    for first, *others in (*permutations(able, 2), *alone):
         ray = _ray(first)
-        rays = abs(number(cross(ray, _ray(second)))), abs(number(cross(ray, out)))
+        rays = (abs(number(cross(ray, along))) for along in (out, *map(_ray, others)))
         clear = min(*rays, abs(first.place - seen.pole) / seen.size)
-        worth = not (first.measured or second.measured), round(min(clear, 0.3), 6)
+        worth = not any(entry.measured for entry in (first, *others)), round(min(clear, 0.3), 6)
         if clear > CLEAR and (best is None or worth > best[0]):
-            best = worth, (first, second)
+            best = worth, (first, *others)
     if best is None:
-        raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, "line")
+        reason = "line" if len(able) > 1 else "alone"
+        raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, reason)
     return best[1]
 
 
@@ -174,18 +188,27 @@ def _ray(entry: Guided) -> complex:
     return along / abs(along)
 
 
-def _stages(
-    first: Guided, second: Guided, c: str, pole: str, crossings: tuple[str, str], answer: str
-) -> Iterator[Stage]:
+def _of_two(first: Guided, second: Guided, c: str, pole: str, q: str) -> Iterator[Stage]:
+    """From the rays of two points to the axis of the first and the point."""
     a, b, a0, b0 = first.point, second.point, first.written, second.written
-    q, qc = crossings
     yield Stage("P", (Through("ray a", a, a0), Through("ray b", b, b0), DraftMeet(pole, "ray a", "ray b")))
     yield Stage("Q", (Through("line ab", a, b), Through("line a0b0", a0, b0), DraftMeet(q, "line ab", "line a0b0")))
     yield Stage("axis", (Through("axis", pole, q),))
     yield Stage("ray c", (Through("ray c", pole, c),))
-    yield Stage("axis c", (CarriedAngle("axis c", pole, "axis", "ray b", "ray c"),))
-    yield Stage("Qc", (Through("line ac", a, c), DraftMeet(qc, "line ac", "axis c")))
-    yield Stage("K", (Through("line a0qc", a0, qc), DraftMeet(answer, "line a0qc", "ray c")))
+    yield Stage("axis c", (drafting.CarriedAngle("axis c", pole, "axis", "ray b", "ray c"),))
+
+
+def _of_wheel(guide: Guided, c: str, pole: str, touching: complex) -> Iterator[Stage]:
+    """The same from where a wheel touches its track [m] and the common tangent there."""
+    yield Stage("P rolling", (Through("ray a", guide.point, guide.written), drafting.ChosenPoint(pole, touching)))
+    yield Stage("tangent", (drafting.Perpendicular("tangent", pole, "ray a"),))
+    yield Stage("ray c", (Through("ray c", pole, c),))
+    yield Stage("axis c rolling", (drafting.CarriedAngle("axis c", pole, "ray a", "tangent", "ray c"),))
+
+
+def _ended(first: Guided, c: str, qc: str, answer: str) -> Iterator[Stage]:
+    yield Stage("Qc", (Through("line ac", first.point, c), DraftMeet(qc, "line ac", "axis c")))
+    yield Stage("K", (Through("line a0qc", first.written, qc), DraftMeet(answer, "line a0qc", "ray c")))
 
 
 def bobillier_json(solution: Bobillier) -> dict[str, Plain]:

@@ -65,6 +65,12 @@ class Solution:
     pace: float | None = None
     turn: float = 0.0
 
+    @property
+    def way(self) -> float:
+        """The sense in which the crank is to be turned: through the slow stroke, or the given positions in their order;
+        1 counter-clockwise."""
+        return self.pace or (-1.0 if any(note.key == "passed cw" for note in self.notes) else 1.0)
+
     def board(self) -> Board:
         """The construction, carried out."""
         return replay(self.construction)

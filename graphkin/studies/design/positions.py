@@ -63,11 +63,9 @@ def coupler_positions(points: Hinges, *, pivot_a: complex | None = None, pivot_d
             hinge, say = _HINGE[pivot], "chosen" if known is None else "given"
             bisector = Bisector(f"{hinge}12", f"{hinge}1", f"{hinge}2")
             pivots.append(Stage(say, (bisector, ChosenPoint(pivot, at))))
-    measured = (
-        DraftMeasure("a", "A", "B1"), DraftMeasure("b", "B1", "C1"),
-        DraftMeasure("c", "C1", "D"), DraftMeasure("d", "A", "D"),
-    )  # fmt: skip
-    stages = (Stage("coupler laid", tuple(laid)), *pivots, Stage("coupler lengths", measured))
+    bars = [DraftMeasure(name, f"B{k}", f"C{k}") for k, name in enumerate(("b", "b2", "b3")[: len(points)], start=1)]
+    measured = DraftMeasure("a", "A", "B1"), DraftMeasure("c", "C1", "D"), DraftMeasure("d", "A", "D")
+    stages = (Stage("coupler laid", (*laid, *bars)), *pivots, Stage("coupler lengths", measured))
     construction = Drafting(values, stages)
     board = replay(construction)
     lost = [name for name in "AD" if not cmath.isfinite(geometry.place(board.at(name)))]

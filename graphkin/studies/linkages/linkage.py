@@ -33,6 +33,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from graphkin.base.value import frozen
 from graphkin.studies.linkages.triangles import even
 
@@ -71,6 +73,13 @@ class LinkagePosition:
     output: float
     gamma: float | None
     how: str
+
+    @property
+    def is_flat(self) -> bool:
+        """True where all its points are on one line."""
+        places = np.array(self.places) - self.places[0]
+        along = places[np.abs(places).argmax()]
+        return bool((np.abs((places / along).imag) < 1e-6).all())
 
 
 @frozen

@@ -14,6 +14,7 @@ from functools import cached_property
 
 from graphkin.base.plain import Plain
 from graphkin.base.value import bulky, frozen
+from graphkin.model.mechanism import FRAME
 from graphkin.studies.linkages.family import Linkage
 from graphkin.studies.linkages.linkage import CRANKS, SLIDES, LinkagePosition, Sums, Turn
 from graphkin.studies.linkages.recognised import FoundLinkage
@@ -99,6 +100,13 @@ class Report:
     def swing(self) -> float | None:
         """The output link's swing; None where it turns fully or slides."""
         return None if self.output_slides or self.output_range.full else self.output_range.width
+
+    @property
+    def guided(self) -> list[complex]:
+        """The places on a fixed guide at its limits and extreme transmission angles [m]."""
+        names = {slide.point for slide in self.linkage.mechanism().slides if slide.guide == FRAME}
+        ends = (zip(self.linkage.names, end.places, strict=True) for end in (*self.limits, *self.critical))
+        return [place for end in ends for name, place in end if name in names]
 
     @property
     def gamma_min(self) -> float | None:

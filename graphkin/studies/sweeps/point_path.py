@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -28,6 +29,7 @@ _SAME = 1e-6  # ends nearer than this part of its size close a curve
 _DEGREES = (30, 10, 5, 2, 1, 0.5, 0.2, 0.1)
 """Steps from tick to tick of an angle: the largest that gives enough of them."""
 _ENOUGH = 6
+_BESIDE = 1e-3  # nearer to a curve, as a part of its size, is on it
 
 
 @frozen
@@ -35,7 +37,7 @@ class Tick:
     """A place on the curve at a round value of the driver.
 
     value    the driver's [rad, m]; velocity of the point there [m/s]; way  along the curve, of length 1 or 0
-    numbered it is one of those whose value is written
+    numbered it is one of those whose value is written; both: the point passes there the other way, too
     """
 
     value: float
@@ -43,6 +45,7 @@ class Tick:
     velocity: complex
     way: complex
     numbered: bool
+    both: bool = False
 
 
 @frozen
@@ -103,8 +106,17 @@ def point_path(method: Method, point: str, values: tuple[float, ...] | None = No
         step, every = next((step for step in steps if length >= _ENOUGH * step), math.radians(_DEGREES[-1])), 3
     else:
         step, every = round_step(length / _ENOUGH), 2
-    ticks = tuple(_ticks(course, point, (low, high), closed, step, every))
-    return PointPath(course, point, places, closed, step, ticks)
+    ticks = _ticks(course, point, (low, high), closed, step, every)
+    ticks = (replace(tick, both=_passed_back(places, tick)) for tick in ticks)
+    return PointPath(course, point, places, closed, step, tuple(ticks))
+
+
+def _passed_back(places: np.ndarray, tick: Tick) -> bool:
+    """True where a curve also leads through a tick against the velocity there."""
+    steps, size = np.diff(places), np.ptp(places.real) + np.ptp(places.imag)
+    part = np.clip(((tick.place - places[:-1]) / np.where(steps, steps, 1.0)).real, 0, 1)
+    near = abs(places[:-1] + part * steps - tick.place) < _BESIDE * size
+    return bool(((steps * np.conj(tick.velocity)).real[near] < 0).any())
 
 
 def _near(course: Course, point: str, low: float, high: float) -> tuple[float, float]:
