@@ -178,9 +178,8 @@ def _measured(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     sought = node != pole and not any(part.is_sought(side) for side in (part.left, part.right))
     lengths = []
     for pair in dict.fromkeys([*ends, (pole, node)] if sought else ends):
-        length = polygon.length_mm(*pair)  # with the figures with which it is reckoned on
-        shown = polygon.measured(*pair).figures.rpartition("× ")[2] or number(length)
-        shown = f"{shown} mm{reading.too_short(length)}" if length else "0"
+        length = polygon.length_mm(*pair)
+        shown = f"{number(length)} mm{reading.too_short(length)}" if length else "0"
         lengths.append(f"{names.stretch(*pair)} = {shown}")
     yield Sentence(reading.say("derivation.measured", lengths=reading.joined(lengths)))
     for term in unknown:

@@ -48,6 +48,14 @@ def test_draw_writes_here():
     assert run("check", "ex3-1.svg").exit_code == 0
 
 
+def test_a_sheet_that_bears_too_much_is_told():
+    """On the paper that is asked for; on its own choice of paper the same mechanism is fine."""
+    crowded = run("draw", "p3-17", "--paper", "A4")
+    assert "p3-17: more than this paper bears; try --only velocity" in crowded.stderr
+    assert crowded.exit_code == 0
+    assert run("draw", "p3-17", "--force").stderr == ""
+
+
 def test_draw_replaces_only_its_own():
     mechanism()
     assert run("draw", "mine.toml").exit_code == 0
