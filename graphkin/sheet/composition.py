@@ -97,12 +97,12 @@ class Planes:
         figure = self.paths.figure(window) + mechanism_figure(skeleton, self.method, self.values(plane))
         if self.style != "construction":
             return figure
-        added = touched(self.method, self.plot, skeleton)
+        added = [*touched(self.method, self.plot, skeleton)]
         if solution_centres(self.method.mechanism):
             from graphkin.sheet.centre_figure import asked_lines
 
             added += asked_lines(self.method, skeleton, self.values(plane))
-        return added + figure
+        return Figure.of(added) + figure
 
     @cached_property
     def left_out(self) -> dict[Plane, dict[str, complex]]:

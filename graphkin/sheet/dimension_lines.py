@@ -28,7 +28,7 @@ from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
 from graphkin.sheet.wheels import circles, disc
-from graphkin.sheet.window import Figure
+from graphkin.sheet.window import Entry, Figure
 
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
 _GAPS = (1.1, 1.9)  # between a line and its letters [mm]
@@ -272,7 +272,7 @@ def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> F
             arms = [*_arms(skeleton, corner, lines)]
             radius, arc = _arc_with_room(skeleton, corner, arms, others)
             others += arc
-            figure += _angle(size, corner, skeleton, arms, radius)
+            figure += Figure.of(_angle(size, corner, skeleton, arms, radius))
     return figure
 
 
@@ -320,21 +320,21 @@ def _arc_with_room(
     return max(tried, key=lambda each: each[0])[1:]
 
 
-def _angle(size: Size, corner: DrawnAngle, skeleton: Skeleton, arms: Sequence[_Arm], radius: float) -> Figure:
+def _angle(
+    size: Size, corner: DrawnAngle, skeleton: Skeleton, arms: Sequence[_Arm], radius: float
+) -> Iterator[Entry]:
     """The arc with its value, and the arms that no bar of a link has so far."""
     first, at, step = arms[0].way, skeleton.window(corner.at), skeleton.step(*corner.points)
     middle = first * cmath.rect(1, -corner.turn / 2)
-    want = LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1, between=True)
-    figure = Figure(angle_arc(at, radius, first, -corner.turn, step), [want])
+    yield from angle_arc(at, radius, first, -corner.turn, step)
+    yield LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1, between=True)
     for arm in (arm for arm in arms if arm.goes_on(radius)):
         end, start = at + arm.way * (radius + _BEYOND), at + arm.way * (arm.reach + 2 * HINGE)
-        figure.marks.append(Stroke((start, end), "thin", step=step))
+        yield Stroke((start, end), "thin", step=step)
         level = arm.way == first and not arm.reach and abs(corner.start - 1) < 1e-9
         if level and len(corner.points) > 1:  # the x axis at a driven link
-            figure.marks.append(arrow_head(end, arm.way, step, THIN_HEAD))
-            x = plain("x", italic=True)
-            figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm.way, step=step, spare=True))
-    return figure
+            yield arrow_head(end, arm.way, step, THIN_HEAD)
+            yield LabelRequest(plain("x", italic=True), end, gap=0.3, away=arm.way, step=step, spare=True)
 
 
 def angle_label(size: Size) -> Label:

@@ -42,13 +42,13 @@ def mechanism_figure(
     driving  the drivers' arrows, where others have them, too
     bare     without lower-pair equivalents, which a solution finds
     """
-    special = Figure() if drawn is None else specials(method, skeleton, drawn)
-    if drawn is not None and isinstance(skeleton.plot, Plot):
-        special += asked_centres(method, skeleton, skeleton.plot, drawn)
-    ground, driving = ground or grounds(skeleton), driving or drives(skeleton, method)
-    turning, bodies, touching = wheels.wheels(skeleton), _bodies(skeleton), contacts(method, skeleton)
+    special = Figure()
+    if drawn is not None:
+        special = Figure.of([*specials(method, skeleton, drawn), *asked_centres(method, skeleton, drawn)])
+    ground, driving, bodies = ground or grounds(skeleton), driving or drives(skeleton, method), _bodies(skeleton)
+    turning, touching = Figure.of(wheels.wheels(skeleton)), Figure.of(contacts(method, skeleton))
     marks = special.marks + turning.marks + ground.marks + bodies.marks + _hinges(skeleton) + touching.marks
-    dashed = Figure() if bare else wheels.equivalents(skeleton)
+    dashed = Figure.of(() if bare else wheels.equivalents(skeleton))
     marks += [*_through_bars(skeleton), *dashed.marks, *driving.marks]
     labels = bodies.wanted
     for point in skeleton.points:  # letters of points; those at one place share a label

@@ -189,11 +189,6 @@ def _stairs(marks: Sequence[Mark], low: complex, high: complex, scale: float) ->
     return tuple(stairs)
 
 
-def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:
-    """The window through which what lies at one place of the paper is seen at another, so many times as large."""
-    return Window(shown + (window.origin - part) * times, window.scale / times, window.times)
-
-
 def corners(places: Sequence[complex]) -> tuple[complex, complex]:
     """Lower left and upper right corner of what holds all these places."""
     xs, ys = [v.real for v in places] or [0.0], [v.imag for v in places] or [0.0]
