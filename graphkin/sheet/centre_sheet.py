@@ -130,7 +130,7 @@ def circle_size(found: Centres) -> complex:
     return complex(max(across, 56.0), 2 * (_radius(found) + _NUMBERS) + _LINE * len(_pens(found)) + 2)
 
 
-def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
+def circle_diagram(found: Centres, room: Room, lang: Lang) -> Iterator[Mark]:
     """Links as points on a circle, clockwise from the top as they are numbered, a chord for every centre. A missing one
     is found when it closes two triangles whose other sides are there: each is a line with three centres (Kennedy)."""
     size, radius = circle_size(found), _radius(found)
@@ -139,29 +139,30 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
     order = list(dict.fromkeys(link for pair in found.pairs for link in pair))
     turn = 2 * math.pi / max(1, len(order))
     nodes = {link: middle + cmath.rect(radius, turn * k - math.pi / 2) for k, link in enumerate(order)}
-    title = Text(plain(say("sheet.circle", lang)), complex(room.left + 3, room.top + 5.5), LABEL)
-    marks = [title, Disc(middle, radius, "thin"), *_chord_marks(found, nodes)]
+    yield Text(plain(say("sheet.circle", lang)), complex(room.left + 3, room.top + 5.5), LABEL)
+    yield Disc(middle, radius, "thin")
+    yield from _chord_marks(found, nodes)
     for link, at in nodes.items():
         label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
         wide, high = width(label, LABEL), 0.68 * LABEL
         x, y = (max(-1.0, min(1.0, 1.6 * part)) for part in (out.real, out.imag))  # side or corner towards the circle
         beside = at + out * _OFF + complex(x * wide, y * high) / 2
-        marks += [Disc(at, 0.9, "outline", "ink"), Text(label, beside + complex(-wide / 2, high / 2), LABEL)]
+        yield from (Disc(at, 0.9, "outline", "ink"), Text(label, beside + complex(-wide / 2, high / 2), LABEL))
     key = {pen: plain(say(f"sheet.chord {pen}", lang)) for pen in _pens(found)}
     wide = max((width(label, LEAST) for label in key.values()), default=0.0) + 14
     for k, (pen, label) in enumerate(key.items()):  # what full and dashed chords mean
         at = complex(middle.real, middle.imag + radius + _NUMBERS + 3) + complex(-wide / 2, k * _LINE)
-        marks += [Stroke((at, at + 12), pen), Text(label, at + complex(14, 0.33 * LEAST), LEAST)]
-    return marks
+        yield from (Stroke((at, at + 12), pen), Text(label, at + complex(14, 0.33 * LEAST), LEAST))
 
 
-def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
+def _chord_marks(found: Centres, nodes: dict[str, Place]) -> Iterator[Mark]:
     """The chords with their numbers, each where most room is on its chord, the short chords first."""
     chords = [
         Stroke(tuple(nodes[link] for link in found.centring.links[stage.last.name]), _PENS[stage.say], step=k)
         for k, stage in enumerate(found.centring.stages, start=1)
     ]
-    marks, balls = list[Mark](chords), list[Place]()
+    yield from chords
+    balls = list[Place]()
     for chord in sorted(chords, key=lambda chord: abs(chord.places[1] - chord.places[0])):
         start, end = chord.places
         spots = np.array([start + share * (end - start) for share in _SHARES])
@@ -171,9 +172,8 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
         balls.append(at)
         label = plain(str(chord.step))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
-        ball = Disc(at, _BALL, "thin", "paper", step=chord.step)
-        marks += [ball, Text(label, corner, LEAST, chord.step)]
-    return marks
+        yield Disc(at, _BALL, "thin", "paper", step=chord.step)
+        yield Text(label, corner, LEAST, chord.step)
 
 
 def centre_table(found: Centres, lang: Lang, room: float, most: float) -> TableBlock:

@@ -84,8 +84,8 @@ class Planes:
         figure = self._outline(plane, window)
         if plane != "position":
             return heads_apart(figure)
-        arcs = self.style != "result"
-        return angles(self.sizes, self.skeleton(window), figure.marks) + figure if arcs else figure
+        arcs = angles(self.sizes, self.skeleton(window), figure.marks) if self.style != "result" else ()
+        return Figure.of(arcs) + figure
 
     def _outline(self, plane: Plane, window: Window) -> Figure:
         """Without what reaches no farther: heads beside one another, and arcs of given angles."""

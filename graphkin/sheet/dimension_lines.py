@@ -27,8 +27,8 @@ from graphkin.sheet.marks import ArcMark, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
-from graphkin.sheet.wheels import circles, disc
-from graphkin.sheet.window import Entry, Figure
+from graphkin.sheet.wheels import disc
+from graphkin.sheet.window import Entry
 
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
 _GAPS = (1.1, 1.9)  # between a line and its letters [mm]
@@ -137,13 +137,10 @@ class DimensionLines:
         points = (mark.at for mark in self.free.marks if isinstance(mark, PointMark))
         passed = any(off_stretch(at, start, end) < HINGE for at in points)
         count = sum(crossing(start, end, *bar) is not None for bar in self.skeleton.drawn)
-        count += sum(abs(start - centre) > radius > off_stretch(centre, start, end) for centre, radius in self._circles)
+        circles = self.skeleton.circles
+        count += sum(abs(start - centre) > radius > off_stretch(centre, start, end) for centre, radius in circles)
         ground = any(crossing(start, end, *foot) is not None for foot in feet(self.skeleton))
         return count + 2 * (passed or ground)
-
-    @cached_property
-    def _circles(self) -> list[tuple[Place, float]]:
-        return [*circles(self.skeleton)]
 
     @cached_property
     def _joints(self) -> dict[Place, tuple[bool, list[complex], set[str]]]:
@@ -262,18 +259,17 @@ def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke
         yield from (Stroke((start, start + off), "thin"), Stroke((end, end - off), "thin"))
 
 
-def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Figure:
+def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Iterator[Entry]:
     """Given angles as arcs between two arms with their values; arms that no link has are drawn, that along +x with its
     letter; drawn: arcs that they keep off, and thin lines that are arms, too."""
-    figure, others = Figure(), [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
+    others = [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
     lines = [(mark.places[0], mark.places[-1]) for mark in drawn if isinstance(mark, Stroke) and mark.pen == "thin"]
     for size in data:
         if isinstance(corner := size.shape, DrawnAngle):
             arms = [*_arms(skeleton, corner, lines)]
             radius, arc = _arc_with_room(skeleton, corner, arms, others)
             others += arc
-            figure += Figure.of(_angle(size, corner, skeleton, arms, radius))
-    return figure
+            yield from _angle(size, corner, skeleton, arms, radius)
 
 
 class _Arm(NamedTuple):

@@ -29,7 +29,7 @@ from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
-from graphkin.sheet.wheels import circles, disc
+from graphkin.sheet.wheels import disc
 from graphkin.sheet.window import PLANES
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
@@ -252,7 +252,7 @@ class MechanismNotes:
                 yield about, radius, way * arm / abs(arm), True, SWEEP
         wheels = wheels_of(self.reading.mechanism)
         hub = disc(skeleton, link) or next((wheel.centre for wheel in wheels if wheel.link == link), "")
-        rims = [radius for at, radius in circles(skeleton) if hub and at == skeleton.at(hub)]
+        rims = [radius for at, radius in skeleton.circles if hub and at == skeleton.at(hub)]
         for point, radius, middle in product([hub] if hub else points if not bars else (), radii, _AROUND):
             if radius < max(rims, default=math.inf) + _RIM:
                 yield (point,), radius, middle, False, SWEEP

@@ -31,7 +31,7 @@ from graphkin.sheet.page import Page, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.single_figure import Picture, foot_of
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, corners, enlarged
+from graphkin.sheet.window import PLANES, Entry, Extent, Figure, Window, corners, enlarged
 
 Own = Mapping[Plane, Mapping[str, complex]]
 """A student's drawing as it was measured: points of each plane by their letters, SI, from any of them."""
@@ -133,7 +133,8 @@ class Version:
         figure.marks += [Disc(at, 2 * _RING, "thin", step=_OTHERWISE) for at in sorted(gone, key=abs)]
         crowded = len(figure.wanted) > _CROWDED
         labels = [label for label in figure.wanted if not (crowded and label.spare)]
-        return Figure([self._penned(mark, window.scale) for mark in figure.marks], labels) + self._over(window)
+        marks = [self._penned(mark, window.scale) for mark in figure.marks]
+        return Figure(marks, labels) + Figure.of(self._over(window))
 
     def _polygon(self, plot: Plot, window: Window) -> PolygonFigure:
         return PolygonFigure(self.method.mechanism, self.construction, plot, window, {})
@@ -175,19 +176,18 @@ class Version:
         near = {*enlarged([*there.values()], laid.values(), _FAR)}
         return {name: value for name, value in laid.items() if value in near}
 
-    def _over(self, window: Window) -> Figure:
+    def _over(self, window: Window) -> Iterator[Entry]:
         """The drawing laid over, bold; letters in brackets where its points lie elsewhere."""
         plot = Plot(self.plot.facts)
         plot.points(self.plane).update(self._own)
         polygon = self._polygon(plot, window)
         marks = (mark for mark in polygon_figure(polygon).marks if not isinstance(mark, PointMark))
-        figure = Figure([self._emphasised(mark) for mark in marks])
+        yield from map(self._emphasised, marks)
         for name, at in polygon.points.items():
-            figure.marks.append(Disc(at, _RING, "thin"))
+            yield Disc(at, _RING, "thin")
             if abs(at - window(self.there[name])) > _OFF:
                 label = joined([plain("("), point_label(name), plain(")")], "")
-                figure.wanted.append(LabelRequest(label, at, gap=_RING))
-        return figure
+                yield LabelRequest(label, at, gap=_RING)
 
 
 def _versions(

@@ -222,7 +222,7 @@ def polygon_figure(polygon: PolygonFigure) -> Figure:
     for name, at in polygon.named.items():  # no site has the pole, or a corner between arrows
         of, step = polygon.of(name), polygon.step(name)
         marks.append(PointMark(plane, name, of, at, step=step, site=sites.get(name, "")))
-    return Figure(marks, _point_names(polygon) + _vector_names(polygon, vectors) + rims.wanted)
+    return Figure(marks, [*_point_names(polygon), *_vector_names(polygon, vectors), *rims.wanted])
 
 
 def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[Mark]:
@@ -239,7 +239,7 @@ def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[
                 yield Stroke((places[a], places[b]), "thin", shows=shows, step=polygon.step(*names))
 
 
-def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
+def _point_names(polygon: PolygonFigure) -> Iterator[LabelRequest]:
     """A label for each place: points that lie on one another share it, the pole first; each joins at its own step."""
     places = dict[Place, list[str]]()
     for name, at in polygon.named.items():
@@ -247,7 +247,7 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
         places.setdefault(next(same, at), []).append(name)
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     points = [image for image in polygon.gears if image.radius / polygon.window.scale < _LEAST]
-    requests, pole, nodes = list[LabelRequest](), polygon.construction.pole, polygon.construction.nodes
+    pole, nodes = polygon.construction.pole, polygon.construction.nodes
     for at, names in places.items():
         labels = dict[Label, int | None]()
         if pole in names:  # no corners that are the pole
@@ -258,16 +258,15 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
         gears = ((image.label, image.step) for name in names for image in points if image.centre == name)
         every = [*labels.items(), *dict.fromkeys(gears)]
         every = every if len(every) <= _LETTERS else [*every[: _LETTERS - 1], (plain("…"), every[_LETTERS - 1][1])]
-        requests.append(_named_together(every, at, 0.5, at - middle))
-    return requests
+        yield _named_together(every, at, 0.5, at - middle)
 
 
-def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[LabelRequest]:
+def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[LabelRequest]:
     """A label for each arrow that has a length: the ends of others share their letters."""
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     names = {vector.name: polygon.written(vector.name) for vector in vectors}
     twice = {name for name, written in names.items() if written != name and written in names}
-    letter, requests, construction = LETTER[polygon.construction.plane], list[LabelRequest](), polygon.construction
+    letter, construction = LETTER[polygon.construction.plane], polygon.construction
     terms = {*construction.vectors(), *(f"{letter}_{equation.of}" for equation in construction.equations)}
     for vector in vectors:
         if vector.length < _SAME or vector.name in twice:
@@ -277,6 +276,5 @@ def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[Lab
         rank = 1 + (vector.name in terms) if spare and not vector.broken and vector.pen != "asked" else 0
         own, away = polygon.names(vector), (vector.start + vector.end) / 2 - middle
         label, parts = tuple(chain.from_iterable(name for name, _ in own)), tuple(own) if own[1:] else ()
-        requests.append(LabelRequest(label, vector.start, vector.end, away=away, step=vector.step, spare=rank,
-                                     of=vector.name, parts=parts))  # fmt: skip
-    return requests
+        yield LabelRequest(label, vector.start, vector.end, away=away, step=vector.step, spare=rank, of=vector.name,
+                           parts=parts)  # fmt: skip

@@ -112,9 +112,8 @@ class TableBlock:
     lost: int = 0
 
     @classmethod
-    def shapes(cls, tables: Sequence[Table]) -> list[TableBlock]:
+    def shapes(cls, own: list[Table]) -> list[TableBlock]:
         """In one tier or two, each in its own, cut to some widths; none that takes more room both ways than another."""
-        own = [*tables]
         tiers = [[own], *([own[:k], own[k:]] for k in range(1, len(own))), [[table] for table in own]]
         blocks = [*map(cls, tiers), *(arranged(own, wide) for wide in _WIDTHS)]
         sizes = {block.size: block for block in blocks if block.rows == blocks[0].rows}
@@ -130,8 +129,7 @@ class TableBlock:
     def size(self) -> complex:
         return complex(max(map(across, self.tiers), default=0.0), height_of(self.tiers))
 
-    def marks(self, corner: Place) -> list[Mark]:
-        marks: list[Mark] = []
+    def marks(self, corner: Place) -> Iterator[Mark]:
         for tier in self.tiers:
             pen = corner
             for part in tier:
@@ -143,13 +141,12 @@ class TableBlock:
                             accent = _PLANES.get(head[-1].text.partition("/")[2]) if k and head else None
                             step = part.steps[k - 1] if k and part.steps else None
                             before = part.before(cell, column) if k else 0.0
-                            marks.append(Text(cell, at + before, LABEL, step, accent=accent))
+                            yield Text(cell, at + before, LABEL, step, accent=accent)
                         at += wide + gap
                 under = pen + 1j * (PITCH * 1.05)
-                marks.append(Stroke((under, under + part.wide), "thin"))
+                yield Stroke((under, under + part.wide), "thin")
                 pen += part.wide + _BETWEEN
             corner += 1j * height_of([tier])
-        return marks
 
 
 _WIDTHS = (110.0, 75.0, 50.0, 32.0)  # of blocks of tables [mm]

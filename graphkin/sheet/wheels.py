@@ -162,17 +162,9 @@ def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float,
     return Stroke((foot + along * low, foot + along * high), "visible", shows=shows, step=step)
 
 
-def circles(skeleton: Skeleton) -> Iterator[tuple[Place, float]]:
-    """Centre and radius of every circle on paper: of wheels and of cams [mm]."""
-    for centre, radius in sorted({circle[1:] for pair in skeleton.mechanism.pairs for circle in pair.circles}):
-        if radius > 0:
-            yield skeleton.at(centre), radius / skeleton.window.scale
-
-
-def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
+def profiles(skeleton: Skeleton, cam: Cam) -> Iterator[Mark]:
     """The profiles that touch."""
     step, scale = skeleton.step(*(centre for _, centre, _ in cam.circles)), skeleton.window.scale
-    marks: list[Mark] = []
     for link, profile, other in zip(cam.links, cam.profiles, cam.profiles[::-1], strict=True):
         if profile.centre is None:
             assert profile.line is not None
@@ -182,11 +174,10 @@ def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
             if stem := next(filter(None, stems), None):  # to both sides of it alike
                 half = reach * skeleton.direction(profile.line)
                 face = replace(face, places=(stem[0].places[0] - half, stem[0].places[0] + half))
-            marks.append(face)
+            yield face
         elif profile.radius > 0:
             shows = Shows(link, "wheel", (profile.centre,))
-            marks.append(Disc(skeleton.at(profile.centre), profile.radius / scale, "outline", shows=shows, step=step))
-    return marks
+            yield Disc(skeleton.at(profile.centre), profile.radius / scale, "outline", shows=shows, step=step)
 
 
 def equivalents(skeleton: Skeleton) -> Iterator[Entry]:
@@ -246,7 +237,7 @@ def _rod(skeleton: Skeleton, slide: Slide, at: Place, cam_centre: Place, radius:
     return marks
 
 
-def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
+def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> Iterator[Mark]:
     """Over its link's arc, or on the ground; the centre line is what a ruler holds against the radius."""
     centre, pin = skeleton.at(slot.centre), skeleton.at(slot.point)
     step, radius = skeleton.step(slot.centre, slot.point), slot.radius / skeleton.window.scale
@@ -254,7 +245,7 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     cut = arc_places(centre, arm, -half, half)
     shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     if slot.guide == FRAME:
-        marks: list[Mark] = [*symbols.arc_hatch(centre, arm * (1 + symbols.SLOT / radius), half, 1.0, step)]
+        yield from symbols.arc_hatch(centre, arm * (1 + symbols.SLOT / radius), half, 1.0, step)
     else:  # the arc of a moving link that carries the slot, joined to the nearest of the link's points
         more = half + min(OVERRUN / abs(arm), 0.4)
         points = [skeleton.at(point) for point in skeleton.named(slot.guide)]
@@ -263,6 +254,6 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
         near = {end: min([_FREE, *(off_stretch(end, *bar) for bar in bars)]) for end in ends}
         joint = min(product(near, points), key=lambda pair: (-near[pair[0]], abs(pair[1] - pair[0])))  # no false joint
         bar = arc_places(centre, arm, math.copysign(half, -ends[joint[0]]), ends[joint[0]])
-        marks = [Stroke(tuple(bar), "visible", shows=shows, step=step), Stroke(joint, "visible", step=step)]
-    marks += symbols.slot(cut, shows, step)
-    return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]
+        yield from (Stroke(tuple(bar), "visible", shows=shows, step=step), Stroke(joint, "visible", step=step))
+    yield from symbols.slot(cut, shows, step)
+    yield Stroke(tuple(cut), "centre", shows=shows, step=step)

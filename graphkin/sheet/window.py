@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
 from itertools import product
 
 import numpy as np
 
+from graphkin.base.rooms import corners as corners
+from graphkin.base.rooms import enlarged as enlarged
 from graphkin.base.scales import finest
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Plane
@@ -187,20 +188,3 @@ def _stairs(marks: Sequence[Mark], low: complex, high: complex, scale: float) ->
         parts = [(across[across >= step], down[across < step]) for step in _STEPS]
         stairs.append((corner, tuple((float(x.min(initial=np.inf)), float(y.min(initial=np.inf))) for x, y in parts)))
     return tuple(stairs)
-
-
-def corners(places: Sequence[complex]) -> tuple[complex, complex]:
-    """Lower left and upper right corner of what holds all these places."""
-    xs, ys = [v.real for v in places] or [0.0], [v.imag for v in places] or [0.0]
-    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
-
-
-def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) -> list[complex]:
-    """The places, and of more, in their order, those that leave the figure at most `factor` times as large."""
-    every, (low, high) = list(places), corners(places)
-    most = factor * (abs(high - low) or 1.0)
-    for place in more:
-        low, high = corners([*every, place])
-        if cmath.isfinite(place) and abs(high - low) <= most:
-            every.append(place)
-    return every
