@@ -101,7 +101,7 @@ class PageFigures:
             wanted = [replace(want, step=step) for want, step in zip(wanted, steps, strict=True)]
         return Figure(marks, [*wanted])
 
-    def _pencil(self, polygon: PolygonFigure, plot: Plot) -> list[Mark]:
+    def _pencil(self, polygon: PolygonFigure, plot: Plot) -> Iterator[Mark]:
         plane = polygon.construction.plane
         spoken = PolygonReading(Reading(self.method, plot, self.scales, "en"), plane)
         acts = [act for act in self.method.acts if act.plane == plane]

@@ -137,14 +137,12 @@ def asked_lines(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Ite
     if not isinstance(plot, Plot) or not plot.omega:
         return iter(())
     found, near = centres(method, plot), SAME * skeleton.window.scale
-    legs = [place(plot.position[name]) for name in method.special]
-
-    def told(name: str) -> bool:
-        apart = [min((abs(place(found.board.at(name)) - at) for at in some), default=near) for some in (drawn, legs)]
-        return apart[0] < near <= apart[1]
-
-    there = (found.name(*one.links) for one in asked if found.exists(*one.links))
-    names = {name for name in there if told(name)}
+    legs, names = [place(plot.position[name]) for name in method.special], set[str]()
+    for name in (found.name(*one.links) for one in asked if found.exists(*one.links)):
+        at = place(found.board.at(name))
+        shown, leg = (min((abs(at - other) for other in some), default=near) for some in (drawn, legs))
+        if shown < near <= leg:
+            names.add(name)
     low, high = corners([skeleton.window(at) for at in drawn])
     room = Room(low.real, low.imag, high.real, high.imag).inset(-_BEYOND, -_BEYOND, -_BEYOND)
     found, last = replace(found, centring=shortest(found, names)), drawn_when(method)

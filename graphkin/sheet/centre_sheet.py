@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache, partial
+from itertools import chain, product
 
 import numpy as np
 
@@ -22,7 +23,7 @@ from graphkin.say.catalogue import say
 from graphkin.sheet.centre_figure import OnPaper, Spot, bare_mechanism, centre_figure, centre_label, coordinates, spots
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.layout import HEAD, Layout, division
-from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width
+from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, joined, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.page import Page, Panel, Sheet, heading
@@ -87,7 +88,7 @@ def _layouts(
     table = cache(lambda paper: centre_table(found, lang, tables_room(paper), 0.4 * paper.height))
     none = True
     for scale in (given, None) if given and not fit else (None,):
-        for one, (low, high) in ((one, ends) for one in papers for ends in figures) if none else ():
+        for one, (low, high) in product(papers, figures) if none else ():
             extent = replace(alone, low=low, high=high, given=scale)
             extents: dict[Plane, Extent] = {"position": extent, "velocity": diagram}
             layout = division([one], extents, lambda paper: Strip(least=table(paper).size.imag).height(paper))
@@ -206,12 +207,9 @@ def _by(found: Centres, spot: Spot, lang: Lang) -> Label:
     """`P12P23 × P14P34`, a hinge with its point, or a word."""
     stage, step = spot.stage, spot.stage.last
     if stage.say == "two lines":
-        first, second = (
-            plain(say("centres.by normal", lang)) if line.name in found.centring.normals
-            else tuple(run for end in drawn_through(line) for run in centre_label(end))
-            for line in stage.lines
-        )  # fmt: skip
-        return (*first, Run(" × "), *second)
+        normals, normal = found.centring.normals, plain(say("centres.by normal", lang))
+        ends = ([normal] if line.name in normals else map(centre_label, drawn_through(line)) for line in stage.lines)
+        return joined([tuple(chain.from_iterable(each)) for each in ends], " × ")
     if stage.say == "hinge" and isinstance(step, Pricked):
         return (Run(say("centres.by hinge", lang) + " "), *point_label(step.point))
     return plain(say(f"centres.by {stage.say}", lang))

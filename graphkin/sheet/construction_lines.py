@@ -57,11 +57,12 @@ class PolygonConstruction:
     acts: Sequence[Act]
     rings: Rings | None = None
 
-    def lines(self) -> list[Mark]:
+    def lines(self) -> Iterator[Mark]:
         """The direction lines as far as they like to go on past their ends, for labels to keep off."""
-        lines = [Stroke((each.foot - each.along * _LIKED, each.meeting + each.along * _LIKED), "construction",
-                        step=each.page) for each in self._lines()]  # fmt: skip
-        return [*lines, *(Stroke((start, end), "measured", step=page) for start, end, page in self._carried())]
+        for line in self._lines():
+            ends = line.foot - line.along * _LIKED, line.meeting + line.along * _LIKED
+            yield Stroke(ends, "construction", step=line.page)
+        yield from (Stroke((start, end), "measured", step=page) for start, end, page in self._carried())
 
     def __call__(self, free: FreeRoom) -> list[Mark]:
         """All of it among what stands there."""

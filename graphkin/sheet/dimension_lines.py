@@ -250,15 +250,6 @@ def _told(pieces: Sequence[tuple[Place, Place]]) -> Iterator[tuple[Place, Place]
     yield from pieces[-1:]
 
 
-def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke]:
-    """The way of extension lines from each end of a dimension that lies apart to beside the other."""
-    for span in (size.shape for size in data if isinstance(size.shape, DrawnLength) and size.shape.form == "apart"):
-        start, end = skeleton.window(span.start), skeleton.window(span.end)
-        along = skeleton.window.turned(span.along)
-        off = end - start - along * ((end - start) / along).real
-        yield from (Stroke((start, start + off), "thin"), Stroke((end, end - off), "thin"))
-
-
 def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Iterator[Entry]:
     """Given angles as arcs between two arms with their values; arms that no link has are drawn, that along +x with its
     letter; drawn: arcs that they keep off, and thin lines that are arms, too."""

@@ -147,17 +147,13 @@ def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
     return [mark for sign, pair in pairs for mark in sign(skeleton, pair)]
 
 
-def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:
+def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> Iterator[Mark]:
     """A bar, or the outline of three and more points; thin lines go to points inside it, which are no bars."""
-
-    def line(through: Sequence[int], pen: PenName, closed: bool) -> Stroke:
-        shows = Shows(link, "bar", tuple(names[k] for k in through))
-        fill: Fill = "tint" if closed else "none"
-        return Stroke(tuple(places[k] for k in through), pen, closed, fill, shows, step)
-
     lines = [*lines_through(places)]
     inner: PenName = "thin" if any(closed for _, closed in lines) else "visible"
-    return [line(through, "outline" if closed else inner, closed) for through, closed in lines]
+    for through, closed in lines:
+        corners, shows = tuple(places[k] for k in through), Shows(link, "bar", tuple(names[k] for k in through))
+        yield Stroke(corners, "outline" if closed else inner, closed, "tint" if closed else "none", shows, step)
 
 
 def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:

@@ -19,8 +19,8 @@ from graphkin.planning.method import rate_found
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
-from graphkin.say.sizes import DrawnAngle, Size
-from graphkin.sheet.dimension_lines import DimensionLines, angle_label, extension_lines
+from graphkin.say.sizes import DrawnAngle, DrawnLength, Size
+from graphkin.sheet.dimension_lines import DimensionLines, angle_label
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, link_label, point_label, quantity_label
@@ -65,9 +65,14 @@ class MechanismNotes:
     planes: Sequence[Plane] = field(default_factory=tuple)
     told: bool = False
 
-    def lines(self) -> list[Mark]:
-        """The way of extension lines: no number of a link should stand in one."""
-        return [*extension_lines(self.skeleton, self.given)]
+    def lines(self) -> Iterator[Mark]:
+        """The way of extension lines from each end of a dimension that lies apart to beside the other: no number of a
+        link should stand in one."""
+        window, shapes = self.skeleton.window, (size.shape for size in self.given)
+        for span in (shape for shape in shapes if isinstance(shape, DrawnLength) and shape.form == "apart"):
+            start, end, along = window(span.start), window(span.end), window.turned(span.along)
+            off = end - start - along * ((end - start) / along).real
+            yield from (Stroke((start, start + off), "thin"), Stroke((end, end - off), "thin"))
 
     def __call__(self, free: FreeRoom) -> list[Mark]:
         """All of it among what stands there; data that find no room are written in lines at the foot of the figure."""

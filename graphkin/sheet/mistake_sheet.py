@@ -192,27 +192,23 @@ class Version:
 
 def _versions(
     method: Method, plot: Plot, plane: Plane, found: DrawingComparison | None, own: Own, answer: bool
-) -> Iterator[Version]:
+) -> list[Version]:
     """The drawing with mistakes over the right one, or beside it where they are not of one size."""
     students = own.get(plane) if plane != "position" else None
     right = Version(method, plane, _drawable(plot, plane), "right own" if students else "right", own=students)
     if found is None or plane not in found.planes:
-        if answer and students:
-            yield right
-        return
+        return [right] if answer and students else []
     if plane == "position" and _drawable(found.other, plane) is not found.other:
-        return  # a mechanism that does not close
+        return []  # a mechanism that does not close
     arrows, images = found.arrows.get(plane, frozenset()), found.images.get(plane, frozenset())
     right = replace(right, arrows=arrows, images=images)
     wrong = replace(right, plot=_drawable(found.other, plane), name="mistake own" if students else "mistake")
     if not answer:
-        yield wrong
-        return
+        return [wrong]
     first, second = (abs(high - low) for low, high in (corners(each.places()) for each in (right, wrong)))
     if plane != "position" and (students or 1 / _UNLIKE < (second or 1.0) / (first or 1.0) < _UNLIKE):
-        yield right if students else replace(right, name="right over", own=wrong.there)
-        return
-    yield from (right, wrong)
+        return [right if students else replace(right, name="right over", own=wrong.there)]
+    return [right, wrong]
 
 
 def _drawable(plot: Plot, plane: Plane) -> Plot:

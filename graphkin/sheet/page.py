@@ -99,7 +99,7 @@ def step_sheets(whole: Sheet, steps: Iterable[int] = ()) -> Iterator[Sheet]:
 class Last(Protocol):
     """Marks that are drawn last on a figure."""
 
-    def lines(self) -> list[Mark]:
+    def lines(self) -> Iterator[Mark]:
         """Lines that labels should keep off, where that costs nothing."""
 
     def __call__(self, free: FreeRoom) -> list[Mark]:
@@ -136,7 +136,7 @@ class Panel:
     @cached_property
     def scene(self) -> LabelScene:
         """Labels that want a place, and all that they keep off."""
-        giving_way = self.more.lines() if self.more is not None else ()
+        giving_way = [*self.more.lines()] if self.more is not None else ()
         return LabelScene(self.figure.wanted, [*self.before, *self.figure.marks], self.room, giving_way, self.beside)
 
     @cached_property

@@ -55,9 +55,7 @@ def gear_images(method: Method, plot: Plot) -> Iterator[GearImage]:
             yield GearImage(point_label(name), geometry.place(at), radius, centre, step)
 
 
-def gear_circles(
-    images: Sequence[GearImage], window: Window, others: Sequence[tuple[Place, Place]]
-) -> Iterator[Entry]:
+def gear_circles(images: Sequence[GearImage], window: Window, others: Sequence[Sequence[Place]]) -> Iterator[Entry]:
     """Thin circles with their letters, each where it is far from other lines; circles that lie on one another are
     one."""
     drawn = dict[tuple[Place, float], list[GearImage]]()
