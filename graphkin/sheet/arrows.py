@@ -176,7 +176,8 @@ def left_out(method: Method, construction: Construction, plot: Plot, gears: Sequ
     polygon = PolygonFigure(method.mechanism, construction, plot, trial_window([*places.values()]), {})
     vectors = [vector for vector in polygon.vectors() if vector.length > _POINT]
     long = max(vectors, key=lambda vector: vector.length, default=None)
-    if long is None or long.length <= _LONG * float(np.median([vector.length for vector in vectors])):
+    lengths = sorted(vector.length for vector in vectors)
+    if long is None or long.length <= _LONG * (lengths[(len(lengths) - 1) // 2] + lengths[len(lengths) // 2]) / 2:
         return {}
     drawn = _DRAWN * max(vector.length for vector in vectors if vector is not long) / long.length
     piece = (places[long.head] - places[long.tail]) * (1 - drawn)

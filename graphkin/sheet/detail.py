@@ -130,8 +130,7 @@ class _DetailDrawing:
             side = 2 * (knot.radius * times + _AROUND)
             if (corner := free.corner(complex(side, side + _HEAD))) is not None:
                 shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, knot.radius * times)
-                origin = shown.centre + (window.origin - knot.centre) * times
-                return _View(knot, shown, times * before, Window(origin, window.scale / times, window.times))
+                return _View(knot, shown, times * before, window.magnified(knot.centre, shown.centre, times))
         return None
 
     def _with(self, view: _View) -> _DetailDrawing:

@@ -142,13 +142,16 @@ class Panel:
     @cached_property
     def near(self) -> Settled:
         """Its labels near what they name."""
-        return settle(self.scene)
+        return self._settled()
 
     @cached_property
     def far(self) -> Settled:
         """Its labels in a crowd, where some find no good place otherwise, and some are left out."""
         crowd = self.scene.crammed or self.near.clashing or self.near.unclear
-        return settle(self.scene, self.near) if crowd else self.near
+        return self._settled(self.near) if crowd else self.near
+
+    def _settled(self, near: Settled | None = None) -> Settled:
+        return settle(self.scene, near)
 
     @cached_property
     def lettering(self) -> list[Mark]:

@@ -43,6 +43,10 @@ class Window:
         """The value that is drawn at a place [SI]."""
         return ((place - self.origin) * self.scale).conjugate()
 
+    def magnified(self, part: Place, shown: Place, times: float) -> Window:
+        """The window through which what lies at one place of the paper is seen at another, so many times as large."""
+        return Window(shown + (self.origin - part) * times, self.scale / times, self.times)
+
     @staticmethod
     def turned(direction: complex) -> complex:
         """A direction of the plane, on paper."""
