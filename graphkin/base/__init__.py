@@ -1,1 +1,1 @@
-"""Value classes, caches, work lists, complex numbers as vectors, tolerances, plain data: all else stands on these."""
+"""Value classes, caches, work lists, complex numbers as vectors, rooms, tolerances, plain data: all else needs them."""

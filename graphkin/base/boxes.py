@@ -12,6 +12,8 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 
+_UPON = 0.1  # so near to a line another ends upon it [mm]
+
 
 def xy(places: Array) -> Array:
     """Complex places (n,) as x and y of each (2, n)."""
@@ -40,6 +42,13 @@ def meet(start: Array, end: Array, other: Array, other_end: Array) -> Array:
     return np.asarray((first * (first + between) < 0) & (second * (second + between) < 0))
 
 
+def cross_some(start: Array, end: Array, first: Array, last: Array) -> Array:
+    """True for lines start..end (n,) that cross some of first..last, all complex; one that ends upon them does not."""
+    end = end + (start - end) * np.minimum(0.5, _UPON / np.maximum(abs(start - end), _UPON))
+    lines = *(xy(at)[..., None] for at in (start, end)), *(xy(at)[:, None] for at in (first, last))
+    return np.asarray(meet(*lines).any(axis=1))
+
+
 def _cross(along: Array, off: Array) -> Array:
     """The side of a line on which a place lies, by its sign."""
     return np.asarray(along[0] * off[1] - along[1] * off[0])
@@ -50,6 +59,17 @@ def off_lines(places: Array | complex, start: Array | complex, end: Array | comp
     along, off = np.asarray(end - start), places - start
     part = np.clip((off * along.conj()).real / np.where(along == 0, 1.0, abs(along) ** 2), 0.0, 1.0)
     return np.asarray(off - part * along)
+
+
+def off_boxes(low: Array, high: Array, start: Array, end: Array) -> Array:
+    """Distance of boxes (m, 1, 2) from lines, complex (n,): (m, n); 0 where an end or a corner lies in the other."""
+    (left, top), (right, bottom) = low.transpose(2, 0, 1), high.transpose(2, 0, 1)
+    corners = np.array([x + 1j * y for x in (left, right) for y in (top, bottom)])
+    ends = np.array([start, end])[:, None]
+    across = np.maximum(np.maximum(left - ends.real, ends.real - right), 0.0)
+    down = np.maximum(np.maximum(top - ends.imag, ends.imag - bottom), 0.0)
+    off = abs(off_lines(corners, start, end)).min(axis=0)
+    return np.asarray(np.minimum(off, np.hypot(across, down).min(axis=0)))
 
 
 def free_about(places: Array, lines: Sequence[Sequence[complex]], most: float) -> Array:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 
 from graphkin.base.geometry import number, place
+from graphkin.base.rooms import corners
 from graphkin.base.scales import finest
 from graphkin.equations.expressions import Symbol
 from graphkin.equations.legend import point_place
@@ -22,7 +23,7 @@ from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.page import Page, Panel
 from graphkin.sheet.paper import Paper
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.window import Extent, Figure, Window, corners
+from graphkin.sheet.window import Extent, Figure, Window
 
 _ROOM = complex(130.0, 95.0)  # the largest the mechanism's points may reach [mm]
 _MARGIN = 9.0  # room that letters need around it [mm]

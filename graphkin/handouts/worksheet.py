@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 
 import graphkin
 from graphkin.base.geometry import place
+from graphkin.base.rooms import corners
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, LayOff, Plane, Term
 from graphkin.errors import Lang
@@ -37,7 +38,6 @@ from graphkin.say.entry import Calculation, Entry, VectorEquation
 from graphkin.say.problems import positions
 from graphkin.sheet.lettering import formula, joined, plain, point_label
 from graphkin.sheet.mechanism_figure import shown_places
-from graphkin.sheet.window import corners
 from graphkin.submissions.submission import DRAWINGS
 
 _MORE = 1.2

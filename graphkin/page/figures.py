@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
+from graphkin.base.rooms import Room
 from graphkin.base.value import bulky
 from graphkin.construction import Plane, Plot
 from graphkin.planning import Method
@@ -20,7 +21,7 @@ from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.motion_frames import MotionFigure, lettered
-from graphkin.sheet.paper import KEYS, Room
+from graphkin.sheet.paper import KEYS
 from graphkin.sheet.polygons import PolygonFigure, named_site
 from graphkin.sheet.window import PLANES, Extent, Figure, Window
 
@@ -101,7 +102,7 @@ class PageFigures:
             wanted = [replace(want, step=step) for want, step in zip(wanted, steps, strict=True)]
         return Figure(marks, [*wanted])
 
-    def _pencil(self, polygon: PolygonFigure, plot: Plot) -> list[Mark]:
+    def _pencil(self, polygon: PolygonFigure, plot: Plot) -> Iterator[Mark]:
         plane = polygon.construction.plane
         spoken = PolygonReading(Reading(self.method, plot, self.scales, "en"), plane)
         acts = [act for act in self.method.acts if act.plane == plane]

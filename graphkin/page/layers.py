@@ -13,6 +13,7 @@ from typing import NotRequired, Protocol, TypedDict
 import numpy as np
 
 from graphkin.base.geometry import Array, Value
+from graphkin.base.rooms import Room
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError
 from graphkin.model.mechanism import FRAME
@@ -20,7 +21,6 @@ from graphkin.outputs.typesetting import html_words
 from graphkin.running import replay_all
 from graphkin.running.path import along
 from graphkin.sheet.lettering import point_label
-from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 from graphkin.studies.centres import Centres, centres, over
 from graphkin.studies.centres.centrodes import Centrodes, centrodes, whole

@@ -8,6 +8,7 @@ from itertools import chain
 
 from graphkin.base.geometry import place as as_place
 from graphkin.base.lines import circle_places
+from graphkin.base.rooms import enlarged
 from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -28,7 +29,7 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.path_figure import FINE, clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.titleblock import Strip, Table
-from graphkin.sheet.window import Entry, Figure, enlarged
+from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.centres.about import About, Circle, InflectionLine
 from graphkin.studies.centres.about_bobillier import Bobillier
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from graphkin.base import geometry
+from graphkin.base.rooms import corners
 from graphkin.construction import Along, Meet, Plot, Ray, Site, Swing, Touch
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
@@ -20,7 +21,7 @@ from graphkin.sheet.marks import Disc, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, arrow_head, right_angle
-from graphkin.sheet.window import Figure, corners
+from graphkin.sheet.window import Entry
 
 _BEYOND = 6.0  # how far a leg's line goes on past the special point [mm]
 _CUT = 34.0  # how much is drawn of a line to a special point off the paper [mm]
@@ -65,29 +66,29 @@ def drawn_when(method: Method) -> int | None:
     return max((act.page for act in method.acts if act.plane == "position"), default=None)
 
 
-def asked_centres(method: Method, skeleton: Skeleton, plot: Plot, drawn: list[complex]) -> Figure:
+def asked_centres(method: Method, skeleton: Skeleton, drawn: Sequence[complex]) -> Iterator[Entry]:
     """Asked centres, and the axes at the origin in which their places are told; those on a joint by their letters."""
-    figure, last = Figure(), drawn_when(method)
+    plot, last = skeleton.plot, drawn_when(method)
+    assert isinstance(plot, Plot)  # of a linkage that is only sketched nothing is asked
     points = [skeleton.at(point) for point in (*skeleton.points, *method.special) if point in plot.position]
     pivots = [skeleton.at(driver.vector[0]) for driver in method.mechanism.drivers if driver.vector is not None]
     for name, at in ((name, skeleton.window(place)) for name, place in _asked(method, plot).items() if place in drawn):
         if name:
             joint = any(abs(point - at) < HINGE for point in points)
-            rings = [Disc(at, 1.0, "thin", "paper", step=last), Disc(at, 0.4, "thin", "ink", step=last)]
-            figure.marks += [] if joint else rings
-            figure.wanted.append(LabelRequest(quantity_label("P", name[1:]), at, gap=HINGE, step=last, spare=2 * joint))
+            if not joint:
+                yield from (Disc(at, 1.0, "thin", "paper", step=last), Disc(at, 0.4, "thin", "ink", step=last))
+            yield LabelRequest(quantity_label("P", name[1:]), at, gap=HINGE, step=last, spare=2 * joint)
         else:
             for letter, way in (("x", 1), ("y", -1j)) if all(abs(at - pivot) > 0.1 for pivot in pivots) else ():
                 tip = at + _AXIS * way
-                figure.marks += [Stroke((at, tip), "thin"), arrow_head(tip, way, None, THIN_HEAD)]
-                figure.wanted.append(LabelRequest(plain(letter, italic=True), tip, gap=0.3, away=way))
-    return figure
+                yield from (Stroke((at, tip), "thin"), arrow_head(tip, way, None, THIN_HEAD))
+                yield LabelRequest(plain(letter, italic=True), tip, gap=0.3, away=way)
 
 
-def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
+def specials(method: Method, skeleton: Skeleton, drawn: Sequence[complex]) -> Iterator[Entry]:
     """The legs' lines, thin, from their far ends through where they meet; from their near ends towards it only where it
     is not among the places drawn [m]."""
-    figure, sites = Figure(), {n.site: n.of for n in method.velocity.nodes.values() if n.site is not None}
+    sites = {node.site: node.of for node in method.velocity.nodes.values() if node.site is not None}
     for name, rays, step in _special_points(method):
         at, shown = skeleton.at(name), geometry.place(skeleton.plot.position[name]) in drawn
         for ray in rays if cmath.isfinite(at) else ():  # else the legs are parallel: neither points anywhere
@@ -97,44 +98,41 @@ def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure
                 continue
             along = (at - start) / abs(at - start)
             if shown:
-                figure.marks.append(Stroke((start, at + along * _BEYOND), "thin", step=step))
+                yield Stroke((start, at + along * _BEYOND), "thin", step=step)
                 continue
             tip, label = start + along * _CUT, (*plain("→ "), *point_label(name))
             head = arrow_head(tip, along, step)
-            figure.marks += [Stroke((start, tip), "thin", step=step), head]
-            figure.wanted += (LabelRequest(label, end, gap=0.6, step=step) for end in (tip, head.places[-1]))
+            yield from (Stroke((start, tip), "thin", step=step), head)
+            yield from (LabelRequest(label, end, gap=0.6, step=step) for end in (tip, head.places[-1]))
         if shown:
             node = method.position.nodes[name]
             of, site = (node.of, "") if node.site is None else (sites.get(node.site, node.of), named_site(node.site))
-            figure.marks.append(PointMark("position", name, of, at, 0.6, step=step, site=site))
-            figure.wanted.append(LabelRequest(point_label(name), at, gap=0.8, step=step))
-    return figure
+            yield PointMark("position", name, of, at, 0.6, step=step, site=site)
+            yield LabelRequest(point_label(name), at, gap=0.8, step=step)
 
 
-def contacts(method: Method, skeleton: Skeleton) -> Figure:
+def contacts(method: Method, skeleton: Skeleton) -> Iterator[Entry]:
     """Contacts of wheels, as small points with their letters."""
-    figure, page = Figure(), pages(method)
+    page = pages(method)
     for step in method.position.steps:
         if isinstance(step, Touch):
             at, number = skeleton.at(step.point), page["position", step]
             site = named_site(Site(step.point, FRAME))
-            figure.marks.append(PointMark("position", step.point, step.point, at, 0.6, step=number, site=site))
-            figure.wanted.append(LabelRequest(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number))
-    return figure
+            yield PointMark("position", step.point, step.point, at, 0.6, step=number, site=site)
+            yield LabelRequest(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number)
 
 
-def touched(method: Method, plot: Plot, skeleton: Skeleton) -> Figure:
+def touched(method: Method, plot: Plot, skeleton: Skeleton) -> Iterator[Entry]:
     """Where guide lines touch the circles about their pivots, with radius and tangent at a right angle."""
-    figure, page, letters = Figure(), pages(method), feet(Reading(method, plot, {}, "en"))
+    page, letters = pages(method), feet(Reading(method, plot, {}, "en"))
     for step in method.position.steps:
         if isinstance(step, Swing) and step.slide in letters:
             pivot, through = skeleton.at(step.pivot), skeleton.at(step.through)
             along, number = skeleton.direction(method.structure.slides[step.slide].line), page["position", step]
             foot = through - (along.conjugate() * (through - pivot)).real * along
             if min(abs(foot - pivot), abs(foot - through)) >= _SHORT:
-                figure.marks.append(Stroke((pivot, foot, through), "construction", step=number))
-                figure.marks += right_angle(foot, pivot - foot, through - foot, step=number)
-                figure.marks.append(Disc(foot, 0.6, "thin", "ink", step=number))
+                yield Stroke((pivot, foot, through), "construction", step=number)
+                yield from right_angle(foot, pivot - foot, through - foot, step=number)
+                yield Disc(foot, 0.6, "thin", "ink", step=number)
                 label = point_label(letters[step.slide].replace("′", "'"))
-                figure.wanted.append(LabelRequest(label, foot, gap=0.8, away=foot - pivot, step=number))
-    return figure
+                yield LabelRequest(label, foot, gap=0.8, away=foot - pivot, step=number)

@@ -21,6 +21,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array, place
 from graphkin.base.lines import free_pieces
+from graphkin.base.rooms import corners
 from graphkin.base.triangles import shares_of
 from graphkin.construction import Construction, Plot
 from graphkin.planning import Method
@@ -28,7 +29,7 @@ from graphkin.planning.needed import PartsReader
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.marks import BREAK, Half, Mark, PointMark, Stroke, VectorMark
 from graphkin.sheet.polygons import GearImage, PolygonFigure
-from graphkin.sheet.window import Figure, corners, trial_window
+from graphkin.sheet.window import Figure, trial_window
 
 TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that [mm]
 _ON, _ALONG = 0.3, 1.0  # nearer than this to a line, over more than this of it, an arrow lies on it [mm]

@@ -16,6 +16,7 @@ from graphkin.base import geometry
 from graphkin.base.boxes import xy
 from graphkin.base.geometry import place
 from graphkin.base.lines import free_pieces
+from graphkin.base.rooms import Room, corners
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.construction.drafting import Far, Stage
@@ -29,11 +30,11 @@ from graphkin.sheet.lettering import Label, Run, number, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
-from graphkin.sheet.paper import PenName, Room
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import BLOCK, HINGE
-from graphkin.sheet.window import Figure, Window, corners
+from graphkin.sheet.window import Entry, Figure, Window
 from graphkin.studies.centres import Centres, centres
 from graphkin.studies.centres.instant_centres import shortest
 
@@ -120,37 +121,33 @@ class OnPaper:
             yield from clipped(drafting.ends(line, also), self.room, pen, spot.number)
 
 
-def centre_lines(paper: OnPaper) -> Figure:
+def centre_lines(paper: OnPaper) -> Iterator[Entry]:
     """The lines of all steps, the later ones where no earlier one lies."""
-    figure, drawn = Figure(), list[Stroke]()
+    drawn = list[Stroke]()
     for spot in paper.spots:
         for line in paper.lines(spot):
-            figure.marks += (fresh := [*_fresh(line, drawn)])
-            drawn += fresh
+            drawn += (fresh := [*_fresh(line, drawn)])
+            yield from fresh
             for end, other in (line.places, line.places[::-1]) if line.pen == "centre" else ():
-                normal = LabelRequest(plain("n", italic=True), end, gap=0.2, away=end - other, step=spot.number)
-                figure.wanted.append(normal)
-    return figure
+                yield LabelRequest(plain("n", italic=True), end, gap=0.2, away=end - other, step=spot.number)
 
 
-def asked_lines(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
+def asked_lines(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Iterator[Entry]:
     """Kennedy's lines to the solution's centres that are shown; those of a special point's legs are there already."""
     plot, asked = skeleton.plot, solution_centres(method.mechanism)
-    if not asked or not isinstance(plot, Plot) or not plot.omega:
-        return Figure()
+    if not isinstance(plot, Plot) or not plot.omega:
+        return iter(())
     found, near = centres(method, plot), SAME * skeleton.window.scale
-    legs = [place(plot.position[name]) for name in method.special]
-
-    def told(name: str) -> bool:
-        apart = [min((abs(place(found.board.at(name)) - at) for at in some), default=near) for some in (drawn, legs)]
-        return apart[0] < near <= apart[1]
-
-    there = (found.name(*one.links) for one in asked if found.exists(*one.links))
-    names = {name for name in there if told(name)}
+    legs, names = [place(plot.position[name]) for name in method.special], set[str]()
+    for name in (found.name(*one.links) for one in asked if found.exists(*one.links)):
+        at = place(found.board.at(name))
+        shown, leg = (min((abs(at - other) for other in some), default=near) for some in (drawn, legs))
+        if shown < near <= leg:
+            names.add(name)
     low, high = corners([skeleton.window(at) for at in drawn])
     room = Room(low.real, low.imag, high.real, high.imag).inset(-_BEYOND, -_BEYOND, -_BEYOND)
-    found = replace(found, centring=shortest(found, names))
-    return centre_lines(OnPaper(found, skeleton.window, room)).numbered(drawn_when(method))
+    found, last = replace(found, centring=shortest(found, names)), drawn_when(method)
+    return (replace(entry, step=last) for entry in centre_lines(OnPaper(found, skeleton.window, room)))
 
 
 def _fresh(line: Stroke, drawn: Sequence[Stroke]) -> Iterator[Stroke]:
@@ -218,7 +215,7 @@ def bare_mechanism(found: Centres, window: Window) -> Figure:
 
 def centre_figure(paper: OnPaper, whole: bool = True) -> Figure:
     """Lines first, the mechanism over them, then the centres and, of a whole one, the arrows to those off the paper."""
-    lines, machine = centre_lines(paper), bare_mechanism(paper.found, paper.window)
+    lines, machine = Figure.of(centre_lines(paper)), bare_mechanism(paper.found, paper.window)
     hinges = [paper.window(place) for place in mechanism_places(paper.found.method, paper.found.plot)]
     marks: list[Mark] = []
     for spot in filter(paper.shown, paper.spots):  # a small circle with a dot; over a hinge the dot alone shows

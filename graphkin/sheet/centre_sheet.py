@@ -10,11 +10,13 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache, partial
+from itertools import chain, product
 
 import numpy as np
 
 from graphkin.base import geometry
 from graphkin.base.boxes import free_about
+from graphkin.base.rooms import Room, corners, enlarged
 from graphkin.construction import Plane
 from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
@@ -22,13 +24,13 @@ from graphkin.say.catalogue import say
 from graphkin.sheet.centre_figure import OnPaper, Spot, bare_mechanism, centre_figure, centre_label, coordinates, spots
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.layout import HEAD, Layout, division
-from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, link_label, number, plain, point_label, width
+from graphkin.sheet.lettering import LABEL, LEAST, Label, Run, joined, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.page import Page, Panel, Sheet, heading
-from graphkin.sheet.paper import Paper, PenName, Room, papers_for
+from graphkin.sheet.paper import Paper, PenName, papers_for
 from graphkin.sheet.titleblock import PITCH, Strip, Table, TableBlock, across, tables_room
-from graphkin.sheet.window import Extent, Window, corners, enlarged
+from graphkin.sheet.window import Extent, Window
 from graphkin.studies.centres import Centres
 
 _CROWDED = 10  # with more labels at the end of leaders than this, another layout is tried
@@ -87,7 +89,7 @@ def _layouts(
     table = cache(lambda paper: centre_table(found, lang, tables_room(paper), 0.4 * paper.height))
     none = True
     for scale in (given, None) if given and not fit else (None,):
-        for one, (low, high) in ((one, ends) for one in papers for ends in figures) if none else ():
+        for one, (low, high) in product(papers, figures) if none else ():
             extent = replace(alone, low=low, high=high, given=scale)
             extents: dict[Plane, Extent] = {"position": extent, "velocity": diagram}
             layout = division([one], extents, lambda paper: Strip(least=table(paper).size.imag).height(paper))
@@ -130,7 +132,7 @@ def circle_size(found: Centres) -> complex:
     return complex(max(across, 56.0), 2 * (_radius(found) + _NUMBERS) + _LINE * len(_pens(found)) + 2)
 
 
-def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
+def circle_diagram(found: Centres, room: Room, lang: Lang) -> Iterator[Mark]:
     """Links as points on a circle, clockwise from the top as they are numbered, a chord for every centre. A missing one
     is found when it closes two triangles whose other sides are there: each is a line with three centres (Kennedy)."""
     size, radius = circle_size(found), _radius(found)
@@ -139,29 +141,30 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
     order = list(dict.fromkeys(link for pair in found.pairs for link in pair))
     turn = 2 * math.pi / max(1, len(order))
     nodes = {link: middle + cmath.rect(radius, turn * k - math.pi / 2) for k, link in enumerate(order)}
-    title = Text(plain(say("sheet.circle", lang)), complex(room.left + 3, room.top + 5.5), LABEL)
-    marks = [title, Disc(middle, radius, "thin"), *_chord_marks(found, nodes)]
+    yield Text(plain(say("sheet.circle", lang)), complex(room.left + 3, room.top + 5.5), LABEL)
+    yield Disc(middle, radius, "thin")
+    yield from _chord_marks(found, nodes)
     for link, at in nodes.items():
         label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
         wide, high = width(label, LABEL), 0.68 * LABEL
         x, y = (max(-1.0, min(1.0, 1.6 * part)) for part in (out.real, out.imag))  # side or corner towards the circle
         beside = at + out * _OFF + complex(x * wide, y * high) / 2
-        marks += [Disc(at, 0.9, "outline", "ink"), Text(label, beside + complex(-wide / 2, high / 2), LABEL)]
+        yield from (Disc(at, 0.9, "outline", "ink"), Text(label, beside + complex(-wide / 2, high / 2), LABEL))
     key = {pen: plain(say(f"sheet.chord {pen}", lang)) for pen in _pens(found)}
     wide = max((width(label, LEAST) for label in key.values()), default=0.0) + 14
     for k, (pen, label) in enumerate(key.items()):  # what full and dashed chords mean
         at = complex(middle.real, middle.imag + radius + _NUMBERS + 3) + complex(-wide / 2, k * _LINE)
-        marks += [Stroke((at, at + 12), pen), Text(label, at + complex(14, 0.33 * LEAST), LEAST)]
-    return marks
+        yield from (Stroke((at, at + 12), pen), Text(label, at + complex(14, 0.33 * LEAST), LEAST))
 
 
-def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
+def _chord_marks(found: Centres, nodes: dict[str, Place]) -> Iterator[Mark]:
     """The chords with their numbers, each where most room is on its chord, the short chords first."""
     chords = [
         Stroke(tuple(nodes[link] for link in found.centring.links[stage.last.name]), _PENS[stage.say], step=k)
         for k, stage in enumerate(found.centring.stages, start=1)
     ]
-    marks, balls = list[Mark](chords), list[Place]()
+    yield from chords
+    balls = list[Place]()
     for chord in sorted(chords, key=lambda chord: abs(chord.places[1] - chord.places[0])):
         start, end = chord.places
         spots = np.array([start + share * (end - start) for share in _SHARES])
@@ -171,9 +174,8 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
         balls.append(at)
         label = plain(str(chord.step))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
-        ball = Disc(at, _BALL, "thin", "paper", step=chord.step)
-        marks += [ball, Text(label, corner, LEAST, chord.step)]
-    return marks
+        yield Disc(at, _BALL, "thin", "paper", step=chord.step)
+        yield Text(label, corner, LEAST, chord.step)
 
 
 def centre_table(found: Centres, lang: Lang, room: float, most: float) -> TableBlock:
@@ -206,12 +208,9 @@ def _by(found: Centres, spot: Spot, lang: Lang) -> Label:
     """`P12P23 × P14P34`, a hinge with its point, or a word."""
     stage, step = spot.stage, spot.stage.last
     if stage.say == "two lines":
-        first, second = (
-            plain(say("centres.by normal", lang)) if line.name in found.centring.normals
-            else tuple(run for end in drawn_through(line) for run in centre_label(end))
-            for line in stage.lines
-        )  # fmt: skip
-        return (*first, Run(" × "), *second)
+        normals, normal = found.centring.normals, plain(say("centres.by normal", lang))
+        ends = ([normal] if line.name in normals else map(centre_label, drawn_through(line)) for line in stage.lines)
+        return joined([tuple(chain.from_iterable(each)) for each in ends], " × ")
     if stage.say == "hinge" and isinstance(step, Pricked):
         return (Run(say("centres.by hinge", lang) + " "), *point_label(step.point))
     return plain(say(f"centres.by {stage.say}", lang))

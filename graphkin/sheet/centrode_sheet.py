@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from graphkin.base.rooms import corners, enlarged
 from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
@@ -27,7 +28,7 @@ from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.single_figure import Picture, SingleFigure, gridded, place_for
 from graphkin.sheet.symbols import SWEEP, arrow, right_angle, spin
 from graphkin.sheet.titleblock import Strip
-from graphkin.sheet.window import Entry, Extent, Figure, Window, corners, enlarged
+from graphkin.sheet.window import Entry, Extent, Figure, Window
 from graphkin.studies.centres.centrodes import Centrodes
 from graphkin.studies.centres.two_velocities import TwoVelocities
 

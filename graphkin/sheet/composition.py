@@ -9,6 +9,7 @@ from itertools import product
 from typing import Literal
 
 from graphkin.base.cache import kept
+from graphkin.base.rooms import Room, enlarged
 from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.construction import Fit, Plane, Plot, Simultaneous
@@ -35,13 +36,13 @@ from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.mechanism_notes import MechanismNotes
 from graphkin.sheet.page import Last, Panel, heading
-from graphkin.sheet.paper import KEYS, LARGEST, Paper, Room
+from graphkin.sheet.paper import KEYS, LARGEST, Paper
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.text_blocks import Ladder, WrittenLines
 from graphkin.sheet.titleblock import Strip, Table, TableBlock
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, enlarged
+from graphkin.sheet.window import PLANES, Extent, Figure, Window
 
 Style = Literal["construction", "result", "given"]
 BlockName = Literal["paths", "equations", "detail", "tables"]
@@ -84,8 +85,8 @@ class Planes:
         figure = self._outline(plane, window)
         if plane != "position":
             return heads_apart(figure)
-        arcs = self.style != "result"
-        return angles(self.sizes, self.skeleton(window), figure.marks) + figure if arcs else figure
+        arcs = angles(self.sizes, self.skeleton(window), figure.marks) if self.style != "result" else ()
+        return Figure.of(arcs) + figure
 
     def _outline(self, plane: Plane, window: Window) -> Figure:
         """Without what reaches no farther: heads beside one another, and arcs of given angles."""
@@ -97,12 +98,12 @@ class Planes:
         figure = self.paths.figure(window) + mechanism_figure(skeleton, self.method, self.values(plane))
         if self.style != "construction":
             return figure
-        added = touched(self.method, self.plot, skeleton)
+        added = [*touched(self.method, self.plot, skeleton)]
         if solution_centres(self.method.mechanism):
             from graphkin.sheet.centre_figure import asked_lines
 
             added += asked_lines(self.method, skeleton, self.values(plane))
-        return added + figure
+        return Figure.of(added) + figure
 
     @cached_property
     def left_out(self) -> dict[Plane, dict[str, complex]]:

@@ -57,11 +57,12 @@ class PolygonConstruction:
     acts: Sequence[Act]
     rings: Rings | None = None
 
-    def lines(self) -> list[Mark]:
+    def lines(self) -> Iterator[Mark]:
         """The direction lines as far as they like to go on past their ends, for labels to keep off."""
-        lines = [Stroke((each.foot - each.along * _LIKED, each.meeting + each.along * _LIKED), "construction",
-                        step=each.page) for each in self._lines()]  # fmt: skip
-        return [*lines, *(Stroke((start, end), "measured", step=page) for start, end, page in self._carried())]
+        for line in self._lines():
+            ends = line.foot - line.along * _LIKED, line.meeting + line.along * _LIKED
+            yield Stroke(ends, "construction", step=line.page)
+        yield from (Stroke((start, end), "measured", step=page) for start, end, page in self._carried())
 
     def __call__(self, free: FreeRoom) -> list[Mark]:
         """All of it among what stands there."""
@@ -154,7 +155,8 @@ class PolygonConstruction:
                     free.add([mark for act, at in row for mark in ringed([act.number], at, act.page)])
         for each in placed.values():
             order = sorted((act for act, _ in each), key=lambda act: act.number)
-            for act, at in zip(order, sorted((at for _, at in each), key=_as_one_reads), strict=True):
+            places = sorted((at for _, at in each), key=lambda at: (round(at.imag / RING), at.real))  # as one reads
+            for act, at in zip(order, places, strict=True):
                 yield from ringed([act.number], at, act.page)
         if self.rings is not None:
             yield from self.rings([act.number for act in self.acts if act not in drawn])
@@ -182,11 +184,6 @@ class PolygonConstruction:
                 yield LabelRequest((), next(near, at), gap=0.8)
 
 
-def _as_one_reads(at: Place) -> tuple[int, float]:
-    """Line by line, from left to right."""
-    return round(at.imag / RING), at.real
-
-
 def _lay(line: _DirectionLine, free: FreeRoom) -> tuple[Place, Place, Place]:
     """A line from one end to past the other, where it bears its mark and lies on no other line: start, end and tip."""
     ends = [(line.meeting, line.along), (line.foot, -line.along)]
@@ -202,14 +199,13 @@ _RAY_BEYOND = 9.0  # the length of a direction line past its points [mm]
 _SWING, _STROKE = math.radians(22), 12.0  # half of an arc: this angle, or this length [mm] if that is less
 
 
-def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: Pages) -> list[Mark]:
+def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: Pages) -> Iterator[Mark]:
     """Each ray and arc from where it starts past where it meets another, with the number of its act."""
     ends: dict[Ray | Arc, list[str]] = {}
     for meet in (step for step in construction.steps if isinstance(step, Meet)):
         for line in (meet.first, meet.second):
             ends.setdefault(line, []).append(meet.point)
     points = plot.points(construction.plane)
-    marks: list[Mark] = []
     for step in construction.steps:
         number = pages.get((construction.plane, step))
         if isinstance(step, Ray | Arc):
@@ -218,9 +214,8 @@ def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: 
             if isinstance(step, Arc):  # short, around each place where the circle is crossed
                 for tip in tips:
                     half, start = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9)), cmath.phase(tip - foot)
-                    marks.append(ArcMark(foot, abs(tip - foot), start - half, 2 * half, "construction", step=number))
+                    yield ArcMark(foot, abs(tip - foot), start - half, 2 * half, "construction", step=number)
             elif not cmath.isnan(along := window.turned(complex(plot.direction(step.direction)))):
                 stops = [(along.conjugate() * (tip - foot)).real for tip in tips] or [0.0]
                 low, high = min(0.0, *stops) - _RAY_BEYOND, max(0.0, *stops) + _RAY_BEYOND
-                marks.append(Stroke((foot + along * low, foot + along * high), "construction", step=number))
-    return marks
+                yield Stroke((foot + along * low, foot + along * high), "construction", step=number)

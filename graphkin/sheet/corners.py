@@ -15,9 +15,9 @@ from typing import NamedTuple
 import numpy as np
 
 from graphkin.base.geometry import Array
+from graphkin.base.rooms import Room
 from graphkin.base.scales import finest_each
 from graphkin.sheet.marks import Place
-from graphkin.sheet.paper import Room
 from graphkin.sheet.window import CLOSE, Extent, Window
 
 _AIR = 6.0  # from a block to the figure beside it, with room for letters [mm]

@@ -15,6 +15,7 @@ from typing import assert_never
 from graphkin import planning
 from graphkin.base import geometry
 from graphkin.base.lines import arc_places
+from graphkin.base.rooms import enlarged
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, drafting
 from graphkin.construction.drafting import Bisector, CircleThrough, LineStep, Step
@@ -36,7 +37,7 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.titleblock import Strip
-from graphkin.sheet.window import Entry, Figure, enlarged
+from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.design import Design, Family, Solution, linkage_of
 from graphkin.studies.linkages import report
 

@@ -12,11 +12,13 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import compress, pairwise
+from typing import NamedTuple
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.lines import within
+from graphkin.base.rooms import Room, corners
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.free_room import FreeRoom
@@ -27,8 +29,7 @@ from graphkin.sheet.lettering import LABEL, plain, width
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.page import Panel
-from graphkin.sheet.paper import Room
-from graphkin.sheet.window import Figure, Window, corners, magnified
+from graphkin.sheet.window import Figure, Window
 
 _RADII = (1.2, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
 _SCALES, _LESS, _MORE = (400.0, 200.0, 100.0, 50.0, 40.0, 20.0, 10.0, 5.0, 4.0, 2.5), 2.0, 20.0
@@ -46,8 +47,7 @@ _NUMERALS = ("I", "II", "III")  # of the details of one figure, which has no mor
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
 
 
-@frozen
-class _DetailCircle:
+class _DetailCircle(NamedTuple):
     centre: Place
     radius: float
 
@@ -57,10 +57,6 @@ class _DetailCircle:
     def names(self, want: LabelRequest) -> bool:
         """True where what a label names lies in it wholly."""
         return self.holds(want.start, want.start if want.end is None else want.end)
-
-    def piece(self, start: Place, end: Place) -> tuple[Place, Place] | None:
-        """The piece of a line that lies in it."""
-        return within(start, end, self.centre, self.radius)
 
 
 @frozen
@@ -134,7 +130,7 @@ class _DetailDrawing:
             side = 2 * (knot.radius * times + _AROUND)
             if (corner := free.corner(complex(side, side + _HEAD))) is not None:
                 shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, knot.radius * times)
-                return _View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times))
+                return _View(knot, shown, times * before, window.magnified(knot.centre, shown.centre, times))
         return None
 
     def _with(self, view: _View) -> _DetailDrawing:
@@ -200,13 +196,13 @@ def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
         case PointMark(at=at) if circle.holds(at):
             yield replace(mark, plane="detail")
         case VectorMark(start=start, end=end) if circle.holds(end):
-            if (piece := circle.piece(start, end)) is not None:
+            if (piece := within(start, end, *circle)) is not None:
                 yield replace(mark, plane="detail", start=piece[0], broken=0.0)
         case VectorMark(start=start, end=end, pen=pen, step=step):
-            if (piece := circle.piece(start, end)) is not None:
+            if (piece := within(start, end, *circle)) is not None:
                 yield Stroke(piece, pen, step=step)
-        case Stroke(places=places, closed=closed):
-            yield from _pieces((*places, places[0]) if closed else places, mark, circle)
+        case Stroke():
+            yield from _pieces(mark.outline, mark, circle)
         case Disc(centre=centre, radius=radius) if abs(centre - circle.centre) + radius <= circle.radius:
             yield mark
         case Disc() | ArcMark():
@@ -220,5 +216,5 @@ def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
 def _pieces(places: tuple[Place, ...], line: Stroke, circle: _DetailCircle) -> Iterator[Mark]:
     """A line's pieces within the circle, as lines like it that say nothing."""
     for start, end in pairwise(places):
-        if (piece := circle.piece(start, end)) is not None:
+        if (piece := within(start, end, *circle)) is not None:
             yield replace(line, places=piece, closed=False, fill="none", shows=None)

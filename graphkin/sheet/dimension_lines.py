@@ -27,8 +27,8 @@ from graphkin.sheet.marks import ArcMark, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
-from graphkin.sheet.wheels import circles, disc
-from graphkin.sheet.window import Figure
+from graphkin.sheet.wheels import disc
+from graphkin.sheet.window import Entry
 
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
 _GAPS = (1.1, 1.9)  # between a line and its letters [mm]
@@ -142,13 +142,10 @@ class DimensionLines:
         count = sum(crossing(start, end, *bar) is not None for bar in self.skeleton.drawn)
         inner = [start + part * (end - start) for part in (0.2, 0.5, 0.8)]  # of which two are on a bar it runs along
         count += 2 * any(sum(off_stretch(at, *bar) < _ALONGSIDE for at in inner) > 1 for bar in self.skeleton.drawn)
-        count += sum(abs(start - centre) > radius > off_stretch(centre, start, end) for centre, radius in self._circles)
+        circles = self.skeleton.circles
+        count += sum(abs(start - centre) > radius > off_stretch(centre, start, end) for centre, radius in circles)
         ground = any(crossing(start, end, *foot) is not None for foot in feet(self.skeleton))
         return count + 2 * (passed or ground)
-
-    @cached_property
-    def _circles(self) -> list[tuple[Place, float]]:
-        return [*circles(self.skeleton)]
 
     @cached_property
     def _joints(self) -> dict[Place, tuple[bool, list[complex], set[str]]]:
@@ -261,27 +258,17 @@ def _told(start: Place, pieces: Sequence[tuple[Place, Place]]) -> Iterator[tuple
         yield from pieces[-1:]
 
 
-def extension_lines(skeleton: Skeleton, data: Iterable[Size]) -> Iterator[Stroke]:
-    """The way of extension lines from each end of a dimension that lies apart to beside the other."""
-    for span in (size.shape for size in data if isinstance(size.shape, DrawnLength) and size.shape.form == "apart"):
-        start, end = skeleton.window(span.start), skeleton.window(span.end)
-        along = skeleton.window.turned(span.along)
-        off = end - start - along * ((end - start) / along).real
-        yield from (Stroke((start, start + off), "thin"), Stroke((end, end - off), "thin"))
-
-
-def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Figure:
+def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Iterator[Entry]:
     """Given angles as arcs between two arms with their values; arms that no link has are drawn, that along +x with its
     letter; drawn: arcs that they keep off, and thin lines that are arms, too."""
-    figure, others = Figure(), [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
+    others = [place for mark in drawn if isinstance(mark, ArcMark) for place in arc_places(mark)]
     lines = [(mark.places[0], mark.places[-1]) for mark in drawn if isinstance(mark, Stroke) and mark.pen == "thin"]
     for size in data:
         if isinstance(corner := size.shape, DrawnAngle):
             arms = [*_arms(skeleton, corner, lines)]
             radius, arc = _arc_with_room(skeleton, corner, arms, others)
             others += arc
-            figure += _angle(size, corner, skeleton, arms, radius)
-    return figure
+            yield from _angle(size, corner, skeleton, arms, radius)
 
 
 class _Arm(NamedTuple):
@@ -328,21 +315,21 @@ def _arc_with_room(
     return max(tried, key=lambda each: each[0])[1:]
 
 
-def _angle(size: Size, corner: DrawnAngle, skeleton: Skeleton, arms: Sequence[_Arm], radius: float) -> Figure:
+def _angle(
+    size: Size, corner: DrawnAngle, skeleton: Skeleton, arms: Sequence[_Arm], radius: float
+) -> Iterator[Entry]:
     """The arc with its value, and the arms that no bar of a link has so far."""
     first, at, step = arms[0].way, skeleton.window(corner.at), skeleton.step(*corner.points)
     middle = first * cmath.rect(1, -corner.turn / 2)
-    want = LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1, between=True)
-    figure = Figure(angle_arc(at, radius, first, -corner.turn, step), [want])
+    yield from angle_arc(at, radius, first, -corner.turn, step)
+    yield LabelRequest(angle_label(size), at + middle * radius, gap=0.5, away=middle, step=step, spare=1, between=True)
     for arm in (arm for arm in arms if arm.goes_on(radius)):
         end, start = at + arm.way * (radius + _BEYOND), at + arm.way * (arm.reach + 2 * HINGE)
-        figure.marks.append(Stroke((start, end), "thin", step=step))
+        yield Stroke((start, end), "thin", step=step)
         level = arm.way == first and not arm.reach and abs(corner.start - 1) < 1e-9
         if level and len(corner.points) > 1:  # the x axis at a driven link
-            figure.marks.append(arrow_head(end, arm.way, step, THIN_HEAD))
-            x = plain("x", italic=True)
-            figure.wanted.append(LabelRequest(x, end, gap=0.3, away=arm.way, step=step, spare=True))
-    return figure
+            yield arrow_head(end, arm.way, step, THIN_HEAD)
+            yield LabelRequest(plain("x", italic=True), end, gap=0.3, away=arm.way, step=step, spare=True)
 
 
 def angle_label(size: Size) -> Label:

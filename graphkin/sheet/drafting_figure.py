@@ -14,6 +14,7 @@ import numpy as np
 
 from graphkin.base import geometry
 from graphkin.base.boxes import free_about
+from graphkin.base.rooms import Room
 from graphkin.base.value import frozen
 from graphkin.construction import drafting
 from graphkin.construction.drafting import Bisector, Board, Drafting, LineStep, Step, drawn_through
@@ -21,7 +22,7 @@ from graphkin.say.numbers import circled
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, joined, plain, width
 from graphkin.sheet.marks import ArcMark, Disc, Fill, Place, Stroke
-from graphkin.sheet.paper import PenName, Room
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.symbols import HINGE, angle_arc, arrow_head
 from graphkin.sheet.window import Entry, Window

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from graphkin.base.geometry import place
+from graphkin.base.rooms import enlarged
 from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
@@ -23,7 +24,7 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import papers_for
 from graphkin.sheet.single_figure import Picture, gridded
 from graphkin.sheet.titleblock import Strip
-from graphkin.sheet.window import Extent, Figure, Window, enlarged
+from graphkin.sheet.window import Extent, Figure, Window
 from graphkin.studies.finding import Findings
 from graphkin.studies.finding.answers import SlowPoint
 

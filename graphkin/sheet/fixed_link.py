@@ -23,7 +23,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, between, joined, link_label, quantity_label, vector_label
 from graphkin.sheet.marks import ArcMark, Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wheels import circles, follower
+from graphkin.sheet.wheels import follower
 from graphkin.sheet.window import Figure
 
 _REACH, _AWAY, _HIDDEN = 13.0, 18.0, 4.0
@@ -208,7 +208,7 @@ def _bare(radius: float, middle: complex, arcs: Sequence[ArcMark]) -> bool:
 
 def clearance(skeleton: Skeleton, *places: Place, more: Sequence[Ends] = ()) -> float:
     """Distance of places from the nearest link, or of more lines, as far as it matters to the eye [mm]."""
-    gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton) for place in places)]
+    gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in skeleton.circles for place in places)]
     return float(free_about(np.array(places), [*skeleton.segments, *feet(skeleton), *more], min(gaps)).min())
 
 
@@ -240,7 +240,7 @@ def _beside(skeleton: Skeleton, pair: Pair, at: Place, along: complex, taken: Se
     if isinstance(pair, Slide) and skeleton.is_cylinder(pair):
         foot = skeleton.at(pair.line.origin)
         at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
-    rim = max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0)
+    rim = max((radius for centre, radius in skeleton.circles if abs(centre - at) < 0.1), default=0.0)
     if isinstance(pair, RollingContact) and pair.line is not None and rim < _WITHIN:  # not in the ground under it
         sides = [skeleton.direction(pair.line) * (-1j if pair.left else 1j)]
     out = 5.2 if not 0 < rim < _WITHIN else 5.2 + rim - 1.5

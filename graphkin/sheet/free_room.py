@@ -14,13 +14,13 @@ import numpy as np
 
 from graphkin.base.boxes import overlap, xy
 from graphkin.base.geometry import Array
+from graphkin.base.rooms import Room
 from graphkin.base.segments import Segments
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import SIGN, LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import bounds, obstacles, places
-from graphkin.sheet.paper import Room
 
 _CLEAR = 0.6  # the distance of what is added from everything there [mm]
 _OFF = 0.65  # the distance of a number from the name to which it belongs [mm]

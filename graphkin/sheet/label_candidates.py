@@ -13,15 +13,15 @@ from itertools import chain, pairwise
 
 import numpy as np
 
-from graphkin.base.boxes import meet, off_lines, xy
+from graphkin.base.boxes import cross_some, off_boxes, off_lines, xy
 from graphkin.base.geometry import Array
+from graphkin.base.rooms import Room
 from graphkin.base.segments import Segments
 from graphkin.base.value import filled
 from graphkin.sheet.label_costs import LabelPlaces
 from graphkin.sheet.label_requests import CRAMMED, LONGEST, SIGN, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.marks import Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import obstacles
-from graphkin.sheet.paper import Room
 from graphkin.sheet.symbols import HINGE
 
 _NEARER = 0.3  # by so much, to the eye [mm]
@@ -167,10 +167,10 @@ class Arrows:
             own, middle = self.names == want.of, (low[rows] + high[rows]) @ (0.5, 0.5j)
             if want.of and own.any():
                 own |= self.hold(want)  # arrows that lie on one another are one line
-                apart = self._apart(low[rows, None], high[rows, None])
+                apart = off_boxes(low[rows, None], high[rows, None], self.start, self.end)
                 strange[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER
                 off = off_lines(middle, want.start, 2 * want.place - want.start)
-                strange[rows] |= self._crossed(middle, middle - off, self.start[~own], self.end[~own])
+                strange[rows] |= cross_some(middle, middle - off, self.start[~own], self.end[~own])
             elif want.end is None:
                 places = np.array([want.start, *self.points[np.abs(self.points - want.start) > _SAME]])
                 off = np.maximum(low[rows, None] - xy(places).T, xy(places).T - high[rows, None])
@@ -181,7 +181,7 @@ class Arrows:
                 lines = np.array([self.start, self.end])[:, ~own]
                 if want.between or 0 < want.gap <= HINGE:  # it is not beyond a bar either
                     lines = np.concatenate([lines, self.bars], axis=1)
-                strange[rows] |= self._crossed(middle, np.full(len(rows), want.start), *lines)
+                strange[rows] |= cross_some(middle, np.full(len(rows), want.start), *lines)
         return strange
 
     def unclear(self, wanted: Sequence[LabelRequest], owner: Array, start: Array, end: Array) -> Array:
@@ -193,7 +193,7 @@ class Arrows:
             points = np.abs(end[rows, None] - self.points)
             unclear[rows] |= ((points < _OWN) & ((points > _SAME) | (want.end is not None))).any(axis=1)
             others = self.names != want.of
-            over[rows] = self._crossed(start[rows], end[rows], self.start[others], self.end[others])
+            over[rows] = cross_some(start[rows], end[rows], self.start[others], self.end[others])
             if want.of and want.end is not None and others.any():
                 unclear[rows] |= self._beside(want.end - want.start, start[rows], end[rows], others)
         return np.maximum(unclear, _OVER * over)
@@ -205,20 +205,3 @@ class Arrows:
         apart, side = np.abs(off), ((start - end) * own.conjugate()).imag[:, None] * (off * own.conjugate()).imag
         parallel = np.abs((along * own.conjugate()).imag) < _PARALLEL * np.abs(along) * abs(own)
         return np.asarray(((apart < _OWN) & ~(parallel & (apart > _ASIDE) & (side > 0))).any(axis=1))
-
-    @staticmethod
-    def _crossed(start: Array, end: Array, first: Array, last: Array) -> Array:
-        """Lines start..end that cross some of first..last, all complex; one that ends upon them does not."""
-        end = end + (start - end) * np.minimum(0.5, _SHORTEST / np.maximum(abs(start - end), _SHORTEST))
-        lines = *(xy(at)[..., None] for at in (start, end)), *(xy(at)[:, None] for at in (first, last))
-        return np.asarray(meet(*lines).any(axis=1))
-
-    def _apart(self, low: Array, high: Array) -> Array:
-        """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""
-        (left, top), (right, bottom) = low.transpose(2, 0, 1), high.transpose(2, 0, 1)
-        corners = np.array([x + 1j * y for x in (left, right) for y in (top, bottom)])
-        ends = np.array([self.start, self.end])[:, None]
-        across = np.maximum(np.maximum(left - ends.real, ends.real - right), 0.0)
-        down = np.maximum(np.maximum(top - ends.imag, ends.imag - bottom), 0.0)
-        off = abs(off_lines(corners, self.start, self.end)).min(axis=0)
-        return np.asarray(np.minimum(off, np.hypot(across, down).min(axis=0)))

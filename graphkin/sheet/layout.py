@@ -14,6 +14,7 @@ from functools import lru_cache
 import numpy as np
 
 from graphkin.base.geometry import Array
+from graphkin.base.rooms import Room, parted
 from graphkin.base.scales import finer
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -21,7 +22,7 @@ from graphkin.errors import NOWHERE, TooLargeForPaper
 from graphkin.sheet.corners import Standing, standing
 from graphkin.sheet.marks import Place
 from graphkin.sheet.page import HEAD_WIDTH
-from graphkin.sheet.paper import KEYS, UNITS, Paper, Room
+from graphkin.sheet.paper import KEYS, UNITS, Paper
 from graphkin.sheet.window import Extent, Window
 
 HEAD = 7.5  # height of a figure's heading [mm]
@@ -59,12 +60,9 @@ class Layout:
 
     def _standing(self, plane: Plane, extent: Extent) -> tuple[Array, Extent, Standing]:
         """The room of a figure under its heading, its extent as drawn, and how it stands there."""
-        under, own = _under_heading(_one(self.rooms[plane])), self.as_drawn(plane, extent)
+        own = replace(extent.reduced(self.paper.times), given=self.scales[plane])
+        under = _under_heading(_one(self.rooms[plane]))
         return under, own, standing(under, own)
-
-    def as_drawn(self, plane: Plane, extent: Extent) -> Extent:
-        """At the scale at which it is drawn."""
-        return replace(extent.reduced(self.paper.times), given=self.scales[plane])
 
 
 def _one(room: Room) -> Array:
@@ -79,7 +77,7 @@ def _under_heading(rooms: Array) -> Array:
 
 def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
-    paper, own = layout.paper, layout.as_drawn(plane, extent)
+    paper, (_, own, _) = layout.paper, layout._standing(plane, extent)
     for side in ("height",) if paper.margin else ("width", "height"):
         field, foot = paper.divided(layout.strip.size.imag)
         less = np.arange(field.size.imag if side == "height" else field.size.real - HEAD_WIDTH)
@@ -199,19 +197,12 @@ def _rooms(field: Room, planes: tuple[Plane, ...]) -> dict[Plane, Array]:
     """All divisions of a field, many rooms of each plane: one after the other, or one beside or over the two others."""
     whole, every = np.repeat(_one(field), len(_SHARE), axis=1), list[tuple[Array, ...]]()
     for axis in (0, 1) if len(planes) > 1 else ():
-        one, rest = _cut(whole, _SHARE, axis)
+        one, rest = parted(whole, _SHARE, axis)
         if len(planes) == 2:
             every.append((one, rest))
             continue
-        every += [(one, *_cut(rest, _OTHER, axis)), (one, *_cut(rest, _OTHER, 1 - axis))]
-        first, other = _cut(one, _OTHER, 1 - axis)
+        every += [(one, *parted(rest, _OTHER, axis)), (one, *parted(rest, _OTHER, 1 - axis))]
+        first, other = parted(one, _OTHER, 1 - axis)
         every += [(first, other, rest), (first, rest, other)]
     sides = zip(*(every or [(whole[:, :1],)]), strict=True)
     return {plane: np.concatenate(each, axis=1) for plane, each in zip(planes, sides, strict=True)}
-
-
-def _cut(rooms: Array, share: Array, axis: int) -> tuple[Array, Array]:
-    """Two parts of each beside each other (0) or one above the other (1)."""
-    one, other = rooms.copy(), rooms.copy()
-    one[2 + axis] = other[axis] = rooms[axis] + share * (rooms[2 + axis] - rooms[axis])
-    return one, other

@@ -65,7 +65,7 @@ class Stroke:
     @property
     def outline(self) -> tuple[Place, ...]:
         """Its corners, and the first again where it is closed."""
-        return (*self.places, *self.places[: self.closed])
+        return (*self.places, self.places[0]) if self.closed else self.places
 
     @property
     def dashes(self) -> tuple[float, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, pairwise, product
 from typing import Any
@@ -28,7 +28,7 @@ from graphkin.sheet.window import Figure, Window
 _ASIDE = 7.0  # so far from a joint of others a number is its own link's [mm]
 _SEEN = symbols.BLOCK.real / 2 + symbols.SQUARE  # a line that goes on so far, past a block and a square, is seen [mm]
 _JOINED = 4.8  # lines that cross so near to a joint meet there: a break would leave a crumb [mm]
-Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
+Signs = Mapping[type[Pair], Callable[[Skeleton, Any], Iterable[Mark]]]
 
 
 def mechanism_figure(
@@ -42,14 +42,14 @@ def mechanism_figure(
     driving  the drivers' arrows, where others have them, too
     bare     without lower-pair equivalents, which a solution finds
     """
-    special = Figure() if drawn is None else specials(method, skeleton, drawn)
-    if drawn is not None and isinstance(skeleton.plot, Plot):
-        special += asked_centres(method, skeleton, skeleton.plot, drawn)
-    ground, driving = ground or grounds(skeleton), driving or drives(skeleton, method)
-    turning, bodies, touching = wheels.wheels(skeleton), _bodies(skeleton), contacts(method, skeleton)
-    marks = special.marks + turning.marks + ground.marks + bodies.marks + _hinges(skeleton) + touching.marks
-    dashed = Figure() if bare else wheels.equivalents(skeleton)
-    marks += [*_through_bars(skeleton), *dashed.marks, *driving.marks]
+    special = Figure()
+    if drawn is not None:
+        special = Figure.of([*specials(method, skeleton, drawn), *asked_centres(method, skeleton, drawn)])
+    ground, driving, bodies = ground or grounds(skeleton), driving or drives(skeleton, method), _bodies(skeleton)
+    turning, touching = Figure.of(wheels.wheels(skeleton)), Figure.of(contacts(method, skeleton))
+    dashed = Figure.of(() if bare else wheels.equivalents(skeleton))
+    marks = [*special.marks, *turning.marks, *ground.marks, *bodies.marks, *_hinges(skeleton), *touching.marks,
+             *_through_bars(skeleton), *dashed.marks, *driving.marks]  # fmt: skip
     labels = bodies.wanted
     for point in skeleton.points:  # letters of points; those at one place share a label
         away, step = -sum(skeleton.directions(point), 0j), skeleton.step(point)
@@ -61,7 +61,7 @@ def mechanism_figure(
 
 def moving_links(skeleton: Skeleton) -> list[Mark]:
     """Links, blocks and hinges alone."""
-    return _bodies(skeleton).marks + _hinges(skeleton)
+    return [*_bodies(skeleton).marks, *_hinges(skeleton)]
 
 
 def _bodies(skeleton: Skeleton) -> Figure:
@@ -147,17 +147,13 @@ def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
     return [mark for sign, pair in pairs for mark in sign(skeleton, pair)]
 
 
-def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:
+def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> Iterator[Mark]:
     """A bar, or the outline of three and more points; thin lines go to points inside it, which are no bars."""
-
-    def line(through: Sequence[int], pen: PenName, closed: bool) -> Stroke:
-        shows = Shows(link, "bar", tuple(names[k] for k in through))
-        fill: Fill = "tint" if closed else "none"
-        return Stroke(tuple(places[k] for k in through), pen, closed, fill, shows, step)
-
     lines = [*lines_through(places)]
     inner: PenName = "thin" if any(closed for _, closed in lines) else "visible"
-    return [line(through, "outline" if closed else inner, closed) for through, closed in lines]
+    for through, closed in lines:
+        corners, shows = tuple(places[k] for k in through), Shows(link, "bar", tuple(names[k] for k in through))
+        yield Stroke(corners, "outline" if closed else inner, closed, "tint" if closed else "none", shows, step)
 
 
 def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
@@ -234,15 +230,14 @@ def _through_bars(skeleton: Skeleton) -> Iterator[Mark]:
                 yield Stroke((at - half, at + half), "visible", step=skeleton.step(point))
 
 
-def _hinges(skeleton: Skeleton) -> list[Mark]:
+def _hinges(skeleton: Skeleton) -> Iterator[Mark]:
     """Hinges as white circles, other points of links as dots."""
-    marks, pins = list[Mark](), {pair.pin for pair in skeleton.mechanism.pairs if pair.pin is not None}
+    pins = {pair.pin for pair in skeleton.mechanism.pairs if pair.pin is not None}
     for point in skeleton.points:
         at, step, owners = skeleton.at(point), skeleton.step(point), skeleton.mechanism.owners[point]
         hinged, site = len(owners) > 1 or point in pins, f"{point}@{owners[0]}"
         radius = symbols.HINGE if hinged else 0.6
-        marks.append(PointMark("position", point, point, at, radius, "paper" if hinged else "ink", step, site=site))
-    return marks
+        yield PointMark("position", point, point, at, radius, "paper" if hinged else "ink", step, site=site)
 
 
 def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int | None) -> Iterator[LabelRequest]:

@@ -21,7 +21,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.say.sizes import DrawnAngle, DrawnLength, Size
-from graphkin.sheet.dimension_lines import DimensionLines, angle_label, extension_lines
+from graphkin.sheet.dimension_lines import DimensionLines, angle_label
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, link_label, point_label, quantity_label
@@ -30,7 +30,7 @@ from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
-from graphkin.sheet.wheels import circles, disc
+from graphkin.sheet.wheels import disc
 from graphkin.sheet.window import PLANES
 
 _RADII = (9.0, 12.0, 15.0, 18.5, 22.0, 6.5)  # of the arcs that show how a link turns [mm]
@@ -66,9 +66,14 @@ class MechanismNotes:
     planes: Sequence[Plane] = field(default_factory=tuple)
     told: bool = False
 
-    def lines(self) -> list[Mark]:
-        """The way of extension lines: no number of a link should stand in one."""
-        return [*extension_lines(self.skeleton, self.given)]
+    def lines(self) -> Iterator[Mark]:
+        """The way of extension lines from each end of a dimension that lies apart to beside the other: no number of a
+        link should stand in one."""
+        window, shapes = self.skeleton.window, (size.shape for size in self.given)
+        for span in (shape for shape in shapes if isinstance(shape, DrawnLength) and shape.form == "apart"):
+            start, end, along = window(span.start), window(span.end), window.turned(span.along)
+            off = end - start - along * ((end - start) / along).real
+            yield from (Stroke((start, start + off), "thin"), Stroke((end, end - off), "thin"))
 
     def __call__(self, free: FreeRoom) -> list[Mark]:
         """All of it among what stands there; data that find no room are written in lines at the foot of the figure."""
@@ -257,7 +262,7 @@ class MechanismNotes:
                 yield about, radius, way * arm / abs(arm), True, SWEEP
         wheels = wheels_of(self.reading.mechanism)
         hub = disc(skeleton, link) or next((wheel.centre for wheel in wheels if wheel.link == link), "")
-        rims = [radius for at, radius in circles(skeleton) if hub and at == skeleton.at(hub)]
+        rims = [radius for at, radius in skeleton.circles if hub and at == skeleton.at(hub)]
         for point, radius, middle in product([hub] if hub else points if not bars else (), radii, _AROUND):
             if radius < max(rims, default=math.inf) + _RIM:
                 yield (point,), radius, middle, False, SWEEP

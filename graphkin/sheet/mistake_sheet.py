@@ -14,6 +14,7 @@ from dataclasses import replace
 from typing import Any
 
 from graphkin.base.geometry import place
+from graphkin.base.rooms import Room, corners, enlarged
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
@@ -28,10 +29,10 @@ from graphkin.sheet.marks import Disc, Mark, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import Page, Sheet, heading
-from graphkin.sheet.paper import Paper, Room
+from graphkin.sheet.paper import Paper
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.single_figure import Picture, foot_of
-from graphkin.sheet.window import PLANES, Extent, Figure, Window, corners, enlarged
+from graphkin.sheet.window import PLANES, Entry, Extent, Figure, Window
 
 Own = Mapping[Plane, Mapping[str, complex]]
 """A student's drawing as it was measured: points of each plane by their letters, SI, from any of them."""
@@ -133,7 +134,8 @@ class Version:
         figure.marks += [Disc(at, 2 * _RING, "thin", step=_OTHERWISE) for at in sorted(gone, key=abs)]
         crowded = len(figure.wanted) > _CROWDED
         labels = [label for label in figure.wanted if not (crowded and label.spare)]
-        return Figure([self._penned(mark, window.scale) for mark in figure.marks], labels) + self._over(window)
+        marks = [self._penned(mark, window.scale) for mark in figure.marks]
+        return Figure(marks, labels) + Figure.of(self._over(window))
 
     def _polygon(self, plot: Plot, window: Window) -> PolygonFigure:
         return PolygonFigure(self.method.mechanism, self.construction, plot, window, {})
@@ -175,44 +177,39 @@ class Version:
         near = {*enlarged([*there.values()], laid.values(), _FAR)}
         return {name: value for name, value in laid.items() if value in near}
 
-    def _over(self, window: Window) -> Figure:
+    def _over(self, window: Window) -> Iterator[Entry]:
         """The drawing laid over, bold; letters in brackets where its points lie elsewhere."""
         plot = Plot(self.plot.facts)
         plot.points(self.plane).update(self._own)
         polygon = self._polygon(plot, window)
         marks = (mark for mark in polygon_figure(polygon).marks if not isinstance(mark, PointMark))
-        figure = Figure([self._emphasised(mark) for mark in marks])
+        yield from map(self._emphasised, marks)
         for name, at in polygon.points.items():
-            figure.marks.append(Disc(at, _RING, "thin"))
+            yield Disc(at, _RING, "thin")
             if abs(at - window(self.there[name])) > _OFF:
                 label = joined([plain("("), point_label(name), plain(")")], "")
-                figure.wanted.append(LabelRequest(label, at, gap=_RING))
-        return figure
+                yield LabelRequest(label, at, gap=_RING)
 
 
 def _versions(
     method: Method, plot: Plot, plane: Plane, found: DrawingComparison | None, own: Own, answer: bool
-) -> Iterator[Version]:
+) -> list[Version]:
     """The drawing with mistakes over the right one, or beside it where they are not of one size."""
     students = own.get(plane) if plane != "position" else None
     right = Version(method, plane, _drawable(plot, plane), "right own" if students else "right", own=students)
     if found is None or plane not in found.planes:
-        if answer and students:
-            yield right
-        return
+        return [right] if answer and students else []
     if plane == "position" and _drawable(found.other, plane) is not found.other:
-        return  # a mechanism that does not close
+        return []  # a mechanism that does not close
     arrows, images = found.arrows.get(plane, frozenset()), found.images.get(plane, frozenset())
     right = replace(right, arrows=arrows, images=images)
     wrong = replace(right, plot=_drawable(found.other, plane), name="mistake own" if students else "mistake")
     if not answer:
-        yield wrong
-        return
+        return [wrong]
     first, second = (abs(high - low) for low, high in (corners(each.places()) for each in (right, wrong)))
     if plane != "position" and (students or 1 / _UNLIKE < (second or 1.0) / (first or 1.0) < _UNLIKE):
-        yield right if students else replace(right, name="right over", own=wrong.there)
-        return
-    yield from (right, wrong)
+        return [right if students else replace(right, name="right over", own=wrong.there)]
+    return [right, wrong]
 
 
 def _drawable(plot: Plot, plane: Plane) -> Plot:

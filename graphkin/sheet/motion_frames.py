@@ -20,6 +20,7 @@ import numpy as np
 
 from graphkin.base.boxes import xy
 from graphkin.base.geometry import Array
+from graphkin.base.rooms import Room
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
@@ -38,7 +39,7 @@ from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import Page, Panel, Sheet, heading
-from graphkin.sheet.paper import KEYS, Room, papers_for
+from graphkin.sheet.paper import KEYS, papers_for
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.results import label_of
 from graphkin.sheet.skeleton import Skeleton

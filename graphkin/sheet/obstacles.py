@@ -36,8 +36,8 @@ def obstacles(drawn: Iterable[Mark], hollow: bool = False) -> Segments:
 def _outlines(mark: Mark) -> Iterator[tuple[Sequence[Place], bool]]:
     """Polylines that a mark is made of, and whether what is in them is filled."""
     match mark:
-        case Stroke(places, closed=closed, fill=fill):
-            yield (*places, places[0]) if closed else places, closed and fill not in ("none", "tint")
+        case Stroke(closed=closed, fill=fill):
+            yield mark.outline, closed and fill not in ("none", "tint")
         case Disc(centre, radius, fill=fill):
             yield [centre + radius * turn for turn in _CIRCLE], fill not in ("none", "tint")
         case ArcMark():

@@ -17,6 +17,7 @@ from typing import Literal, Protocol, SupportsFloat
 import numpy as np
 
 from graphkin.base.geometry import Array
+from graphkin.base.rooms import Room
 from graphkin.base.value import bulky, frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
@@ -28,7 +29,7 @@ from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import LABEL, formula, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text, enlarged
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import Paper, Room, written
+from graphkin.sheet.paper import Paper, written
 from graphkin.sheet.titleblock import Strip
 from graphkin.sheet.window import Figure, Window
 
@@ -101,7 +102,7 @@ def step_sheets(whole: Sheet, steps: Iterable[int] = ()) -> Iterator[Sheet]:
 class Last(Protocol):
     """Marks that are drawn last on a figure."""
 
-    def lines(self) -> list[Mark]:
+    def lines(self) -> Iterator[Mark]:
         """Lines that labels should keep off, where that costs nothing."""
 
     def __call__(self, free: FreeRoom) -> list[Mark]:
@@ -138,7 +139,7 @@ class Panel:
     @cached_property
     def scene(self) -> LabelScene:
         """Labels that want a place, and all that they keep off."""
-        giving_way = self.more.lines() if self.more is not None else ()
+        giving_way = [*self.more.lines()] if self.more is not None else ()
         return LabelScene(self.figure.wanted, [*self.before, *self.figure.marks], self.room, giving_way, self.beside)
 
     @cached_property

@@ -6,66 +6,15 @@ Sizes are in millimetres. A scale is what one millimetre on paper stands for: mu
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Literal
 
-import numpy as np
-
-from graphkin.base.boxes import rows_of
+from graphkin.base.rooms import Room
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import UnknownPaper
 from graphkin.sheet.lettering import Label, quantity_label, valued
-
-
-@frozen
-class Room:
-    """A rectangle of the paper [mm, y down]."""
-
-    left: float
-    top: float
-    right: float
-    bottom: float
-
-    @property
-    def size(self) -> complex:
-        """Width and height."""
-        return complex(self.right - self.left, self.bottom - self.top)
-
-    @property
-    def middle(self) -> complex:
-        return complex(self.left + self.right, self.top + self.bottom) / 2
-
-    @property
-    def corners(self) -> tuple[complex, complex, complex, complex]:
-        low, high = complex(self.left, self.top), complex(self.right, self.bottom)
-        return low, complex(high.real, low.imag), high, complex(low.real, high.imag)
-
-    def inset(self, sides: float, top: float, foot: float) -> Room:
-        """The same without a margin at each side, at the top and at the foot."""
-        return Room(self.left + sides, self.top + top, self.right - sides, self.bottom - foot)
-
-    def meander(self, step: float) -> tuple[complex, ...]:
-        """A line to and fro through all of it, no farther apart."""
-        rows = np.linspace(self.top, self.bottom, int((self.bottom - self.top) / step) + 2)
-        sides = np.resize([self.left, self.right, self.right, self.left], 2 * len(rows))
-        return tuple((sides + 1j * np.repeat(rows, 2)).tolist())
-
-    def holds(self, place: complex) -> bool:
-        return self.left <= place.real <= self.right and self.top <= place.imag <= self.bottom
-
-    def cells(self, count: int, columns: int) -> list[Room]:
-        """Equal cells, row by row."""
-        wide, high = self.size.real / columns, self.size.imag / -(-count // columns)
-        corners = ((self.left + k % columns * wide, self.top + k // columns * high) for k in range(count))
-        return [Room(left, top, left + wide, top + high) for left, top in corners]
-
-    def shared(self, needs: Sequence[Sequence[complex]]) -> list[Room]:
-        """Cells row by row, of these sizes [mm] and what is left; none where they do not fit."""
-        cells = rows_of(needs, self.size)
-        return [Room(self.left + x, self.top + y, self.left + right, self.top + low) for x, y, right, low in cells]
-
 
 _A4 = 210.0 * 297.0  # [mm^2]
 _READ = 1.1  # letters of A3 are so much larger: at the size of A4 labels are 1.8 mm high, the least of ISO 3098

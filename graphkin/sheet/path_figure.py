@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from graphkin.base.rooms import Room, corners
 from graphkin.base.scales import finest
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
@@ -16,9 +17,9 @@ from graphkin.say.catalogue import say, say_close
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, Label, formula, number, plain
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke
-from graphkin.sheet.paper import PenName, Room
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.symbols import arrow
-from graphkin.sheet.window import Entry, Figure, Window, corners
+from graphkin.sheet.window import Entry, Figure, Window
 
 if TYPE_CHECKING:
     from graphkin.studies.sweeps import PointPath

@@ -24,7 +24,7 @@ from graphkin.planning.polygon_arrows import Arrow, arrows
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, vector_label
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Shows, Stroke, VectorMark
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.window import Entry, Figure, Window
 
 _UNITS = {"velocity": "m/s", "acceleration": "m/s²"}
 _LEAST = 0.4  # a circle smaller than this is a point [mm]
@@ -55,10 +55,10 @@ def gear_images(method: Method, plot: Plot) -> Iterator[GearImage]:
             yield GearImage(point_label(name), geometry.place(at), radius, centre, step)
 
 
-def gear_circles(images: Sequence[GearImage], window: Window, others: Sequence[tuple[Place, Place]]) -> Figure:
+def gear_circles(images: Sequence[GearImage], window: Window, others: Sequence[Sequence[Place]]) -> Iterator[Entry]:
     """Thin circles with their letters, each where it is far from other lines; circles that lie on one another are
     one."""
-    figure, drawn = Figure(), dict[tuple[Place, float], list[GearImage]]()
+    drawn = dict[tuple[Place, float], list[GearImage]]()
     for image in sorted(images, key=lambda image: image.step or 0):
         at, radius = window(image.at), image.radius / window.scale
         same = (ring for ring in drawn if max(abs(ring[0] - at), abs(ring[1] - radius)) < _SAME)
@@ -68,10 +68,9 @@ def gear_circles(images: Sequence[GearImage], window: Window, others: Sequence[t
             rim = at + radius * np.exp(1j * np.radians(np.arange(15, 360, 30)))
             rims = [abs(abs(rim - centre) - other) for centre, other in drawn if (centre, other) != (at, radius)]
             spot = complex(rim[np.min([*rims, free_about(rim, others, 9.0)], axis=0).argmax()])
-            figure.marks.append(Disc(at, radius, "thin", step=own[0].step))
+            yield Disc(at, radius, "thin", step=own[0].step)
             names = dict.fromkeys((image.label, image.step) for image in own)
-            figure.wanted.append(_named_together([*names], spot, 0.4, (spot - at) / radius))
-    return figure
+            yield _named_together([*names], spot, 0.4, (spot - at) / radius)
 
 
 def _named_together(names: Sequence[tuple[Label, int | None]], at: Place, gap: float, away: complex) -> LabelRequest:
@@ -215,13 +214,13 @@ def polygon_figure(polygon: PolygonFigure) -> Figure:
     """Images as thin lines, then arrows, then points."""
     vectors, plane = list(polygon.vectors()), polygon.construction.plane
     ends = [*((vector.start, vector.end) for vector in vectors), *((at, at) for at in polygon.named.values())]
-    rims = gear_circles(polygon.gears, polygon.window, ends)
+    rims = Figure.of(gear_circles(polygon.gears, polygon.window, ends))
     marks = [*_image_lines(polygon, vectors), *rims.marks, *vectors]
     sites = {name: named_site(node.site) for name, node in polygon.construction.nodes.items() if node.site is not None}
     for name, at in polygon.named.items():  # no site has the pole, or a corner between arrows
         of, step = polygon.of(name), polygon.step(name)
         marks.append(PointMark(plane, name, of, at, step=step, site=sites.get(name, "")))
-    return Figure(marks, _point_names(polygon) + _vector_names(polygon, vectors) + rims.wanted)
+    return Figure(marks, [*_point_names(polygon), *_vector_names(polygon, vectors), *rims.wanted])
 
 
 def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[Mark]:
@@ -238,18 +237,16 @@ def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[
                 yield Stroke((places[a], places[b]), "thin", shows=shows, step=polygon.step(*names))
 
 
-def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
+def _point_names(polygon: PolygonFigure) -> Iterator[LabelRequest]:
     """A label for each place: points that lie on one another share it, the pole first; each joins at its own step."""
-    places: list[tuple[Place, list[str]]] = []
+    places = dict[Place, list[str]]()
     for name, at in polygon.named.items():
-        same = next((names for there, names in places if abs(there - at) < _SAME), None)
-        if same is None:
-            places.append((at, same := []))
-        same.append(name)
+        same = (there for there in places if abs(there - at) < _SAME)
+        places.setdefault(next(same, at), []).append(name)
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     points = [image for image in polygon.gears if image.radius / polygon.window.scale < _LEAST]
-    requests, pole, nodes = list[LabelRequest](), polygon.construction.pole, polygon.construction.nodes
-    for at, names in places:
+    pole, nodes = polygon.construction.pole, polygon.construction.nodes
+    for at, names in places.items():
         labels = dict[Label, int | None]()
         if pole in names:  # no corners that are the pole
             off = {name for name in names if round(abs(polygon.points[name] - at), _EXACT)}
@@ -259,16 +256,15 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
         gears = ((image.label, image.step) for name in names for image in points if image.centre == name)
         every = [*labels.items(), *dict.fromkeys(gears)]
         every = every if len(every) <= _LETTERS else [*every[: _LETTERS - 1], (plain("…"), every[_LETTERS - 1][1])]
-        requests.append(_named_together(every, at, 0.5, at - middle))
-    return requests
+        yield _named_together(every, at, 0.5, at - middle)
 
 
-def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[LabelRequest]:
+def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[LabelRequest]:
     """A label for each arrow that has a length: the ends of others share their letters."""
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     names = {vector.name: polygon.written(vector.name) for vector in vectors}
     twice = {name for name, written in names.items() if written != name and written in names}
-    letter, requests, construction = LETTER[polygon.construction.plane], list[LabelRequest](), polygon.construction
+    letter, construction = LETTER[polygon.construction.plane], polygon.construction
     terms = {*construction.vectors(), *(f"{letter}_{equation.of}" for equation in construction.equations)}
     for vector in vectors:
         if vector.length < _SAME or vector.name in twice:
@@ -278,6 +274,5 @@ def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[Lab
         rank = 1 + (vector.name in terms) if spare and not vector.broken and vector.pen != "asked" else 0
         own, away = polygon.names(vector), (vector.start + vector.end) / 2 - middle
         label, parts = tuple(chain.from_iterable(name for name, _ in own)), tuple(own) if own[1:] else ()
-        requests.append(LabelRequest(label, vector.start, vector.end, away=away, step=vector.step, spare=rank,
-                                     of=vector.name, parts=parts))  # fmt: skip
-    return requests
+        yield LabelRequest(label, vector.start, vector.end, away=away, step=vector.step, spare=rank, of=vector.name,
+                           parts=parts)  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import cached_property
 from typing import assert_never
 
@@ -53,12 +53,10 @@ class _PlaneTables:
     shown: set[_Key]
 
     @property
-    def every(self) -> Iterator[Table]:
-        if self.plane != "position":
-            yield from (self.links(), self.points(), self.coincident_points())
-        yield self.slides()
+    def every(self) -> list[Table]:
         if self.plane == "position":
-            yield self.answers()
+            return [self.slides(), self.answers()]
+        return [self.links(), self.points(), self.coincident_points(), self.slides()]
 
     @cached_property
     def questions(self) -> dict[_Key, asked.Quantity]:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import log
 
+from graphkin.base.rooms import Room
 from graphkin.base.scales import finer
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
@@ -18,7 +19,7 @@ from graphkin.sheet.lettering import LABEL, Label, formula, width
 from graphkin.sheet.marks import Text
 from graphkin.sheet.mechanism_figure import plain_mechanism, plainly
 from graphkin.sheet.page import Page, Panel, Sheet, heading
-from graphkin.sheet.paper import Paper, Room, papers_for, written
+from graphkin.sheet.paper import Paper, papers_for, written
 from graphkin.sheet.text_blocks import broken
 from graphkin.sheet.titleblock import Strip
 from graphkin.sheet.window import Extent, Figure, Window

@@ -44,11 +44,8 @@ class Skeleton:
 
     def named(self, link: str) -> tuple[str, ...]:
         """The points of a link that people named, and that are drawn."""
-        return tuple(p for p in self.mechanism.named(link) if p in self._placed)
-
-    @cached_property
-    def _placed(self) -> frozenset[str]:
-        return frozenset((*self.plot.position, *self.mechanism.links[FRAME].points))
+        fixed = self.mechanism.links[FRAME].points
+        return tuple(p for p in self.mechanism.named(link) if p in self.plot.position or p in fixed)
 
     @cached_property
     def points(self) -> tuple[str, ...]:
@@ -89,6 +86,12 @@ class Skeleton:
     def on_line(self, slide: Slide) -> list[str]:
         along, foot = self.direction(slide.line), self.at(slide.line.origin)
         return [p for p in self.named(slide.guide) if abs((along.conjugate() * (self.at(p) - foot)).imag) < 0.05]
+
+    @cached_property
+    def circles(self) -> list[tuple[Place, float]]:
+        """Centre and radius of every circle on paper: of wheels and of cams [mm]."""
+        every = sorted({circle[1:] for pair in self.mechanism.pairs for circle in pair.circles})
+        return [(self.at(centre), radius / self.window.scale) for centre, radius in every if radius > 0]
 
     @cached_property
     def segments(self) -> list[tuple[Place, Place]]:

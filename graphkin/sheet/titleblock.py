@@ -8,6 +8,7 @@ from dataclasses import field, replace
 from functools import cache, cached_property, lru_cache
 from math import ceil
 
+from graphkin.base.rooms import Room
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
@@ -15,7 +16,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import LABEL, LEAST, TITLE, Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import Paper, Room, written
+from graphkin.sheet.paper import Paper, written
 from graphkin.sheet.text_blocks import Ladder, WrittenLines, broken
 
 PITCH = 4.9  # from base line to base line [mm]
@@ -112,9 +113,8 @@ class TableBlock:
     lost: int = 0
 
     @classmethod
-    def shapes(cls, tables: Sequence[Table]) -> list[TableBlock]:
+    def shapes(cls, own: list[Table]) -> list[TableBlock]:
         """In one tier or two, each in its own, cut to some widths; none that takes more room both ways than another."""
-        own = [*tables]
         tiers = [[own], *([own[:k], own[k:]] for k in range(1, len(own))), [[table] for table in own]]
         blocks = [*map(cls, tiers), *(arranged(own, wide) for wide in _WIDTHS)]
         sizes = {block.size: block for block in blocks if block.rows == blocks[0].rows}
@@ -130,8 +130,7 @@ class TableBlock:
     def size(self) -> complex:
         return complex(max(map(across, self.tiers), default=0.0), height_of(self.tiers))
 
-    def marks(self, corner: Place) -> list[Mark]:
-        marks: list[Mark] = []
+    def marks(self, corner: Place) -> Iterator[Mark]:
         for tier in self.tiers:
             pen = corner
             for part in tier:
@@ -143,13 +142,12 @@ class TableBlock:
                             accent = _PLANES.get(head[-1].text.partition("/")[2]) if k and head else None
                             step = part.steps[k - 1] if k and part.steps else None
                             before = part.before(cell, column) if k else 0.0
-                            marks.append(Text(cell, at + before, LABEL, step, accent=accent))
+                            yield Text(cell, at + before, LABEL, step, accent=accent)
                         at += wide + gap
                 under = pen + 1j * (PITCH * 1.05)
-                marks.append(Stroke((under, under + part.wide), "thin"))
+                yield Stroke((under, under + part.wide), "thin")
                 pen += part.wide + _BETWEEN
             corner += 1j * height_of([tier])
-        return marks
 
 
 _WIDTHS = (110.0, 75.0, 50.0, 32.0)  # of blocks of tables [mm]

@@ -21,7 +21,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, link_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import OVERRUN, Skeleton
-from graphkin.sheet.window import Figure
+from graphkin.sheet.window import Entry
 
 _RIM = 3.0  # thickness of a ring's rim [mm]
 _TOOTH, _DEPTH = 2.7, 0.85  # from tooth to tooth of those that are shown, and half as high as they are [mm]
@@ -35,13 +35,13 @@ _FREE = 4.0  # farther from another link nothing looks like a joint with it [mm]
 _MOST = 2.4  # half of the widest slot there is room for on a small circle [rad]
 
 
-def wheels(skeleton: Skeleton) -> Figure:
+def wheels(skeleton: Skeleton) -> Iterator[Entry]:
     """All wheels, and the straight tracks of those that roll on a line."""
-    figure, named = Figure(), numbered(skeleton)
+    named = numbered(skeleton)
     for wheel in wheels_of(skeleton.mechanism):
-        figure.marks += _wheel(skeleton, wheel)
+        yield from _wheel(skeleton, wheel)
         if named.get(wheel.link) == wheel:
-            figure.wanted.append(_number(skeleton, wheel))
+            yield _number(skeleton, wheel)
     for roll in skeleton.mechanism.of(RollingContact):
         if roll.line is not None:
             step, reach = skeleton.step(roll.centre), roll.radius / skeleton.window.scale + 12
@@ -51,13 +51,12 @@ def wheels(skeleton: Skeleton) -> Figure:
                 along = skeleton.direction(roll.line)
                 rack = [gap[0] + along * t - under * high for t, high in _teeth(round(2 * gap[1] / _TOOTH + 0.5))]
                 rack += [end + 2 * _DEPTH * under for end in (rack[-1], rack[0])]
-                figure.marks.append(Stroke(tuple(rack), "outline", closed=True, step=step))
+                yield Stroke(tuple(rack), "outline", closed=True, step=step)
             ground = symbols.guide(track.places[0], track.places[1], under, step, track.shows)
             line, *wall = ground if roll.line.link == FRAME else [track]
-            figure.marks += [*(rack_line(line, *gap) if gap else [line]), *wall]
+            yield from (*(rack_line(line, *gap) if gap else [line]), *wall)
     for gear in skeleton.mechanism.of(Gear):
-        figure.marks += _mesh(skeleton, gear)
-    return figure
+        yield from _mesh(skeleton, gear)
 
 
 def numbered(skeleton: Skeleton) -> dict[str, Wheel]:
@@ -163,17 +162,9 @@ def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float,
     return Stroke((foot + along * low, foot + along * high), "visible", shows=shows, step=step)
 
 
-def circles(skeleton: Skeleton) -> Iterator[tuple[Place, float]]:
-    """Centre and radius of every circle on paper: of wheels and of cams [mm]."""
-    for centre, radius in sorted({circle[1:] for pair in skeleton.mechanism.pairs for circle in pair.circles}):
-        if radius > 0:
-            yield skeleton.at(centre), radius / skeleton.window.scale
-
-
-def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
+def profiles(skeleton: Skeleton, cam: Cam) -> Iterator[Mark]:
     """The profiles that touch."""
     step, scale = skeleton.step(*(centre for _, centre, _ in cam.circles)), skeleton.window.scale
-    marks: list[Mark] = []
     for link, profile, other in zip(cam.links, cam.profiles, cam.profiles[::-1], strict=True):
         if profile.centre is None:
             assert profile.line is not None
@@ -183,35 +174,31 @@ def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
             if stem := next(filter(None, stems), None):  # to both sides of it alike
                 half = reach * skeleton.direction(profile.line)
                 face = replace(face, places=(stem[0].places[0] - half, stem[0].places[0] + half))
-            marks.append(face)
+            yield face
         elif profile.radius > 0:
             shows = Shows(link, "wheel", (profile.centre,))
-            marks.append(Disc(skeleton.at(profile.centre), profile.radius / scale, "outline", shows=shows, step=step))
-    return marks
+            yield Disc(skeleton.at(profile.centre), profile.radius / scale, "outline", shows=shows, step=step)
 
 
-def equivalents(skeleton: Skeleton) -> Figure:
+def equivalents(skeleton: Skeleton) -> Iterator[Entry]:
     """In dashes: the link between two centres with its letter, or the slot through a centre at a face's distance."""
-    figure = Figure()
     for pair in (pair for pair in skeleton.mechanism.pairs if pair.rolling is None):
         match pair.equivalent:
             case Rod(_, centres):
                 edges, step = {centre for _, centre, radius in pair.circles if radius == 0}, skeleton.step(*centres)
                 start, end = map(skeleton.at, centres)
-                figure.marks.append(Stroke((start, end), "dashed", step=step))
-                hinges = [skeleton.at(centre) for centre in centres if centre not in edges]
-                figure.marks += [Disc(hinge, symbols.HINGE, "thin", step=step) for hinge in hinges]
-                figure.wanted.append(LabelRequest(link_label(spelled(rod_name(pair))), start, end, step=step))
+                yield Stroke((start, end), "dashed", step=step)
+                hinges = (skeleton.at(centre) for centre in centres if centre not in edges)
+                yield from (Disc(hinge, symbols.HINGE, "thin", step=step) for hinge in hinges)
+                yield LabelRequest(link_label(spelled(rod_name(pair))), start, end, step=step)
             case Slot(line, centre):
                 at, along, step = skeleton.at(centre), skeleton.direction(line), skeleton.step(centre)
-                figure.marks += [  # the block runs on the face's line moved to the centre; both belong to one link
-                    Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step),
-                    Stroke(symbols.block_corners(at, along), "dashed", closed=True, step=step),
-                    Disc(at, symbols.HINGE, "thin", step=step),
-                ]
+                yield Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step)
+                # the block runs on the face's line moved to the centre; both belong to one link
+                yield Stroke(symbols.block_corners(at, along), "dashed", closed=True, step=step)
+                yield Disc(at, symbols.HINGE, "thin", step=step)
             case None:
                 pass
-    return figure
 
 
 def follower(skeleton: Skeleton, slide: Slide) -> list[Stroke] | None:
@@ -250,7 +237,7 @@ def _rod(skeleton: Skeleton, slide: Slide, at: Place, cam_centre: Place, radius:
     return marks
 
 
-def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
+def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> Iterator[Mark]:
     """Over its link's arc, or on the ground; the centre line is what a ruler holds against the radius."""
     centre, pin = skeleton.at(slot.centre), skeleton.at(slot.point)
     step, radius = skeleton.step(slot.centre, slot.point), slot.radius / skeleton.window.scale
@@ -258,7 +245,7 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     cut = arc_places(centre, arm, -half, half)
     shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     if slot.guide == FRAME:
-        marks: list[Mark] = [*symbols.arc_hatch(centre, arm * (1 + symbols.SLOT / radius), half, 1.0, step)]
+        yield from symbols.arc_hatch(centre, arm * (1 + symbols.SLOT / radius), half, 1.0, step)
     else:  # the arc of a moving link that carries the slot, joined to the nearest of the link's points
         more = half + min(OVERRUN / abs(arm), 0.4)
         points = [skeleton.at(point) for point in skeleton.named(slot.guide)]
@@ -267,6 +254,6 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
         near = {end: min([_FREE, *(off_stretch(end, *bar) for bar in bars)]) for end in ends}
         joint = min(product(near, points), key=lambda pair: (-near[pair[0]], abs(pair[1] - pair[0])))  # no false joint
         bar = arc_places(centre, arm, math.copysign(half, -ends[joint[0]]), ends[joint[0]])
-        marks = [Stroke(tuple(bar), "visible", shows=shows, step=step), Stroke(joint, "visible", step=step)]
-    marks += symbols.slot(cut, shows, step)
-    return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]
+        yield from (Stroke(tuple(bar), "visible", shows=shows, step=step), Stroke(joint, "visible", step=step))
+    yield from symbols.slot(cut, shows, step)
+    yield Stroke(tuple(cut), "centre", shows=shows, step=step)

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
 from itertools import product
 
 import numpy as np
 
+from graphkin.base.rooms import Room, corners
 from graphkin.base.scales import finest
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Plane
 from graphkin.sheet.label_requests import LabelRequest, lettering
 from graphkin.sheet.marks import Mark, Place, PointMark
 from graphkin.sheet.obstacles import bounds, places
-from graphkin.sheet.paper import Room
 
 Entry = Mark | LabelRequest
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
@@ -41,6 +40,10 @@ class Window:
     def value(self, place: Place) -> complex:
         """The value that is drawn at a place [SI]."""
         return ((place - self.origin) * self.scale).conjugate()
+
+    def magnified(self, part: Place, shown: Place, times: float) -> Window:
+        """The window through which what lies at one place of the paper is seen at another, so many times as large."""
+        return Window(shown + (self.origin - part) * times, self.scale / times, self.times)
 
     @staticmethod
     def turned(direction: complex) -> complex:
@@ -187,25 +190,3 @@ def _stairs(marks: Sequence[Mark], low: complex, high: complex, scale: float) ->
         parts = [(across[across >= step], down[across < step]) for step in _STEPS]
         stairs.append((corner, tuple((float(x.min(initial=np.inf)), float(y.min(initial=np.inf))) for x, y in parts)))
     return tuple(stairs)
-
-
-def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:
-    """The window through which what lies at one place of the paper is seen at another, so many times as large."""
-    return Window(shown + (window.origin - part) * times, window.scale / times, window.times)
-
-
-def corners(places: Sequence[complex]) -> tuple[complex, complex]:
-    """Lower left and upper right corner of what holds all these places."""
-    xs, ys = [v.real for v in places] or [0.0], [v.imag for v in places] or [0.0]
-    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
-
-
-def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) -> list[complex]:
-    """The places, and of more, in their order, those that leave the figure at most `factor` times as large."""
-    every, (low, high) = list(places), corners(places)
-    most = factor * (abs(high - low) or 1.0)
-    for place in more:
-        low, high = corners([*every, place])
-        if cmath.isfinite(place) and abs(high - low) <= most:
-            every.append(place)
-    return every

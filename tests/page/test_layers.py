@@ -9,10 +9,10 @@ from shapely.affinity import affine_transform
 
 from graphkin import api
 from graphkin.analytic import motion
+from graphkin.base.rooms import Room
 from graphkin.model.mechanism import FRAME
 from graphkin.page.layers import layers
 from graphkin.proof.readings import mechanism_at
-from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 from graphkin.studies.centres.search import centre_name
 from graphkin.studies.sweeps import course

@@ -12,6 +12,7 @@ import pytest
 from every_family import FAMILIES
 
 from graphkin import Drawing
+from graphkin.base.rooms import Room
 from graphkin.errors import Lang
 from graphkin.files import library, loads
 from graphkin.sheet.arrows import side_by_side
@@ -21,7 +22,6 @@ from graphkin.sheet.label_requests import LabelRequest, tangled
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Disc, PointMark, Shows, Stroke, Text, VectorMark
 from graphkin.sheet.page import Panel
-from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Figure, Window
 
 ROOM = Room(0.0, 0.0, 200.0, 160.0)

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 import shapely
 
+from graphkin.base.rooms import Room
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places, obstacles
-from graphkin.sheet.paper import Room
 
 _COUNT = 60
 

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import graphkin
+from graphkin.base.rooms import Room
 from graphkin.base.scales import SERIES
 from graphkin.files import library, loads
 from graphkin.planning import plan
@@ -29,7 +30,6 @@ from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import Page, Panel, step_sheets
-from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Extent, Figure, Window
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.about import about

@@ -17,6 +17,7 @@ from large_mechanisms import dyads
 from library_sheets import library_sheet, plain_text, solved
 
 from graphkin import Drawing
+from graphkin.base.rooms import Room
 from graphkin.base.scales import finer, finest
 from graphkin.construction import LETTER, Drawn, Given, LayOff, Plane, Plot
 from graphkin.files import library, loads
@@ -41,7 +42,6 @@ from graphkin.sheet.lettering import (
 )
 from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import Room
 
 SOLVED = list(library.names())[::3]
 

@@ -1,0 +1,84 @@
+"""Rectangles: rooms of a drawing, and what holds places."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from graphkin.base.boxes import rows_of
+from graphkin.base.geometry import Array
+from graphkin.base.value import frozen
+
+
+@frozen
+class Room:
+    """A rectangle [mm, y down]."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    @property
+    def size(self) -> complex:
+        """Width and height."""
+        return complex(self.right - self.left, self.bottom - self.top)
+
+    @property
+    def middle(self) -> complex:
+        return complex(self.left + self.right, self.top + self.bottom) / 2
+
+    @property
+    def corners(self) -> tuple[complex, complex, complex, complex]:
+        low, high = complex(self.left, self.top), complex(self.right, self.bottom)
+        return low, complex(high.real, low.imag), high, complex(low.real, high.imag)
+
+    def inset(self, sides: float, top: float, foot: float) -> Room:
+        """The same without a margin at each side, at the top and at the foot."""
+        return Room(self.left + sides, self.top + top, self.right - sides, self.bottom - foot)
+
+    def meander(self, step: float) -> tuple[complex, ...]:
+        """A line to and fro through all of it, no farther apart."""
+        rows = np.linspace(self.top, self.bottom, int((self.bottom - self.top) / step) + 2)
+        sides = np.resize([self.left, self.right, self.right, self.left], 2 * len(rows))
+        return tuple((sides + 1j * np.repeat(rows, 2)).tolist())
+
+    def holds(self, place: complex) -> bool:
+        return self.left <= place.real <= self.right and self.top <= place.imag <= self.bottom
+
+    def cells(self, count: int, columns: int) -> list[Room]:
+        """Equal cells, row by row."""
+        wide, high = self.size.real / columns, self.size.imag / -(-count // columns)
+        corners = ((self.left + k % columns * wide, self.top + k // columns * high) for k in range(count))
+        return [Room(left, top, left + wide, top + high) for left, top in corners]
+
+    def shared(self, needs: Sequence[Sequence[complex]]) -> list[Room]:
+        """Cells row by row, of these sizes [mm] and what is left; none where they do not fit."""
+        cells = rows_of(needs, self.size)
+        return [Room(self.left + x, self.top + y, self.left + right, self.top + low) for x, y, right, low in cells]
+
+
+def parted(rooms: Array, share: Array, axis: int) -> tuple[Array, Array]:
+    """Two parts of each of many rooms (4, n) beside each other (0) or one above the other (1)."""
+    one, other = rooms.copy(), rooms.copy()
+    one[2 + axis] = other[axis] = rooms[axis] + share * (rooms[2 + axis] - rooms[axis])
+    return one, other
+
+
+def corners(places: Sequence[complex]) -> tuple[complex, complex]:
+    """Lower left and upper right corner of what holds all these places."""
+    xs, ys = [v.real for v in places] or [0.0], [v.imag for v in places] or [0.0]
+    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+
+
+def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) -> list[complex]:
+    """The places, and of more, in their order, those that leave the figure at most `factor` times as large."""
+    every, (low, high) = list(places), corners(places)
+    most = factor * (abs(high - low) or 1.0)
+    for place in more:
+        low, high = corners([*every, place])
+        if cmath.isfinite(place) and abs(high - low) <= most:
+            every.append(place)
+    return every
