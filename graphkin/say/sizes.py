@@ -12,6 +12,7 @@ from graphkin.base.value import frozen
 from graphkin.files.values import DIMENSIONS, UNITS
 from graphkin.model.mechanism import Dimension, KeyPath, Mechanism
 from graphkin.model.units import EDGE, Unit
+from graphkin.say import names
 from graphkin.say.numbers import MOST_TYPED, given_figure, number, stated_figure
 from graphkin.say.reading import Reading
 
@@ -99,6 +100,17 @@ _UNITS: Mapping[Dimension, str] = {
 """The units of the solution."""
 _TURNS = {"r/min": "/60", "rev/min": "/60", "rev/s": ""}
 _PRINTED = {"deg": "°", "rpm": "r/min", "rpm/s": "r/min/s"}
+
+
+def in_words(reading: Reading, size: Size) -> str:
+    """A datum that no dimension line tells; of a guide's distance from which point it is, of a displacement between
+    which two."""
+    if size.since not in reading.mechanism.points:
+        return size.text
+    words = {"datum": size.text, "point": names.point(size.since)}
+    if isinstance(size.shape, DrawnLength) and len(size.shape.points) == 1:  # of a slide, which has one there
+        return reading.say("sheet.stretch", end=names.point(size.shape.points[-1]), **words)
+    return reading.say("sheet.since", **words)
 
 
 def sized(

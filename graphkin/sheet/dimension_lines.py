@@ -42,7 +42,6 @@ _CROSS = 1.5 * cmath.rect(1, math.pi / 4)  # arms of the cross where a guide beg
 _MOST, _CRUMB, _LATE = 4, 6.0, 5.0
 """Ways to break extension lines at letters; their least piece, but for the last; how far off they may begin [mm]."""
 _FAR = 30.0  # the dimension line of a shorter length is no farther off [mm]
-_ALONGSIDE = 1.2  # an extension line so near to a bar seems to be one with it [mm]
 _CLEAR = 2.2  # between an arc and what else there is [mm]
 
 
@@ -140,8 +139,6 @@ class DimensionLines:
         points = (mark.at for mark in self.free.marks if isinstance(mark, PointMark))
         passed = any(off_stretch(at, start, end) < HINGE for at in points)
         count = sum(crossing(start, end, *bar) is not None for bar in self.skeleton.drawn)
-        inner = [start + part * (end - start) for part in (0.2, 0.5, 0.8)]  # of which two are on a bar it runs along
-        count += 2 * any(sum(off_stretch(at, *bar) < _ALONGSIDE for at in inner) > 1 for bar in self.skeleton.drawn)
         circles = self.skeleton.circles
         count += sum(abs(start - centre) > radius > off_stretch(centre, start, end) for centre, radius in circles)
         ground = any(crossing(start, end, *foot) is not None for foot in feet(self.skeleton))

@@ -16,11 +16,9 @@ from graphkin.model.quantities import Rotation
 from graphkin.model.wheels import wheels_of
 from graphkin.planning.asked import plane_of
 from graphkin.planning.method import rate_found
-from graphkin.say import names
-from graphkin.say.catalogue import say
 from graphkin.say.dimensions import length_size, measured_lengths
 from graphkin.say.reading import Reading
-from graphkin.say.sizes import DrawnAngle, DrawnLength, Size
+from graphkin.say.sizes import DrawnAngle, DrawnLength, Size, in_words
 from graphkin.sheet.dimension_lines import DimensionLines, angle_label
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
@@ -90,20 +88,11 @@ class MechanismNotes:
             for datum in data if not marks else ():
                 lettered_too = isinstance(datum.shape, DrawnAngle) and angle_label(datum) in lettered
                 if datum not in measured and not lettered_too:
-                    unsaid.setdefault(datum.derived, []).append(formula(self._in_words(datum)))
+                    unsaid.setdefault(datum.derived, []).append(formula(in_words(self.reading, datum)))
         for derived, labels in sorted(unsaid.items()) if self.planes else ():  # what is given first
             words = self._written(labels, free, (LABEL,) if derived or self.told else (LABEL, LEAST))
             added += (replace(mark, accent="grey") for mark in words) if derived else words
         return added
-
-    def _in_words(self, datum: Size) -> str:
-        """A datum; of a guide's distance and of a displacement, too, from which point it is."""
-        if datum.since not in self.skeleton.points:
-            return datum.text
-        words = {"datum": datum.text, "point": names.point(datum.since)}
-        if isinstance(datum.shape, DrawnLength) and len(datum.shape.points) == 1:  # of a slide, which has one there
-            return say("sheet.stretch", self.reading.lang, end=names.point(datum.shape.points[-1]), **words)
-        return say("sheet.since", self.reading.lang, **words)
 
     def _written(self, labels: Sequence[Label], free: FreeRoom, sizes: Sequence[float]) -> list[Text]:
         """Data in lines, as low as there is room: together, else in parts; in smaller letters where large have none."""

@@ -182,8 +182,9 @@ def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
 def page_scales(method: Method, plot: Plot) -> dict[str, float]:
     """The file's own scales; others are the finest at which a page has room for the mechanism, lying or standing, and
     for each polygon, lying: the paper that students draw on is as large for all."""
+    from graphkin.base.rooms import corners
     from graphkin.sheet.composition import Planes
-    from graphkin.sheet.window import PLANES, corners
+    from graphkin.sheet.window import PLANES
 
     planes, scales = Planes(method, plot, PLANES, "construction", "en"), dict[str, float]()
     for plane, key in SCALES.items():
