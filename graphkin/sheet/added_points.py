@@ -69,7 +69,8 @@ def drawn_when(method: Method) -> int | None:
 def asked_centres(method: Method, skeleton: Skeleton, drawn: Sequence[complex]) -> Iterator[Entry]:
     """Asked centres, and the axes at the origin in which their places are told; those on a joint by their letters."""
     plot, last = skeleton.plot, drawn_when(method)
-    assert isinstance(plot, Plot)  # of a linkage that is only sketched nothing is asked
+    if not isinstance(plot, Plot):
+        return  # of a linkage that is only placed nothing is asked
     points = [skeleton.at(point) for point in (*skeleton.points, *method.special) if point in plot.position]
     pivots = [skeleton.at(driver.vector[0]) for driver in method.mechanism.drivers if driver.vector is not None]
     for name, at in ((name, skeleton.window(place)) for name, place in _asked(method, plot).items() if place in drawn):

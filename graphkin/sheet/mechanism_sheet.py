@@ -39,10 +39,9 @@ from graphkin.sheet.window import PLANES
 _FEW, _MANY, _FAR, _TOO_FAR = 3.0, 6.0, 12.0, 48.0
 """At higher prices polygons with details are tried larger; other papers, as for a fifth leader; the largest alone; and
 equations without the rows under them."""
-_ROWS = 1.0  # the price of an equation without them
 _CROWD = 32  # labels without a good place, of which details relieve no more
 _SMALLER = 1.26  # so much smaller no figure is drawn to have the scale of a handout, whose page has less room
-_STRIP, _LOST = 8.0, 8.0  # so high a strip costs as much as a leader [mm]; the price of a label without a place
+_STRIP, _LOST, _ROWS = 8.0, 8.0, 1.0  # so high a strip costs 1 [mm]; a label without a place; an equation without rows
 
 
 def mechanism_sheet(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 
 import pytest
 from library_sheets import loaded, plain_text
@@ -28,7 +29,9 @@ def test_a_centre_of_curvature_beyond_the_paper_has_an_arrow_with_its_distance(n
     sheet = bobillier_sheet(bobillier(link, place))
     texts = [plain_text(mark.label) for mark in sheet.marks if isinstance(mark, Text)]
     (far,) = (text for text in texts if "ρ" in text)
-    assert float(far.split("= ")[1].removesuffix(" mm")) == pytest.approx(radius, rel=1e-3)
+    told = re.search(r"= ([\d.]+) mm", far)
+    assert told
+    assert float(told[1]) == pytest.approx(radius, rel=1e-3)
     assert radius > 500
     assert texts.count("δ") == 2
     arcs = [mark for mark in sheet.marks if isinstance(mark, ArcMark) and mark.pen == "thin"]
