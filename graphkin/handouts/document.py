@@ -12,8 +12,8 @@ from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label, plain, width
 
-LETTERS, _GAP, _WIDE, _BLANK = 3.7, 2.0, 146.0, 10.0  # of print; between an equation's columns; its width at most,
-# that of a blank at least [mm]
+LETTERS, _GAP, _WIDE, _BLANK = 3.7, 2.0, 146.0, 10.0
+"""Of print; between an equation's columns; its width at most, that of a blank at least [mm]."""
 GRID = 5.0  # of gridded paper [mm]
 _MANY, _FEW = 10, 3  # rows of a table that are as high as one would have them; under gridded paper
 

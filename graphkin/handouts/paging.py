@@ -14,7 +14,7 @@ _PAGE, _EARLY, _LATE, _BEYOND, _LONE, _OVER = 0.2, 0.01, 0.05, 0.2, 0.05, 3.0
 _LEAST = 0.18  # a last page has that much of its height, or more
 
 _FOLLOWING = (document.FormulaLine, document.TermRows, document.HandoutTable, document.GridRoom, document.BlankLine)
-# stay with what leads
+"""They stay with what leads to them."""
 
 
 @frozen
