@@ -27,7 +27,7 @@ MOST = 2.5
 """How many times as long twice the links may take: 2 is a straight line, 4 a square."""
 
 
-ROUNDS = 3  # all are timed in turns, as a busy machine is slower for a while
+ROUNDS = 5  # all are timed in turns, as a busy machine is slower for a while
 
 
 def timed(work: Callable[[], Any]) -> float:
