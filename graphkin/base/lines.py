@@ -27,6 +27,16 @@ def crossing(start: complex, end: complex, one: complex, other: complex) -> comp
     return start + t * along if 0 < t < 1 and 0 < u < 1 else None
 
 
+def no_crumbs(
+    start: complex, pieces: list[tuple[complex, complex]], late: float, least: float
+) -> list[tuple[complex, complex]]:
+    """The pieces of a broken line without small ones, which seem to be of others, but for its last; nothing of one that
+    begins too late after its start."""
+    if not pieces or abs(pieces[0][0] - start) >= late:
+        return []
+    return [*(piece for piece in pieces[:-1] if abs(piece[1] - piece[0]) > least), pieces[-1]]
+
+
 def in_line(places: list[complex]) -> tuple[int, int] | None:
     """The two ends of points that lie on one line (within 0.05 mm), else None."""
     first, last = max(

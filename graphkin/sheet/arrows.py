@@ -35,7 +35,6 @@ TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that [
 _ON, _ALONG = 0.3, 1.0  # nearer than this to a line, over more than this of it, an arrow lies on it [mm]
 _NAMED = 3.0  # a piece of its own that is shorter bears no arrow's name [mm]
 _LANE = 1.2  # from arrow to arrow, where they would hide one another [mm]
-_EXACTLY = 1e-3  # closer than this arrows are on one line [mm]
 _SHORT = 0.9  # the heads of shorter arrows stay as they are [mm]
 _SAME = 0.2  # heads nearer than this are at one place [mm]
 _ONE, _MELT = math.radians(2), math.radians(22)
@@ -98,7 +97,7 @@ def _side(vector: VectorMark, starts: Array, ends: Array) -> float:
     """The first lane beside others, on the side on which the arrow lies, if only by a little [mm]."""
     along = (vector.end - vector.start) / vector.length
     off = sum(((vector.start + vector.end - starts - ends) / along).imag) * -_way(along)
-    return math.copysign(_LANE, off) if abs(off) > _EXACTLY else _LANE
+    return _LANE if round(off, 3) >= 0 else -_LANE
 
 
 def _named(want: LabelRequest, moved: Mapping[_Key, VectorMark], free: Mapping[_Key, _Piece]) -> LabelRequest:

@@ -15,7 +15,7 @@ from functools import cache, cached_property
 from itertools import product
 from typing import NamedTuple
 
-from graphkin.base.lines import crossing, leaves, off_stretch
+from graphkin.base.lines import crossing, leaves, no_crumbs, off_stretch
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME
 from graphkin.say.sizes import DrawnAngle, DrawnLength, Size
@@ -221,7 +221,7 @@ class DimensionLines:
             middle = line.places[1] - way * (past - wide / 2 - 4 if past else long / 2)
             text = self._text(label, middle, along, 0.8, step)
             if touching > 1:  # extension lines, broken at letters, as seldom as there is room for
-                broken = [[*_told(each.places[0], self.free.pieces(*each.places))] for each in both]
+                broken = [no_crumbs(each.places[0], self.free.pieces(*each.places), _LATE, _CRUMB) for each in both]
                 if all(0 < len(left) < touching for left in broken):
                     yield [line, text], heads, [Stroke(piece, "thin", step=step) for left in broken for piece in left]
             else:
@@ -245,14 +245,6 @@ class DimensionLines:
                 text = self._text(label, tip + way * (wide / 2 + 2), way, side * 0.8, step)
                 line = Stroke((tip + way, far), "thin", step=step)
                 yield [line, text], [Stroke((inner, tip - way), "thin", step=step)], [head]
-
-
-def _told(start: Place, pieces: Sequence[tuple[Place, Place]]) -> Iterator[tuple[Place, Place]]:
-    """The pieces of a broken line without crumbs between letters, which seem to be of others; nothing of one that
-    letters let begin far from its start."""
-    if pieces and abs(pieces[0][0] - start) < _LATE:
-        yield from (piece for piece in pieces[:-1] if abs(piece[1] - piece[0]) > _CRUMB)
-        yield from pieces[-1:]
 
 
 def angles(data: Sequence[Size], skeleton: Skeleton, drawn: Sequence[Mark]) -> Iterator[Entry]:

@@ -9,6 +9,7 @@ from dataclasses import field, replace
 from functools import cached_property, partial
 from itertools import chain, combinations, groupby, islice, pairwise, product, tee
 
+from graphkin.base.lines import off_stretch
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
@@ -24,7 +25,7 @@ from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import LABEL, LEAST, Label, formula, link_label, point_label, quantity_label
 from graphkin.sheet.marks import ArcMark, Form, Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.obstacles import arc_places, bounds
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import WrittenLines
@@ -213,12 +214,20 @@ class MechanismNotes:
 
         usual, more = [*self._arcs(link, _RADII, False)], [*self._arcs(link, _CLOSER, True), *self._small(link)]
         first = [arc for arc in (*self._arcs(link, _RADII, True), *more) if beside and arc[:3:2] == beside[:3:2]]
-        taken, clear = set[Arc](), ((_APART, False), (_APART / 2, False))  # across others where no place is clear
-        crossing = product((first, usual, more), [(_APART / 2, True)])
-        for arcs, (wide, over) in chain(product((first, usual, more), clear), crossing):
-            for arc in free.fitting((arc for arc in arcs if arc not in taken), partial(room, wide=wide, over=over)):
+        taken, trials = set[Arc](), ((_APART, False, False), (_APART / 2, False, False), (_APART / 2, True, False))
+        last = product((first, usual, more), [(_APART / 2, True, True)])  # on bars of others where no place is off them
+        for arcs, (wide, over, on) in chain(product((first, usual, more), trials), last):
+            able = (arc for arc in arcs if arc not in taken and (on or not over or not self._on_others(link, arc)))
+            for arc in free.fitting(able, partial(room, wide=wide, over=over)):
                 taken.add(arc)
                 yield arc
+
+    def _on_others(self, link: str, arc: Arc) -> bool:
+        """True of an arc on a bar of another link: it would seem to be that one's."""
+        points, radius, middle, _, sweep = arc
+        way = arc_places(ArcMark(self._middle(points), radius, cmath.phase(middle) - sweep / 2, sweep))
+        others = (bar for other in self.skeleton.mechanism.moving if other != link for bar in self.skeleton.bars(other))
+        return any(off_stretch(at, *bar) < _APART / 2 for bar in others for at in way)
 
     def _middle(self, points: Sequence[str]) -> Place:
         return sum(map(self.skeleton.at, points)) / len(points)
