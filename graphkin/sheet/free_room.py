@@ -75,7 +75,7 @@ class FreeRoom:
 
     def pieces(self, start: Place, end: Place) -> list[tuple[Place, Place]]:
         """The pieces of a line that lie clear of letters and in the room."""
-        length = abs(end - start)
+        length = abs(end - start) or 1.0  # of none there is no piece
         along, steps = (end - start) / length, np.arange(0.0, length + _STEPS / 2, _STEPS)
         at, letters = xy(start + along * steps)[:, None], self._letters.transpose(2, 0, 1)[..., None]
         bad = overlap(letters[:, :, 0] - _CLEAR, letters[:, :, 1] + _CLEAR, at, at).any(axis=0)

@@ -536,3 +536,12 @@ def test_no_dimension_line_lies_farther_off_than_what_it_measures_is_long() -> N
 def test_a_displacement_that_only_words_tell_says_between_which_points() -> None:
     lettered = [plain_text(mark.label) for mark in library_sheet("p3-22").marks if isinstance(mark, Text)]
     assert any("slift = 1410.66 mm from G to B" in text for text in lettered)
+
+
+def test_a_block_may_stand_where_its_guide_begins() -> None:
+    """There is no line between the two; the drawing has both."""
+    text = INCLINED.replace('driver = [{ vector = "AB", angle = 150, omega = 20 }]',
+                            'driver = [{ slide = "ram", at = 0, velocity = 0.1 }]')  # fmt: skip
+    text = text.replace("through = [9.8, -17]", 'name = "ram", through = [90, 30]').replace("C = [", "B = [-30, 27], C = [")
+    page = sheet(*solved(text))
+    assert any(isinstance(mark, PointMark) and mark.name == "C" for mark in page.marks)
