@@ -72,27 +72,13 @@ def off_boxes(low: Array, high: Array, start: Array, end: Array) -> Array:
     return np.asarray(np.minimum(off, np.hypot(across, down).min(axis=0)))
 
 
-def free_about(places: Array, lines: Sequence[Sequence[complex]], most: float) -> Array:
+def free_about(places: Array | Sequence[complex], lines: Sequence[Sequence[complex]], most: float) -> Array:
     """Distance of each place (n,) from the nearest of some lines, so far as it matters; all complex [mm]."""
     ends = np.array(lines, dtype=complex).reshape(-1, 2).T
-    return np.asarray(abs(off_lines(places[:, None], *ends)).min(axis=1, initial=most))
+    return np.asarray(abs(off_lines(np.asarray(places)[:, None], *ends)).min(axis=1, initial=most))
 
 
 def beyond(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
     """The length by which boxes would have to grow to all sides to reach others; less than 0: they overlap [mm]."""
     off = np.maximum(low - other_high, other_low - high)
     return np.asarray(np.maximum(off[0], off[1]))
-
-
-def rows_of(needs: Sequence[Sequence[complex]], size: complex) -> list[tuple[float, float, float, float]]:
-    """Boxes (left, top, right, bottom) in rows that fill a size, each as large as it needs and a like part of what is
-    left; none where they do not fit."""
-    highs = [max(need.imag for need in row) for row in needs]
-    spares = [(size.real - sum(need.real for need in row)) / len(row) for row in needs]
-    spare, boxes, top = (size.imag - sum(highs)) / len(needs), list[tuple[float, float, float, float]](), 0.0
-    for row, high, more in zip(needs, highs, spares, strict=True):
-        left, low = 0.0, top + high + spare
-        for need in row:
-            boxes.append((left, top, left := left + need.real + more, low))
-        top = low
-    return boxes if min(spare, *spares) >= 0 else []

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from graphkin.base.boxes import rows_of
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 
@@ -55,9 +54,17 @@ class Room:
         return [Room(left, top, left + wide, top + high) for left, top in corners]
 
     def shared(self, needs: Sequence[Sequence[complex]]) -> list[Room]:
-        """Cells row by row, of these sizes [mm] and what is left; none where they do not fit."""
-        cells = rows_of(needs, self.size)
-        return [Room(self.left + x, self.top + y, self.left + right, self.top + low) for x, y, right, low in cells]
+        """Cells row by row, each as large as it needs [mm] and a like part of what is left; none where they do not
+        fit."""
+        highs = [max(need.imag for need in row) for row in needs]
+        spares = [(self.size.real - sum(need.real for need in row)) / len(row) for row in needs]
+        spare, cells, top = (self.size.imag - sum(highs)) / len(needs), list[Room](), self.top
+        for row, high, more in zip(needs, highs, spares, strict=True):
+            left, low = self.left, top + high + spare
+            for need in row:
+                cells.append(Room(left, top, left := left + need.real + more, low))
+            top = low
+        return cells if min(spare, *spares) >= 0 else []
 
 
 def parted(rooms: Array, share: Array, axis: int) -> tuple[Array, Array]:

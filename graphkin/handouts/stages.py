@@ -57,9 +57,9 @@ def handout(
     owners = whose or [None] * len(mechanisms)
     called = ["" if who is None else who.called for who in owners]
     problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, called, strict=True)]
-    most = max(problem.equations for problem in problems)
-    if stage == "half" and upto > max(most - 1, 1):
-        raise NotBetween(Where("--upto"), str(upto), 0, max(most - 1, 1))
+    most = max(1, *(problem.equations - 1 for problem in problems))
+    if stage == "half" and upto > most:
+        raise NotBetween(Where("--upto"), str(upto), 0, most)
     numbers: Sequence[int] = [number or 0] * len(problems)
     if not any(called) and len(problems) > 1:
         numbers = range(number or 1, (number or 1) + len(problems))

@@ -252,8 +252,8 @@ def _fitted(
 
 def _paged(parts: list[tuple[PagePart, str, float]], room: float) -> str:
     """The markup of parts on the pages that cost least."""
-    whole = [high + (_BEFORE if part.heads else _BETWEEN) for part, _, high in parts]
     above = [_BEFORE if part.heads else _BETWEEN for part, *_ in parts]
+    whole = [high + over for (*_, high), over in zip(parts, above, strict=True)]
     sheets = pages([part for part, *_ in parts], whole, room + _BETWEEN)
     breaks = ["true" if high > room else "false" for *_, high in parts]
     return "#pagebreak(weak: true)\n".join(

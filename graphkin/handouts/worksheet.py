@@ -112,9 +112,9 @@ def to_write(problem: HandoutProblem, entries: Sequence[Entry]) -> Iterator[Bloc
 
 def _empty_rows(problem: HandoutProblem, equation: VectorEquation) -> TermRows:
     """Lines to write an equation on, with its own signs."""
-    heads = (plain(say(key, problem.lang)) for key in ("derivation.direction row", "derivation.size row"))
+    heads = [plain(say(key, problem.lang)) for key in ("derivation.direction row", "derivation.size row")]
     signs = ((plain(term), (), ()) if term in ("=", "+") else None for term, _, _ in equation.columns)
-    return TermRows((next(heads), next(heads)), tuple(signs))
+    return TermRows((heads[0], heads[1]), tuple(signs))
 
 
 def measured(problem: HandoutProblem, count: int, under: float = 0.0) -> HandoutTable:

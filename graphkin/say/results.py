@@ -33,7 +33,7 @@ def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang)
         drivers = []  # `AB = 60 deg, ram = 90 mm`
         for driver, value in zip(mechanism.drivers, position["drivers"], strict=True):
             unit = EDGE[driven(driver.kind == "slide")]
-            drivers.append(f"{mechanism.slide_title(driver.name, lang)} = {exact(value * unit.factor)} {unit.name}")
+            drivers.append(f"{mechanism.driver_title(driver, lang)} = {exact(value * unit.factor)} {unit.name}")
         yield f"{say('results.position', lang)}{colon}{in_signs(say('common.and', lang).join(drivers))}"
         heads = ("quantity", "graphical", "analytic", "difference", "unit", "direction")
         rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position, lang)]

@@ -43,7 +43,7 @@ def structure_lines(parts: Structure, lang: Lang) -> Iterator[str]:
         names = {word: in_list(map(mechanism.called, links), lang) for word, links in groups.items()}
         yield "  " + say(f"structure.pair {key}", lang, point=point, **names)
     yield from _freedoms(parts, lang)
-    yield head("structure.drivers", [mechanism.slide_title(driver.name, lang) for driver in mechanism.drivers])
+    yield head("structure.drivers", [mechanism.driver_title(driver, lang) for driver in mechanism.drivers])
     yield head("structure.groups")
     for k, group in enumerate(parts.groups, 1):  # `4, 3, 5, 1+2`, `2 and the block that replaces cam pair 1–2`
         held = {link: "+".join(pair) for pair in group.merged for link in pair}

@@ -168,7 +168,7 @@ class Planes:
     @cached_property
     def ladders(self) -> dict[Plane, Ladder]:
         """The equations of each polygon as the words print them."""
-        if self.style != "construction":
+        if self.style != "construction" or self.told:
             return {}
         rows = say("derivation.direction row", self.lang), say("derivation.size row", self.lang)
         reading, polygons = self.reading({}), [plane for plane in self.planes if plane != "position"]
@@ -232,7 +232,7 @@ class SheetContents:
         """Titles, ladders and tables of each figure, in all their shapes."""
         blocks = dict[Plane, dict[BlockName, Sequence[Block]]]()
         for plane in self.drawing.planes:
-            own = None if self.drawing.told else self.ladders.get(plane)
+            own = self.ladders.get(plane)
             lines = self.drawing.paths.lines if plane == "position" else ()
             every: dict[BlockName, Sequence[Block]] = {
                 "paths": [WrittenLines(tuple(lines), LEAST)] if lines else [],

@@ -141,6 +141,6 @@ def named(strokes: Sequence[Stroke], label: Label, others: Sequence[Stroke] = ()
         passed = abs(np.diff(places)).cumsum()
         pieces += [places[k:][:2] for k in np.searchsorted(passed, np.array(_SHARES) * passed[-1])]
     if pieces:
-        free = free_about(np.array([start for start, _ in pieces]), lines, width(label, LABEL) + _APART)
+        free = free_about([start for start, _ in pieces], lines, width(label, LABEL) + _APART)
         start, end = map(complex, pieces[int(free.argmax())])
         yield LabelRequest(label, start, end if abs(end - start) > _STRAIGHT else None, gap=0.8)

@@ -7,8 +7,6 @@ import math
 from collections.abc import Sequence
 from itertools import chain, product
 
-import numpy as np
-
 from graphkin.base.boxes import free_about
 from graphkin.base.cache import kept
 from graphkin.base.lines import away_from, crossing
@@ -209,7 +207,7 @@ def _bare(radius: float, middle: complex, arcs: Sequence[ArcMark]) -> bool:
 def clearance(skeleton: Skeleton, *places: Place, more: Sequence[Ends] = ()) -> float:
     """Distance of places from the nearest link, or of more lines, as far as it matters to the eye [mm]."""
     gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in skeleton.circles for place in places)]
-    return float(free_about(np.array(places), [*skeleton.segments, *feet(skeleton), *more], min(gaps)).min())
+    return float(free_about(places, [*skeleton.segments, *feet(skeleton), *more], min(gaps)).min())
 
 
 @kept(2)

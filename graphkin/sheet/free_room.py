@@ -139,8 +139,7 @@ class FreeRoom:
         return complex(at[free.argmax()]) if free.any() else None
 
     def corner(self, size: complex, from_below: bool = False) -> Place | None:
-        """The upper left corner of the uppermost (or lowest) free rectangle of a size, with more room beside it, where
-        letters would read as its own; None where there is none."""
+        """The upper left corner of the uppermost (or lowest) free rectangle and more beside it; None where none is."""
         wide, high = ceil((size.real + 2 * _EDGE) / _GRID) + 2, ceil((size.imag + 2 * _EDGE) / _GRID)
         sums = np.pad(self._sums, ((0, 0), (1, 1)), "edge")
         held = sums[high:, wide:] - sums[:-high, wide:] - sums[high:, :-wide] + sums[:-high, :-wide]

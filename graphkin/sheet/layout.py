@@ -60,9 +60,12 @@ class Layout:
 
     def _standing(self, plane: Plane, extent: Extent) -> tuple[Array, Extent, Standing]:
         """The room of a figure under its heading, its extent as drawn, and how it stands there."""
-        own = replace(extent.reduced(self.paper.times), given=self.scales[plane])
-        under = _under_heading(_one(self.rooms[plane]))
+        under, own = _under_heading(_one(self.rooms[plane])), self.as_drawn(plane, extent)
         return under, own, standing(under, own)
+
+    def as_drawn(self, plane: Plane, extent: Extent) -> Extent:
+        """At the scale at which it is drawn."""
+        return replace(extent.reduced(self.paper.times), given=self.scales[plane])
 
 
 def _one(room: Room) -> Array:
@@ -77,7 +80,7 @@ def _under_heading(rooms: Array) -> Array:
 
 def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     """A paper with one figure, no higher than that figure and the strip need; without a frame, no wider either."""
-    paper, (_, own, _) = layout.paper, layout._standing(plane, extent)
+    paper, own = layout.paper, layout.as_drawn(plane, extent)
     for side in ("height",) if paper.margin else ("width", "height"):
         field, foot = paper.divided(layout.strip.size.imag)
         less = np.arange(field.size.imag if side == "height" else field.size.real - HEAD_WIDTH)

@@ -9,7 +9,7 @@ from dataclasses import field, replace
 from functools import cached_property, partial
 from itertools import chain, combinations, groupby, islice, pairwise, product, tee
 
-from graphkin.base.lines import off_stretch
+from graphkin.base.boxes import free_about
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
@@ -66,8 +66,7 @@ class MechanismNotes:
     told: bool = False
 
     def lines(self) -> Iterator[Mark]:
-        """The way of extension lines from each end of a dimension that lies apart to beside the other: no number of a
-        link should stand in one."""
+        """The way of extension lines, from each end of a dimension apart to beside the other: numbers keep off it."""
         window, shapes = self.skeleton.window, (size.shape for size in self.given)
         for span in (shape for shape in shapes if isinstance(shape, DrawnLength) and shape.form == "apart"):
             start, end, along = window(span.start), window(span.end), window.turned(span.along)
@@ -226,8 +225,8 @@ class MechanismNotes:
         """True of an arc on a bar of another link: it would seem to be that one's."""
         points, radius, middle, _, sweep = arc
         way = arc_places(ArcMark(self._middle(points), radius, cmath.phase(middle) - sweep / 2, sweep))
-        others = (bar for other in self.skeleton.mechanism.moving if other != link for bar in self.skeleton.bars(other))
-        return any(off_stretch(at, *bar) < _APART / 2 for bar in others for at in way)
+        others = [bar for other in self.skeleton.mechanism.moving if other != link for bar in self.skeleton.bars(other)]
+        return bool(free_about(way, others, _APART / 2).min() < _APART / 2)
 
     def _middle(self, points: Sequence[str]) -> Place:
         return sum(map(self.skeleton.at, points)) / len(points)

@@ -68,8 +68,9 @@ def mechanism_sheet(
         return replace(best.page.sheet(), given=True)
     drawn = paths if paths.curves else NONE
     best = _arranged(method, plot, drawn, lang, _planes(only), style, upto is None, tight, told, paper)
-    whole = best.page.sheet() if upto is None else next(_staged(best, paper, [upto]))
-    return replace(whole, crowded=max(best.bounds()) > _TOO_FAR)
+    if upto is not None:
+        return next(_staged(best, paper, [upto]))
+    return replace(best.page.sheet(), crowded=max(best.bounds()) > _TOO_FAR)
 
 
 def mechanism_step_sheets(

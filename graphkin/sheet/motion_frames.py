@@ -103,9 +103,9 @@ def _running_values(moved: Course, times: Sequence[float], lang: Lang, turns: in
     names = (name for name in drawable(machine, asked(machine)) if centre_of(machine, name) is None)
     for series in quantities_at(moved, [*dict.fromkeys(names)], t).series:
         unit, values, letters = EDGE[series.unit], series.values, label_of(series.quantity)
-        turns = series.unit.startswith("rad/")
-        senses = [f" {say('sheet.sense', lang, which=int(v < 0))}" if turns and v else "" for v in values]
-        sizes = (valued(letters, (abs(v) if turns else v) * unit.factor, unit.after) for v in values)
+        turning = series.unit.startswith("rad/")
+        senses = [f" {say('sheet.sense', lang, which=int(v < 0))}" if turning and v else "" for v in values]
+        sizes = (valued(letters, (abs(v) if turning else v) * unit.factor, unit.after) for v in values)
         row = [(*size, *plain(sense)) for size, sense in zip(sizes, senses, strict=True)]
         if row not in (every := rows.setdefault(_PLANE.get(series.unit, "position"), [])):
             every.append(row)
