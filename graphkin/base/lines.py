@@ -88,20 +88,6 @@ def circle_places(centre: complex, radius: float, middle: complex, far: float, f
     return [centre + cmath.rect(radius, start + half * (2 * k / count - 1)) for k in range(count + 1)]
 
 
-def within(start: complex, end: complex, centre: complex, radius: float) -> tuple[complex, complex] | None:
-    """The piece of a line that lies in a circle."""
-    along = end - start
-    if abs(along) < 1e-9:
-        return None
-    foot = ((centre - start) / along).real
-    aside = abs(start + foot * along - centre)
-    if aside >= radius:
-        return None
-    half = (radius**2 - aside**2) ** 0.5 / abs(along)
-    first, last = max(0.0, foot - half), min(1.0, foot + half)
-    return (start + first * along, start + last * along) if first < last else None
-
-
 def leaves(at: complex, arm: complex, stretch: tuple[complex, complex]) -> bool:
     """True where a stretch of a line leaves a place in a direction, within a degree [mm]."""
     offs = [(end - at) / arm for end in stretch]

@@ -1,14 +1,17 @@
-"""Rectangles: rooms of a drawing, and what holds places."""
+"""Rectangles and circles: rooms of a drawing, and what holds places."""
 
 from __future__ import annotations
 
 import cmath
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
+
+RIM = 0.05  # nearer than this to the rim of a circle is still in it [mm]
 
 
 @frozen
@@ -89,3 +92,34 @@ def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) 
         if cmath.isfinite(place) and abs(high - low) <= most:
             every.append(place)
     return every
+
+
+class RoundRoom(NamedTuple):
+    """A circle that holds what lies in it, or on its rim as near as matters [mm]."""
+
+    centre: complex
+    radius: float
+
+    @classmethod
+    def about(cls, places: Sequence[complex], larger: float, least: float) -> RoundRoom:
+        """One that is so many times as large as what holds some places, and no smaller than the least."""
+        low, high = corners(places)
+        middle = (low + high) / 2
+        return cls(middle, max(least, larger * max(abs(place - middle) for place in places)))
+
+    def holds(self, *places: complex) -> bool:
+        return all(abs(place - self.centre) <= self.radius + RIM for place in places)
+
+    def piece(self, start: complex, end: complex) -> tuple[complex, complex] | None:
+        """The piece of a line that lies in it."""
+        along = end - start
+        if abs(along) < 1e-9:
+            return None
+        foot = ((self.centre - start) / along).real
+        aside = abs(start + foot * along - self.centre)
+        if aside >= self.radius:
+            return None
+        half = (self.radius**2 - aside**2) ** 0.5 / abs(along)
+        first, last = max(0.0, foot - half), min(1.0, foot + half)
+        return (start + first * along, start + last * along) if first < last else None
+

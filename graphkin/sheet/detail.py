@@ -12,13 +12,11 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import compress, pairwise
-from typing import NamedTuple
 
 import numpy as np
 
 from graphkin.base.geometry import Array
-from graphkin.base.lines import within
-from graphkin.base.rooms import Room, corners
+from graphkin.base.rooms import RIM, Room, RoundRoom
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.free_room import FreeRoom
@@ -40,31 +38,18 @@ _AROUND, _HEAD = 6.0, 4.0  # room for letters around a detail, and for its own h
 _FEW = 3  # labels, of one arrow and its ends, are no knot
 SAVED, _CLOSE = 4.0, 1e-6  # the burden that a detail saves at least, but for rounding
 _LED, _SEEN = 3.0, 0.8  # the additional burden of a leader in a detail; a shorter arrow is hidden even there [mm]
-_ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
 _ROUND = 1.2  # a circle is so many times as large as what it is to show
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
 _NUMERALS = ("I", "II", "III")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
 
 
-class _DetailCircle(NamedTuple):
-    centre: Place
-    radius: float
-
-    def holds(self, *places: Place) -> bool:
-        return all(abs(place - self.centre) <= self.radius + _ON for place in places)
-
-    def names(self, want: LabelRequest) -> bool:
-        """True where what a label names lies in it wholly."""
-        return self.holds(want.start, want.start if want.end is None else want.end)
-
-
 @frozen
 class _View:
     """A part of a panel, shown elsewhere through a window of its own, so many times as large as the figure."""
 
-    part: _DetailCircle
-    shown: _DetailCircle
+    part: RoundRoom
+    shown: RoundRoom
     times: float
     window: Window
 
@@ -79,7 +64,7 @@ def detailed(
         windows = [view.window for view in drawing.views
                    if abs(view.window(place) - view.shown.centre) + radius / view.window.scale < view.shown.radius]
         seen = [panel.window, *windows][-1]
-        drawing = drawing.showing(_DetailCircle(seen(place), radius / seen.scale))
+        drawing = drawing.showing(RoundRoom(seen(place), radius / seen.scale))
     while len(drawing.views) < len(_NUMERALS) and (more := drawing.relieved()) is not None:
         drawing = more
     return drawing.panel
@@ -87,7 +72,8 @@ def detailed(
 
 def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Sequence[Place]) -> Panel:
     """The panel with a detail of the part that holds these places; as it is where it has no room for one."""
-    return _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens).showing(_about(about)).panel
+    part = RoundRoom.about(about, _ROUND, _RADII[0])
+    return _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens).showing(part).panel
 
 
 @frozen
@@ -110,17 +96,17 @@ class _DetailDrawing:
                 other = self._with(view)
                 if deeper and len(other.views) < len(_NUMERALS) and burden(other.burdens) >= least:
                     other = other.relieved(deeper=False) or other
-                own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
+                own = [sum(want.named_in(view.shown) for want in other.panel.figure.wanted) for view in other.views]
                 if min(own) >= _OWN and burden(other.burdens) < least:
                     best, least = other, burden(other.burdens)  # no detail loses its own letters to another
         return best
 
-    def showing(self, part: _DetailCircle) -> _DetailDrawing:
+    def showing(self, part: RoundRoom) -> _DetailDrawing:
         """With a detail of a part, where there is room for one."""
         view = self._view(part, FreeRoom(self.panel.scene))
         return self if view is None else self._with(view)
 
-    def _view(self, knot: _DetailCircle, free: FreeRoom) -> _View | None:
+    def _view(self, knot: RoundRoom, free: FreeRoom) -> _View | None:
         """A part of the figure, or of a detail, as large as there is room for; None where there is none."""
         seen = next((view for view in self.views if view.shown.holds(knot.centre)), None)
         window, before = (seen.window, seen.times) if seen is not None else (self.panel.window, 1.0)
@@ -129,7 +115,7 @@ class _DetailDrawing:
                 continue
             side = 2 * (knot.radius * times + _AROUND)
             if (corner := free.corner(complex(side, side + _HEAD))) is not None:
-                shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, knot.radius * times)
+                shown = RoundRoom(corner + complex(side, side) / 2 + 1j * _HEAD, knot.radius * times)
                 return _View(knot, shown, times * before, window.magnified(knot.centre, shown.centre, times))
         return None
 
@@ -140,9 +126,13 @@ class _DetailDrawing:
         pole, seen = figure.pole, whole.pole
         if (self.burdens[[*pole]] >= UNCLEAR).any():
             pole = seen = set()  # it has no better place for its names either
-        named = [want.alone if k in seen else want for k, want in enumerate(whole.wanted) if view.shown.names(want)]
+        named = [want.alone if k in seen else want for k, want in enumerate(whole.wanted) if want.named_in(view.shown)]
         arrows = {want.of for want in named if want.of}
-        stay = [not (want.of in arrows if want.of else view.part.names(want) and k not in pole)
+        bad = {want.of for want, each in zip(figure.wanted, self.burdens, strict=True) if each >= UNCLEAR / 2} - arrows
+        heads = [replace(want, start=piece[0]) for want in whole.wanted if want.of in bad and want.end is not None
+                 and view.shown.holds(want.end) and (piece := view.shown.piece(want.start, want.end))]  # fmt: skip
+        named, arrows = named + heads, arrows | {want.of for want in heads}
+        stay = [not (want.of in arrows if want.of else want.named_in(view.part) and k not in pole)
                 for k, want in enumerate(figure.wanted)]  # fmt: skip
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
         numeral = _NUMERALS[len(self.views)] + self.prime
@@ -154,7 +144,7 @@ class _DetailDrawing:
         room = Room(at.real, at.imag, at.real, at.imag).inset(*[-view.shown.radius - _AROUND] * 3)  # with its letters
         alone = Panel(Figure(marks, named), view.window, room)
         inside = alone.near.burdens(named) + tangled(named, _SEEN)
-        inside += _LED * np.bincount(alone.near.led, minlength=len(named))
+        inside += _LED * np.bincount(alone.near.led, minlength=len(named)) + (np.arange(-len(named), 0) >= -len(heads))
         burdens = np.concatenate([self.burdens[stay], inside, [0.0]])
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
         magnified = *self.panel.magnified, (view.window.value(at), view.shown.radius * view.window.scale)
@@ -162,10 +152,10 @@ class _DetailDrawing:
         return replace(self, panel=panel, views=(*self.views, view), burdens=burdens)
 
 
-def knots(figure: Figure, burdens: Array) -> dict[_DetailCircle, float]:
+def knots(figure: Figure, burdens: Array) -> dict[RoundRoom, float]:
     """Where a detail may relieve labels: for each radius the circle about what is near one of them and weighs most, if
     that is enough; and that weight."""
-    found = dict[_DetailCircle, float]()
+    found = dict[RoundRoom, float]()
     if not 0 < len(figure.wanted) <= MANY:
         return found
     start = np.array([want.start for want in figure.wanted])
@@ -174,32 +164,25 @@ def knots(figure: Figure, burdens: Array) -> dict[_DetailCircle, float]:
     far = np.maximum(abs(start - about), abs(end - about))
     nameless = np.array([bool(want.of) for want in figure.wanted]) & (burdens >= UNCLEAR)
     for radius in _RADII:
-        held = far <= radius + _ON
+        held = far <= radius + RIM
         inside = held[(held @ burdens).argmax()]
         knot = np.count_nonzero(inside) > _FEW or nameless[inside].any()
         if burdens[inside].sum() >= SAVED and knot:
             lighter = burden(burdens) - burden(np.where(inside, 0.0, burdens))
-            found[_about([*start[inside], *end[inside]])] = lighter
+            found[RoundRoom.about([*start[inside], *end[inside]], _ROUND, _RADII[0])] = lighter
     return found
 
 
-def _about(places: Sequence[Place]) -> _DetailCircle:
-    """A circle about places, a little larger."""
-    low, high = corners(places)
-    middle = (low + high) / 2
-    return _DetailCircle(middle, max(_RADII[0], _ROUND * max(abs(place - middle) for place in places)))
-
-
-def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
+def _clipped(mark: Mark, circle: RoundRoom) -> Iterator[Mark]:
     """The part of a mark that lies in the circle, as a part of no plane."""
     match mark:
         case PointMark(at=at) if circle.holds(at):
             yield replace(mark, plane="detail")
         case VectorMark(start=start, end=end) if circle.holds(end):
-            if (piece := within(start, end, *circle)) is not None:
+            if (piece := circle.piece(start, end)) is not None:
                 yield replace(mark, plane="detail", start=piece[0], broken=0.0)
         case VectorMark(start=start, end=end, pen=pen, step=step):
-            if (piece := within(start, end, *circle)) is not None:
+            if (piece := circle.piece(start, end)) is not None:
                 yield Stroke(piece, pen, step=step)
         case Stroke():
             yield from _pieces(mark.outline, mark, circle)
@@ -213,8 +196,8 @@ def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
             pass
 
 
-def _pieces(places: tuple[Place, ...], line: Stroke, circle: _DetailCircle) -> Iterator[Mark]:
+def _pieces(places: tuple[Place, ...], line: Stroke, circle: RoundRoom) -> Iterator[Mark]:
     """A line's pieces within the circle, as lines like it that say nothing."""
     for start, end in pairwise(places):
-        if (piece := within(start, end, *circle)) is not None:
+        if (piece := circle.piece(start, end)) is not None:
             yield replace(line, places=piece, closed=False, fill="none", shows=None)

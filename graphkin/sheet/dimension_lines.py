@@ -15,9 +15,11 @@ from functools import cache, cached_property
 from itertools import product
 from typing import NamedTuple
 
+from graphkin.base.boxes import off_lines
 from graphkin.base.lines import crossing, leaves, no_crumbs, off_stretch
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import RollingContact
 from graphkin.say.sizes import DrawnAngle, DrawnLength, Size
 from graphkin.sheet.fixed_link import clearance, feet, ground_way
 from graphkin.sheet.free_room import FreeRoom
@@ -27,7 +29,7 @@ from graphkin.sheet.marks import ArcMark, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE, THIN_HEAD, angle_arc, arrow_head, dimension_line
-from graphkin.sheet.wheels import disc
+from graphkin.sheet.wheels import disc, track
 from graphkin.sheet.window import Entry
 
 _ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74)  # places of letters along a line
@@ -76,14 +78,16 @@ class DimensionLines:
         return [*marks, *(mark for end in sorted(ends) for mark in self._beginning(end))]
 
     def _beginning(self, origin: str) -> Iterator[Stroke]:
-        """A cross where a fixed guide begins that goes through no point, and the line from there to its block."""
+        """A cross where a fixed guide or track begins that goes through no point, and the line on to what is drawn."""
         if origin in self.skeleton.points:
             return
-        for slide in self.skeleton.guides(FRAME):
-            if slide.line.origin == origin:
-                start, block = self.skeleton.at(origin), self.skeleton.at(slide.point)
-                yield from (Stroke((start - way, start + way), "thin") for way in (_CROSS, _CROSS * 1j))
-                yield from (Stroke(piece, "centre", accent="grey") for piece in self.free.pieces(start, block))
+        start = self.skeleton.at(origin)
+        ends = [self.skeleton.at(slide.point) for slide in self.skeleton.guides(FRAME) if slide.line.origin == origin]
+        ends += [start - complex(off_lines(start, *track(self.skeleton, roll).places))
+                 for roll in self.skeleton.mechanism.of(RollingContact) if roll.line and roll.line.origin == origin]
+        for end in ends:
+            yield from (Stroke((start - way, start + way), "thin") for way in (_CROSS, _CROSS * 1j))
+            yield from (Stroke(piece, "centre", accent="grey") for piece in self.free.pieces(start, end))
 
     def _drawn(self, size: Size) -> list[Mark]:
         """A datum where there is room for it, else nothing."""

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphkin.base.geometry import Array
+from graphkin.base.rooms import RoundRoom
 from graphkin.base.value import frozen
 from graphkin.sheet.lettering import LABEL, Label, box, width
 from graphkin.sheet.marks import Place, Text
@@ -115,6 +116,10 @@ class LabelRequest:
     def place(self) -> Place:
         """The point or line that it names, as one point."""
         return self.start if self.end is None else (self.start + self.end) / 2
+
+    def named_in(self, circle: RoundRoom) -> bool:
+        """True where what it names lies in a circle wholly."""
+        return circle.holds(self.start, self.start if self.end is None else self.end)
 
     def near(self, half: complex, wide: bool = False) -> LabelCandidates:
         """Its places at what it names, wide: and a little farther off; half: of the size of what stands there [mm]."""

@@ -32,6 +32,7 @@ _STEEP = 0.2  # a face and the guide of its follower make an angle of more than 
 _ARC = 15.0  # how far a slot goes on to both sides of its pin, along the arc [mm]
 _BESIDE = 10.0  # nearer to a bar of another link a wheel's number looks like its own [mm]
 _FREE = 4.0  # farther from another link nothing looks like a joint with it [mm]
+_ON = 1e-6  # nearer to a line, in parts of its length, a place is on it
 _MOST = 2.4  # half of the widest slot there is room for on a small circle [rad]
 
 
@@ -44,16 +45,15 @@ def wheels(skeleton: Skeleton) -> Iterator[Entry]:
             yield _number(skeleton, wheel)
     for roll in skeleton.mechanism.of(RollingContact):
         if roll.line is not None:
-            step, reach = skeleton.step(roll.centre), roll.radius / skeleton.window.scale + 12
-            track = straight(skeleton, roll.line, roll.name, roll.centre, reach, step)
+            line, step = track(skeleton, roll), skeleton.step(roll.centre)
             under = (1j if roll.left else -1j) * skeleton.direction(roll.line)
             if gap := toothed(skeleton, roll):
                 along = skeleton.direction(roll.line)
                 rack = [gap[0] + along * t - under * high for t, high in _teeth(round(2 * gap[1] / _TOOTH + 0.5))]
                 rack += [end + 2 * _DEPTH * under for end in (rack[-1], rack[0])]
                 yield Stroke(tuple(rack), "outline", closed=True, step=step)
-            ground = symbols.guide(track.places[0], track.places[1], under, step, track.shows)
-            line, *wall = ground if roll.line.link == FRAME else [track]
+            ground = symbols.guide(line.places[0], line.places[1], under, step, line.shows)
+            line, *wall = ground if roll.line.link == FRAME else [line]
             yield from (*(rack_line(line, *gap) if gap else [line]), *wall)
     for gear in skeleton.mechanism.of(Gear):
         yield from _mesh(skeleton, gear)
@@ -146,6 +146,13 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
     return LabelRequest(label, at + away * out, gap=gap, away=away, step=step)
 
 
+def track(skeleton: Skeleton, roll: RollingContact) -> Stroke:
+    """The straight track of a wheel, to both sides of it."""
+    assert roll.line is not None
+    reach = roll.radius / skeleton.window.scale + 12
+    return straight(skeleton, roll.line, roll.name, roll.centre, reach, skeleton.step(roll.centre))
+
+
 def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float, step: int | None) -> Stroke:
     """The line of a link in the roll or cam `name`, `reach` mm to both sides of a point, within the link's points."""
     along, foot = skeleton.direction(line), skeleton.at(line.origin)
@@ -171,9 +178,10 @@ def profiles(skeleton: Skeleton, cam: Cam) -> Iterator[Mark]:
             near, reach = other.centre or profile.line.origin, other.radius / scale
             face = straight(skeleton, profile.line, cam.name, near, reach + 8, step)
             stems = (follower(skeleton, slide) for slide in skeleton.mechanism.slides if slide.block == link)
-            if stem := next(filter(None, stems), None):  # to both sides of it alike
-                half = reach * skeleton.direction(profile.line)
-                face = replace(face, places=(stem[0].places[0] - half, stem[0].places[0] + half))
+            half, line = reach * skeleton.direction(profile.line), skeleton.at(profile.line.origin)
+            for foot in (stem[0].places[0] for stem in stems if stem):  # to both sides of its own stem alike
+                if abs(((line - foot) / half).imag) < _ON and abs(((skeleton.at(near) - foot) / half).real) < 1:
+                    face = replace(face, places=(foot - half, foot + half))
             yield face
         elif profile.radius > 0:
             shows = Shows(link, "wheel", (profile.centre,))

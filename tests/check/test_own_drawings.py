@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 import repeating
 from designs import DESIGNS
+from every_family import FAMILIES as EVERY
 from own_drawings import COMMANDS, drawings
 from reading_back import FAMILIES, make, wrong
 from renamed import renamed
@@ -73,6 +74,14 @@ def test_every_drawing_of_the_library(number: int, tmp_path: Path):
     for command in COMMANDS[number // APART % APART :: APART]:
         for text in drawings(library.load(name), command, name):
             hold(tmp_path, text)
+
+
+@pytest.mark.parametrize("name", ["twin_cams", "breadth_cam"])
+@pytest.mark.parametrize("seed", [9200, 9201])
+def test_each_face_of_a_follower_is_drawn_at_its_own_cam(name: str, seed: int, tmp_path: Path):
+    """Two faces of one link: only that on which its stem stands is drawn to both sides of the stem."""
+    mechanism = EVERY[name](seed)
+    hold(tmp_path, svg(Drawing.of(mechanism).sheet(only="position")), mechanism)
 
 
 @pytest.mark.many

@@ -77,6 +77,28 @@ def test_each_arrow_is_named_once() -> None:
     assert [want.label for want in after.figure.wanted if not want.of] == [plain("I\u2032")]
 
 
+def test_arrows_of_a_bundle_are_named_where_the_detail_shows_their_heads() -> None:
+    """Each beside its own arrow: where they run side by side no letter tells whose it is."""
+    heads = {f"a_{k}": 70 + 10j + 1.6 * cmath.rect(1, 1.3 * k) for k in range(5)}
+
+    def draw(window: Window) -> Figure:
+        arrows = [VectorMark("acceleration", name, "p'", name, window(0), window(tip)) for name, tip in heads.items()]
+        arrows += [VectorMark("acceleration", f"b_{k}", f"a_{k}", f"a_{k + 1}", window(heads[f"a_{k}"]), window(heads[f"a_{k + 1}"]))
+                   for k in range(4)]  # fmt: skip
+        return Figure(arrows, [LabelRequest(plain(one.name), one.start, one.end, of=one.name) for one in arrows])
+
+    before = panel(draw)
+    after = detailed(before, draw, "acceleration")
+    _, shown = (mark for mark in after.figure.marks if isinstance(mark, Disc))
+    own = [want for want in after.figure.wanted if want.of.startswith("a_") and abs(want.place - shown.centre) < shown.radius]
+    assert own
+    drawn = {mark.name: mark for mark in after.figure.marks if isinstance(mark, VectorMark) and mark.plane == "detail"}
+    assert all((want.start, want.end) == (drawn[want.of].start, drawn[want.of].end) for want in own)
+    assert max(Counter(want.of for want in after.figure.wanted if want.of).values()) == 1
+    lettered = {mark.label: mark for mark in after.lettering if isinstance(mark, Text)}
+    assert all(abs(lettered[want.label].at - shown.centre) < shown.radius + 6 for want in own)
+
+
 def test_a_detail_that_relieves_nothing_alone_is_drawn_with_that_of_its_knot() -> None:
     """Arrows of a twentieth of a millimetre are seen in none that has room."""
     draw = fan(9, 0.05)

@@ -480,6 +480,33 @@ def test_where_a_guide_begins_has_a_cross_on_its_line() -> None:
     assert all(off_stretch(end, begin, names["C"]) < 0.05 for mark in line for end in mark.places)
 
 
+UPHILL = """
+ask = ["omega 3"]
+frame = { A = [0, 0] }
+links.1 = { AB = 50 }
+links.2 = { BC = 160 }
+links.3 = { CP = 28 }
+roll = [{ wheel = "3", centre = "C", radius = 40, on = "frame", through = [60, -60], angle = 15 }]
+driver = [{ vector = "AB", angle = 140, omega = -5 }]
+pose = [{ vector = "CP", angle = 80 }]
+sketch = { C = [115, 0], P = [120, 30] }
+"""
+
+
+def test_where_a_track_begins_has_a_cross_too() -> None:
+    """And a line from there to where the track is drawn."""
+    page = sheet(*solved(UPHILL))
+    at = {mark.name: mark.at for mark in page.marks if isinstance(mark, PointMark) and mark.plane == "position"}
+    begin = at["A"] + complex(0.060, 0.060) / page.scales["position"]
+    strokes = [mark for mark in page.marks if isinstance(mark, Stroke) and len(mark.places) == 2]
+    cross = [mark for mark in strokes if abs(sum(mark.places) / 2 - begin) < 0.01 and abs(mark.places[0] - begin) < 2]
+    assert len(cross) == 2
+    [track] = [mark for mark in strokes if mark.shows is not None and mark.shows.form == "guide"]
+    assert off_stretch(begin, *track.places) > 1
+    [line] = [mark for mark in strokes if mark.pen == "centre" and mark.accent == "grey"]
+    assert {min(abs(end - place) for place in (begin, *track.places)) < 0.05 for end in line.places} == {True}
+
+
 def test_an_arrow_of_many_names_bears_one_where_all_have_no_room() -> None:
     """The letters at its head, and the equations, tell what moves alike; all names stand where there is room."""
     page = sheet(*solved(LIFT))
