@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from graphkin.analytic.assembly import drawn, held, idle
-from graphkin.analytic.loops import Complex, Flags, Loops, Reals, applied
+from graphkin.analytic.loops import Complex, Flags, Indices, Loops, Reals, applied
 from graphkin.analytic.newton import EquationSystem, Rates, inverse, rates, reaching
 from graphkin.analytic.rules import driven
 from graphkin.base.value import bulky
@@ -39,8 +40,8 @@ class Motion(Motions):
     condition               reciprocal condition number, 0 at a dead point
     idle                    links whose rotation nothing shows: it is given as 0
 
-    nan where the drivers' values cannot be reached by moving on from the drawn position; velocities and
-    accelerations are nan at a dead point, too.
+    nan where the drivers' values cannot be reached by moving on from the drawn position, either way round; at a dead
+    point velocities and accelerations are nan, too.
     """
 
     values: tuple[Reals, ...]
@@ -78,6 +79,12 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
         from graphkin.analytic.moving import moved
 
         q, limits = moved(closure, start.q, closure.weights @ start.q, change)
+        if (lost := _lost(mechanism, q, change)).size:  # an angle and one a turn from it are the same position
+            other = change[lost]
+            turning = [False] * first + [driver.kind == "angle" for driver in mechanism.drivers]
+            other -= np.where(turning & (other != 0), np.copysign(2 * np.pi, other), 0.0)
+            q[lost], more = moved(closure, start.q, closure.weights @ start.q, other)
+            limits += [replace(limit, rows=lost[limit.rows]) for limit in more]
     result = _rates_of(mechanism, closure, first, q, single=shape == ())
     for limit in limits:
         beside = _rates_of(mechanism, closure, first, limit.q, single=False)
@@ -85,6 +92,12 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
         result.second[limit.rows] = limit.weights @ beside.second
     q, dq, ddq = (part.reshape(*shape, part.shape[-1]) for part in (q, result.first, result.second))
     return _motion(mechanism, closure, goals, q, Rates(dq, ddq, result.condition.reshape(shape)))
+
+
+def _lost(mechanism: Mechanism, q: Reals, change: Reals) -> Indices:
+    """The positions that were not reached, of mechanisms in which none hangs on how often a wheel has rolled round."""
+    rolling = any(pair.rolling is not None for pair in mechanism.pairs)
+    return np.flatnonzero(np.isnan(q).any(axis=1) & np.isfinite(change).all(axis=1) & (not rolling))
 
 
 def _clear(closure: EquationSystem, q: Reals, condition: Reals) -> Flags:

@@ -38,8 +38,9 @@ def replay(
     """Carry the constructions out at the drawn position, or at driver `values` [deg, mm]: scalars or arrays (n,).
 
     method    or its mechanism; or `Mechanism.variants`, many at once, read as arrays (n,) or, at positions,
-              (positions, n), as values may be, too; each is the assembly that its own sketch means, nan where it is
-              `refused`. Held are the first and the last mechanism and ten between
+              (positions, n), as values may be, too; each is the assembly that its own sketch means, and stays on that
+              side of its dead points and change points; nan where links do not meet, and where it is `refused`. Held
+              are the first and the last mechanism and ten between
     compiled  of arrays by a C function, if a compiler is at hand (`CC`, `cc`); None: of a million positions or more
     held      against the analysis, arrays at both ends and at ten places between, once for as far as the drivers of a
               method go; False: unproved numbers, as the steps give them
@@ -69,7 +70,8 @@ def trial(mechanism: Source, *names: str, over: Ranges = ()) -> Trial:
     names   as `with_` has them: "AB", "BDE", "D" for a place (x, y), "omega AB"
     over    the positions, in deg and mm, as `sweep` has them; a driver that is not named stands still
 
-    Drawn are the same crossings as of the mechanism itself, unproved; `taken` proves what is then taken.
+    Drawn are the same crossings as of the mechanism itself, unproved; `taken` proves what is then taken. What wheels,
+    cams, links that are fitted, or an angle not between two given lengths hang on is planned anew, which takes longer.
 
     >>> length = trial("ex3-5", "AB", "DC", over="0:360:1")
     >>> [round(float(length(*pair).v["E"].magnitude.max()), 6) for pair in ((30, 60), (28, 65))]
@@ -87,7 +89,7 @@ def motion(mechanism: Source | Variants, values: Values = None) -> State:
     `Mechanism.variants` one after another.
 
     Raises NoAssembly for the drawn position, SingularPosition where that, or a single position asked for, is a dead
-    point; in arrays, positions that are not reached are nan.
+    point; positions that no way leads to are nan.
 
     >>> exact = motion("ex3-1")
     >>> exact.omega["3"], exact.a["C"], exact["a_k B3B2"].magnitude
@@ -125,7 +127,8 @@ def sweep(
     compiled  as `replay` has it
 
     `Mechanism.variants` gives a `State` (positions, n): without ranges at the positions that the first of them reaches,
-    with ranges at all of these, nan where one does not get there; drivers without a range stand still.
+    with ranges at all of these, as `replay` has them, or by "analysis" as they are moved there, nan where no way leads;
+    drivers without a range stand still.
 
     Raises BadRange, NoSuchDriver, UnknownQuantity and their like, and RoadsDiffer where the two roads do not agree.
 

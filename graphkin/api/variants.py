@@ -109,10 +109,11 @@ def positions(method: Method, ranges: Ranges) -> list[Real]:
 class Trial:
     """A mechanism with other values of some names, at positions that stay: `graphkin.trial` makes it.
 
-    Called with a value for each name it gives a `State`, in a tenth of a millisecond for a point at 361 positions.
-    That is not proved, is drawn on the branch of the mechanism that it was made of, and is nan where links do not
-    reach each other; all of it for numbers that no mechanism has, a length below nought: `refused[0]` says why. What
-    is then taken is proved: `taken`.
+    Called with a value for each name it gives a `State`, in a tenth of a millisecond for a point at 361 positions; in
+    some milliseconds where wheels, cams, links that are fitted or an angle not between two given lengths want to be
+    planned anew. That is not proved, is drawn on the branch of the mechanism that it was made of, and is nan where
+    links do not reach each other; all of it for numbers that no mechanism has, a length below nought: `refused[0]` says
+    why. What is then taken is proved: `taken`.
     """
 
     mechanism: MechanismFile

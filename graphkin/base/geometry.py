@@ -69,14 +69,24 @@ def leg(hypotenuse: Real, other: Real) -> Real:
         return np.sqrt(np.where((square < 0) & (square > -_ROUNDING * hypotenuse * hypotenuse), 0.0, square))[()]
 
 
-def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Real]:
+PARALLEL = 1e-6  # lines under a smaller sine meet anywhere: at a dead point half the digits of their angle are lost
+
+
+def sure_sine(sine: Real) -> Real:
+    """The sine of the angle between lines; nan where only rounding tells where they meet."""
+    return np.where(np.abs(sine) < PARALLEL, np.nan, sine)[()]
+
+
+def meet_lines(
+    p: Value, u: Value, q: Value, w: Value, known: Callable[[Real], Real] = sure_sine
+) -> tuple[Value, Real]:
     """The point in which the line through p along u meets the line through q along w (u, w of length 1).
 
-    Returns the point and the sine of the angle between the lines.
+    Returns the point, nan where there is none, and the sine of the angle between the lines.
     """
     sine = cross(u, w)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return p + u * (cross(q - p, w) / sine), np.abs(sine)
+        return p + u * (cross(q - p, w) / known(sine)), np.abs(sine)
 
 
 def meet_line_circle(p: Value, u: Value, c: Value, r: Real, side: Real, leg: Leg = leg) -> tuple[Value, Real, Real]:

@@ -13,7 +13,7 @@ from typing import Literal
 from graphkin.analytic import Motion, motion
 from graphkin.base.geometry import number, place
 from graphkin.base.tolerances import STILL
-from graphkin.base.value import frozen
+from graphkin.base.value import bulky, frozen
 from graphkin.check.claims import changed, judged
 from graphkin.check.drawing import (
     UNITS,
@@ -158,7 +158,7 @@ def pole_of(mechanism: Mechanism, exact: Sequence[Motion], first: str, second: s
     return 0j, False
 
 
-@frozen
+@bulky
 class RulerReport:
     """The findings of a ruler in one drawing file.
 

@@ -112,8 +112,14 @@ class NoPosition(LocatedError):
 class ValueForEach(LocatedError, ValueError):
     count: int
     drivers: tuple[str, ...]
-    en = "{where}: {needed} drivers, {count} values. Give one value for each of {names}, in this order [deg, mm]."
-    zh = "{where}：原动件有 {needed} 个，给了 {count} 个值。请按 {names} 的顺序各给一个 [deg, mm]。"
+    en = (
+        "{where}: {needed} drivers, {count} values. Give one value, or one array of many, for each of {names}, in this "
+        "order [deg, mm]: [[60, 70, 80]] are three positions of one driver."
+    )
+    zh = (
+        "{where}：原动件有 {needed} 个，给了 {count} 个值。请按 {names} 的顺序各给一个值，或各给一个数组 [deg, mm]："
+        "[[60, 70, 80]] 是一个原动件的三个位置。"
+    )
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return {**super()._words(lang), "needed": len(self.drivers), "names": ", ".join(self.drivers)}

@@ -226,8 +226,9 @@ def _paths(mechanism: Mechanism, name: str) -> Iterator[KeyPath]:
         if ("frame", name) in mechanism.given:
             yield "frame", name
             return
-        yield from (path for path in mechanism.given if path[:1] == ("links",) and path[2:] == ("shape", name))
-        if name in mechanism.points:
+        shapes = [path for path in mechanism.given if path[:1] == ("links",) and path[2:] == ("shape", name)]
+        yield from shapes
+        if ("sketch", name) in mechanism.given or (name in mechanism.points and not shapes):
             yield "sketch", name
     elif points := split_points(name):
         yield from (path for path in _measures(mechanism) if split_points(str(path[-1])) in (points, points[::-1]))

@@ -139,7 +139,7 @@ def within(mechanism: Mechanism, place: KeyPath, values: Array) -> Array:
     dimension, own = mechanism.given[place].dimension, mechanism.given[place].si or 0.0
     low, high = -LARGEST, LARGEST
     if dimension == "angle":
-        low, high = -LARGEST_ANGLE, LARGEST_ANGLE
+        low, high = (0.0, np.pi) if place[0] == "links" else (-LARGEST_ANGLE, LARGEST_ANGLE)
     elif place[0] == "links" and len(place) == 3:
         low, high = max(own / MUCH, SMALLEST_LENGTH), own * MUCH
     elif dimension == "length":
@@ -234,8 +234,8 @@ class _WithNumbers:
         if ("links", name, "shape") in self.touched:
             return _in_own_axes({p: self._coordinates("links", name, "shape", p) for p in base}, base)
         keys = [path for path in self.base.given if path[:2] == ("links", name) and len(path) == 3]
-        ends = {path: frozenset(split_points(str(path[2]))) for path in keys if path[2] not in OWN_KEYS}
-        return _triangle(base, {points: cast(Array, self._number(*path)) for path, points in ends.items()})
+        ends = {path: split_points(str(path[2])) for path in keys if path[2] not in OWN_KEYS}
+        return _laid_out(base, {points: cast(Array, self._number(*path)) for path, points in ends.items()})
 
     def _slide(self, k: int, pair: Slide, links: Mapping[str, Link]) -> Slide:
         """A slide with its direction in its guide's axes, and its tilt."""
@@ -262,20 +262,35 @@ class _WithNumbers:
         return replace(driver, value=cast(float | None, value), rate=rates[0], acceleration=rates[1])
 
 
-def _triangle(base: Mapping[str, complex], sides: Mapping[frozenset[str], Array]) -> dict[str, complex]:
-    """Two points by their distance, or three by their three. Raises OneByOne for what an angle gives, or more sides."""
-    first, second, *others = base
-    if {*map(frozenset, combinations(base, 2))} != sides.keys() or len(others) > 1:
-        raise OneByOne
-    along = sides[frozenset((first, second))]
-    points = {first: along * 0j, second: along + 0j}
-    for third in others:
-        if abs(base[third].imag) < FLAT * abs(base[third]):
+def _laid_out(base: Mapping[str, complex], measures: Mapping[tuple[str, ...], Array]) -> dict[str, complex]:
+    """Points of a link by lengths, and angles between two of them: each at its distances from two others. Raises
+    OneByOne for what other angles give, or more measures than these."""
+    lengths = {frozenset(points): value for points, value in measures.items() if len(points) == 2}
+    for (one, vertex, other), angle in ((points, value) for points, value in measures.items() if len(points) == 3):
+        arms = frozenset((one, vertex)), frozenset((vertex, other))
+        if not lengths.keys() >= {*arms} or frozenset((one, other)) in lengths:
             raise OneByOne
-        far, near = sides[frozenset((first, third))], sides[frozenset((second, third))]
+        near, far = (lengths[arm] for arm in arms)
+        lengths[frozenset((one, other))] = np.sqrt(near * near + far * far - 2 * near * far * np.exp(1j * angle).real)
+    first, second, *waiting = base
+    if len(measures) != 2 * len(base) - 3 or frozenset((first, second)) not in lengths:
+        raise OneByOne
+    points = {first: lengths[frozenset((first, second))] * 0j, second: lengths[frozenset((first, second))] + 0j}
+    while waiting:
+        found = ((third, one, other) for third in waiting for one, other in combinations(points, 2)
+                 if lengths.keys() >= {frozenset((one, third)), frozenset((other, third))})  # fmt: skip
+        third, one, other = next(found, ("",) * 3)
+        if not third:
+            raise OneByOne
+        arm = (base[third] - base[one]) / (base[other] - base[one])
+        if abs(arm.imag) < FLAT * abs(arm):
+            raise OneByOne
+        off = points[other] - points[one]
+        along, far, near = np.abs(off), lengths[frozenset((one, third))], lengths[frozenset((other, third))]
         x = (along * along + far * far - near * near) / (2 * along)
-        points[third] = x + np.sign(base[third].imag) * 1j * np.sqrt((far - x) * (far + x))
-    return cast(dict[str, complex], points)
+        points[third] = points[one] + off / along * (x + np.sign(arm.imag) * 1j * np.sqrt((far - x) * (far + x)))
+        waiting.remove(third)
+    return cast(dict[str, complex], {point: points[point] for point in base})
 
 
 def _in_own_axes(places: Mapping[str, complex], base: Mapping[str, complex]) -> dict[str, complex]:

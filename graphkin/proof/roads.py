@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,7 +31,7 @@ from graphkin.errors import (
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Rod
-from graphkin.planning import Method, plan
+from graphkin.planning import Method
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 
@@ -124,13 +125,22 @@ def _hold(method: Method, mechanism: Mechanism, plot: Plot, values: Sequence[np.
     clear = np.minimum.reduce(np.broadcast_arrays(1.0, *plot.sines.values())) > FLAT
     given = clear & (apart_each(mechanism, drawn, drawn) == 0)
     worst = apart_each(mechanism, drawn, exact)
-    if values is not None and worst.ndim == 1:  # a dead point lies before it, on this way at least
-        for k in np.flatnonzero(given & np.isnan(worst)):
-            own = method if mechanism is method.mechanism else plan(mechanism)
-            there = proved(own, [float(value[k]) for value in values])
-            worst[k] = apart(mechanism, readings(method, rows_of(plot, int(k), Plot(plot.facts))), there.exact)
+    alone = mechanism is method.mechanism
+    for k in np.flatnonzero(given & (np.isnan(worst) if alone else ~(worst < AGREE))) if worst.ndim == 1 else ():
+        at = [float(value[k]) for value in values or ()]  # a dead point lies before it, on this way at least
+        there = proved(method, at).exact if alone else _standing(mechanism, at, drawn.position, int(k))
+        worst[k] = apart(mechanism, readings(method, rows_of(plot, int(k), Plot(plot.facts))), there)
     if (given & ~(worst < AGREE)).any():
         raise RoadsDiffer(mechanism.where("driver", 0), float(np.max(np.nan_to_num(worst, nan=1.0)[given])))
+
+
+def _standing(mechanism: Mechanism, at: Sequence[float], drawn: Mapping[str, Value], k: int) -> Motion:
+    """The analysis of a mechanism that is assembled where it is drawn, wherever a way from its own position leads: one
+    of many stands on its own side of all its dead points and change points."""
+    drivers = tuple(replace(driver, value=value) for driver, value in zip(mechanism.drivers, at, strict=True))
+    places = {point: np.atleast_1d(drawn[point]) for point in mechanism.sketch}
+    sketch = {point: complex(place[k % place.size]) for point, place in places.items()}
+    return motion(replace(mechanism, drivers=drivers, sketch=sketch))
 
 
 def _spread(count: int) -> np.ndarray:

@@ -15,7 +15,7 @@ from typing import ClassVar, TypeAlias, Union, cast
 
 import numpy as np
 
-from graphkin.base.geometry import Real, Value, leg, meet_circles, meet_line_circle
+from graphkin.base.geometry import Real, Value, leg, meet_circles, meet_line_circle, meet_lines
 from graphkin.base.value import Lazy, frozen
 from graphkin.construction import Construction, Facts, Plane, Plot, kinds, replay, slide_key, unknowns_of
 from graphkin.construction.fitting import reach, settle_all
@@ -229,7 +229,10 @@ def _leg(hypotenuse: Real, other: Real) -> Real:
     return leg(hypotenuse, other)
 
 
-COMPASS = Compass(_leg, line_circle=partial(meet_line_circle, leg=_leg), circles=partial(meet_circles, leg=_leg))
+COMPASS = Compass(
+    _leg, partial(meet_lines, known=lambda sine: sine),  # what is flat is replayed plainly
+    partial(meet_line_circle, leg=_leg), partial(meet_circles, leg=_leg),
+)  # fmt: skip
 
 
 # --- links that are fitted --------------------------------------------------------------------

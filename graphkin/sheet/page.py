@@ -40,7 +40,7 @@ _EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 
 
-@frozen
+@bulky
 class Layer:
     """Marks that a drawing program shows or hides as one; `plane`: whose colour they have."""
 

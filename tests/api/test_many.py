@@ -145,3 +145,28 @@ def test_a_trial_is_held(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setitem(trial.__dict__, "_program", wrong._program)
     with pytest.raises(RoadsDiffer):
         trial.taken(35)
+
+
+def test_positions_beyond_dead_points_and_change_points_are_held_too():
+    """Each of many stands on its own side of them, and the analysis that is assembled there confirms it."""
+    mechanism = (graphkin.Mechanism.new("x").fix(A=(0, 0), D=(80, 0)).link(1, AB=30).link(2, BC=70).link(3, DC=60)
+                 .drive("AB", angle=60, omega=10).sketch(C=(80, 60)).done())  # fmt: skip
+    for lengths in ([75, 30], [50, 30], [30, 65, 30]):
+        found = graphkin.sweep(mechanism.variants(AB=lengths), "60:300:60").omega["3"].si
+        assert found[:, lengths.index(30)] == pytest.approx([2.852939, 5, 2.727273, -0.670103, -4.077428], abs=1e-6)
+        assert np.isfinite(found[[0, -1]]).all()
+    many = mechanism.variants(AB=np.random.default_rng(1).normal(45, 20, 500).clip(5))
+    assert np.isnan(graphkin.sweep(many, "0:360:60").omega["3"].si).any()
+
+
+@pytest.mark.parametrize("measures", [{"BE": 40, "CBE": 35}, {"BE": 40, "CE": 45}, {"CE": 40, "BCE": 35}])
+def test_a_coupler_given_by_an_angle_is_drawn_many_at_once(measures: dict[str, float]):
+    mechanism = (graphkin.Mechanism.new("x").fix(A=(0, 0), D=(80, 0)).link(1, AB=30).link(2, BC=70, ccw="BCE", **measures).link(3, DC=60)
+                 .drive("AB", angle=60, omega=10).sketch(C=(80, 60)).done())  # fmt: skip
+    trial = graphkin.trial(mechanism, "BC", *measures, over="0:360:10")
+    assert trial._program is not None
+    values = {"BC": 71.0, **{name: value * 1.02 for name, value in measures.items()}}
+    alone = graphkin.replay(mechanism.with_(values), [np.arange(0, 361, 10)])
+    assert np.abs(trial(*values.values()).v["E"].si - alone.v["E"].si).max() < 1e-12
+    angle = list(measures)[-1]
+    assert trial(*list(values.values())[:-1], 200.0).refused.keys() == ({0} if len(angle) == 3 else set())

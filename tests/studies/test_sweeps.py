@@ -16,6 +16,7 @@ from click.testing import CliRunner, Result
 from random_mechanisms import DYADS, chain, circular_slot, coupler_angle, cylinder, dyad, triad
 from redriving import redriven
 
+import graphkin
 from graphkin.cli import main
 from graphkin.errors import BadRange, GraphkinError, NoPosition, NoSuchDriver
 from graphkin.files import library, loads
@@ -349,3 +350,33 @@ def test_a_limited_sweep_says_where_and_why():
 def test_by_analysis_prints_the_same():
     first, second = (run("sweep", "ex3-7", "--table", "--by", by).stdout for by in ("construction", "analysis"))
     assert first == second
+
+
+FOUR_BAR = """
+frame = { A = [0, 0], D = [80, 0] }
+links.1 = { AB = %g }
+links.2 = { BC = 70 }
+links.3 = { DC = 60 }
+driver = [{ vector = "AB", angle = 60, omega = 10 }]
+sketch = { C = [80, 60] }
+"""
+
+
+def test_a_position_that_is_a_dead_point_has_no_speeds():
+    """At 120 degrees links 2 and 3 lie in line, to the last digit of the angle: only rounding would tell how fast."""
+    method = graphkin.plan(graphkin.loads(FOUR_BAR % 70))
+    for by in ("construction", "analysis"):
+        found = sweep(method, "60:300:60", ["omega 3"], by)
+        assert np.degrees(found.driven) == pytest.approx([60, 300])
+        assert found.series[0].signed == pytest.approx([11.204573771702743] * 2)
+    several = graphkin.replay(method, [[60, 119.999, 120, 240]]).omega["3"].si
+    assert several[1] == pytest.approx(983.9, abs=0.1)
+    assert np.isnan(several[2:]).all()
+
+
+def test_the_analysis_goes_the_other_way_round_too():
+    """An angle and one a turn from it are the same position, and only one way leads there."""
+    mechanism = graphkin.loads(FOUR_BAR % 65)
+    assert graphkin.motion(mechanism, [280]).omega["3"].si == pytest.approx(graphkin.replay(mechanism, [280]).omega["3"].si)
+    several = graphkin.motion(mechanism, [[180, 280, 360]]).omega["3"].si
+    assert several == pytest.approx([np.nan, -3.2332677, -43.3333333], nan_ok=True, rel=1e-6)
