@@ -128,7 +128,7 @@ class _DetailDrawing:
             pole = seen = set()  # it has no better place for its names either
         named = [want.alone if k in seen else want for k, want in enumerate(whole.wanted) if want.named_in(view.shown)]
         arrows = {want.of for want in named if want.of}
-        bad = {want.of for want, each in zip(figure.wanted, self.burdens, strict=True) if each >= UNCLEAR / 2} - arrows
+        bad = {figure.wanted[k].of for k in np.flatnonzero(self.burdens >= UNCLEAR / 2)} - {"", *arrows}
         heads = [replace(want, start=piece[0]) for want in whole.wanted if want.of in bad and want.end is not None
                  and view.shown.holds(want.end) and (piece := view.shown.piece(want.start, want.end))]  # fmt: skip
         named, arrows = named + heads, arrows | {want.of for want in heads}

@@ -50,7 +50,7 @@ def test_draw_writes_here():
 
 def test_a_sheet_that_bears_too_much_is_told():
     """On the paper that is asked for; on its own choice of paper the same mechanism is fine."""
-    crowded = run("draw", "p3-17", "--paper", "A4")
+    crowded = run("draw", "p3-17", "--paper", "letter")
     assert "p3-17: more than this paper bears; try --only velocity" in crowded.stderr
     assert crowded.exit_code == 0
     assert run("draw", "p3-17", "--force").stderr == ""

@@ -324,7 +324,7 @@ def test_a_slide_may_be_driven_by_the_name_it_is_printed_with() -> None:
 def test_values_for_each_driver() -> None:
     machine = library.load("ex3-1")
     for act in (lambda: api.motion(machine, [1, 2]), lambda: api.Drawing.of(machine, [1, 2])):
-        with pytest.raises(ValueError, match=r"1 drivers, 2 values. Give one value for each of AB"):
+        with pytest.raises(ValueError, match=r"1 drivers, 2 values. Give one value, or one array of many, for each of AB"):
             act()
 
 
