@@ -64,10 +64,10 @@ def replay(
     return State(partial(readings, method, plot), plot, places(method))
 
 
-def trial(mechanism: Source, *names: str, over: Ranges = ()) -> Trial:
+def trial(mechanism: Source, name: str, *names: str, over: Ranges = ()) -> Trial:
     """A mechanism to be drawn again and again with other values of these names, as an optimiser wants it.
 
-    names   as `with_` has them: "AB", "BDE", "D" for a place (x, y), "omega AB"
+    name    one and more, as `with_` has them: "AB", "BDE", "D" for a place (x, y), "omega AB"
     over    the positions, in deg and mm, as `sweep` has them; a driver that is not named stands still
 
     Drawn are the same crossings as of the mechanism itself, unproved; `taken` proves what is then taken. What wheels,
@@ -81,7 +81,7 @@ def trial(mechanism: Source, *names: str, over: Ranges = ()) -> Trial:
     """
     from graphkin.api.variants import Trial
 
-    return Trial.of(load(mechanism), names, over)
+    return Trial.of(load(mechanism), (name, *names), over)
 
 
 def motion(mechanism: Source | Variants, values: Values = None) -> State:

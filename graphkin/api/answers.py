@@ -296,13 +296,16 @@ _READERS = {
     "Report": ("say.linkages.lines", "studies.linkages.as_json", ""),
     "list": ("say.linkages.all_lines", "", "sheet.linkage_sheet.limit_sheet"),
     "Drawing": ("", "api.drawing.solved", ""),
+    "SweepFrames": ("say.sweeps.told", "", ""),
+    "RulerReport": ("say.results.check_lines", "", ""),
     "Graded": ("say.marks.grade_lines", "outputs.marks_json.line", ""),
 }  # fmt: skip
 """By the class of an answer: what puts it into words, makes plain data of it, draws it. A list is of linkages."""
 
 
 def lines_of(answer: object, lang: Lang = "en") -> list[str]:
-    """An answer in words, as its command prints it."""
+    """An answer in words, as its command prints it; a sweep with what it leaves out, a student of `grade`, a drawing
+    that `measure` read, too."""
     lines: Callable[[object, Lang], Iterable[str]] = getattr(*_reader(answer, 0))
     return [*lines(answer, lang)]
 

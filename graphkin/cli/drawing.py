@@ -250,6 +250,6 @@ def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lan
             status = 3
             continue
         data = check_json(report, tolerance, lang) if as_json else None
-        click.echo("\n".join(check_lines(report, tolerance, lang) if data is None else [shared.json_line(data)]))
+        click.echo("\n".join(check_lines(report, lang, tolerance) if data is None else [shared.json_line(data)]))
         status = max(status, 0 if report.passed(tolerance) else 1)
     sys.exit(status)

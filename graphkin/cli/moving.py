@@ -49,7 +49,7 @@ def sweep(
     """
     from graphkin import api
     from graphkin.say.finding import plain_lines
-    from graphkin.say.sweeps import book_lines, extremes, left_out, remarks, sweep_lines
+    from graphkin.say.sweeps import book_lines, left_out, remarks, sweep_lines, sweep_notes
     from graphkin.studies import finding, sweeps
 
     method = api.plan(shared.read(mechanism))
@@ -66,11 +66,12 @@ def sweep(
         whole = sweeps.sweep_over(course, names, by) if output is None else None
     if whole is not None:
         click.echo("\n".join(book_lines(whole) if table else sweep_lines(whole, lang)))
-        notes = (*left_out(course, whole.undefined, lang), *extremes(whole, lang))
+        notes = (*sweep_notes(whole, lang),)
     else:
         assert output is not None
         notes = (*left_out(course, _write_sweep(output, course, names, by, force, lang), lang),)
-    for line in (*remarks(course, lang), *notes):
+        notes = (*remarks(course, lang), *notes)
+    for line in notes:
         click.echo(line, err=table or output is not None)
     for text in limits:
         for line in plain_lines(finding.limit(course, text, ranges, by), lang):

@@ -61,11 +61,11 @@ class SavedHandout(Handout):
 
 
 def handout(
-    *mechanisms: Source, stage: Stage = "solution", lang: Lang = "en", both: bool = False, upto: int | None = None,
-    answers: bool = False, seed: str = "", duplex: bool = False, number: int | None = None,
+    mechanism: Source, *more: Source, stage: Stage = "solution", lang: Lang = "en", both: bool = False,
+    upto: int | None = None, answers: bool = False, seed: str = "", duplex: bool = False, number: int | None = None,
 ) -> SavedHandout:  # fmt: skip
     """Problems on paper: stage "problem", "blank" (with room to draw), "half" (solved as far as `upto` equations), or
     "solution"; several make a book. The rest is as the command has it."""
-    made = in_languages([*map(load, mechanisms)], stage, ("zh", "en") if both else (lang,), upto=upto, answers=answers,
+    made = in_languages([*map(load, (mechanism, *more))], stage, ("zh", "en") if both else (lang,), upto=upto, answers=answers,
                         seed=seed, duplex=duplex, number=number)  # fmt: skip
     return SavedHandout(**vars(made))

@@ -7,14 +7,15 @@ from collections.abc import Callable, Iterator
 from math import degrees
 from typing import assert_never
 
-from graphkin.errors import Lang
+from graphkin.errors import Lang, Where
 from graphkin.model.mechanism import Driver
 from graphkin.model.quantities import EDGE, driven
-from graphkin.model.quantities.reading import respelled
+from graphkin.model.quantities.reading import named, respelled
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
-from graphkin.say.numbers import exact, in_print, number, quantity
+from graphkin.say.numbers import degrees as direction
+from graphkin.say.numbers import exact, heading, in_print, number, quantity
 from graphkin.say.text_table import table, unbraced
 from graphkin.studies.finding.answers import Findings, Interval, Position
 from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
@@ -113,6 +114,8 @@ def _lines(findings: Findings, lang: Lang) -> Iterator[str]:
         elif findings.turn:
             searched += say("finding.turn", lang)
     yield _heading(condition, lang) + _note(searched, lang)
+    if isinstance(condition, Comparison) and not condition.size:
+        yield from (f"  {line}" for line in _counted(findings, condition, lang))
     if isinstance(condition, Slowest):
         for entry in findings.slow:
             first, second = entry.points
@@ -127,6 +130,14 @@ def _lines(findings: Findings, lang: Lang) -> Iterator[str]:
         yield from (f"  {line}" for line in _scaling(findings, condition, lang))
     else:
         yield from (f"  {line}" for line in _results(findings, lang))
+
+
+def _counted(findings: Findings, condition: Comparison, lang: Lang) -> Iterator[str]:
+    """The way in which what a guide leads counts as positive, where its sign matters."""
+    nothing = condition.sign == "=" and condition.other.split()[:1] == ["0"]
+    for text in condition.quantities if not nothing else ():
+        if (along := named(findings.mechanism, text, Where(text)).along) is not None:
+            yield say("finding.along", lang, name=text, way=heading(direction(along), lang))
 
 
 def _note(text: str, lang: Lang) -> str:

@@ -101,7 +101,7 @@ def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = 
     return [name, exact(drawn), exact(right), f"{off:.1e}".replace("-", "−"), unit.name, way]
 
 
-def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterator[str]:
+def check_lines(report: RulerReport, lang: Lang, tolerance_mm: float = 0.01) -> Iterator[str]:
     """Each vector and point as drawn, as it should be, and the difference on paper and in its unit."""
     yield report.file
     heads = ("name", "drawn", "exact", "off", "value", "unit")

@@ -129,6 +129,19 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
             yield say("sweeps.extreme", lang, which=which, name=name, value=value, at=place)
 
 
+def sweep_notes(sweep: Sweep, lang: Lang) -> Iterator[str]:
+    """How far it gets and what stops it, positions that are left out, extremes."""
+    yield from remarks(sweep.course, lang)
+    yield from left_out(sweep.course, sweep.undefined, lang)
+    yield from extremes(sweep, lang)
+
+
+def told(sweep: Sweep, lang: Lang) -> Iterator[str]:
+    """Its table, and all that is said of it."""
+    yield from sweep_lines(sweep, lang)
+    yield from sweep_notes(sweep, lang)
+
+
 def _first_greatest(values: np.ndarray) -> int:
     """The first row with the greatest value (n,), as far as rounding lets one tell."""
     most = np.nanmax(values)

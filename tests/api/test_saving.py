@@ -63,6 +63,16 @@ def test_answers_are_those_of_the_commands(name: str, tmp_path: Path):
     assert len(repr(answer)) < 200
 
 
+def test_a_sweep_and_a_check_are_told_as_their_commands_tell_them(tmp_path: Path):
+    """With what the sweep leaves out, and why."""
+    swept = graphkin.sweep("p3-22", "185:300:40", "v C")
+    lines = graphkin.lines_of(swept, "zh")
+    assert CliRunner().invoke(main, ["sweep", "p3-22", "--driver", "185:300:40", "--of", "v C", "--lang", "zh"]).stdout.splitlines() == lines
+    file = graphkin.Drawing.of("s2-4").sheet().save(tmp_path / "a.svg")
+    told = graphkin.lines_of(graphkin.measure(file))
+    assert CliRunner().invoke(main, ["check", str(file), "--lang", "en"]).stdout.splitlines() == told
+
+
 @pytest.mark.parametrize("kind", [".csv", ".json", ".svg"])
 def test_a_sweep_is_saved_as_the_command_writes_it(kind: str, tmp_path: Path):
     command("sweep", "ex3-7", "--driver", "0:90:30", "--of", "v E", "-o", str(tmp_path / f"a{kind}"))

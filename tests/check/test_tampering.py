@@ -506,7 +506,7 @@ def test_what_is_added_is_said_not_to_be_judged(name: str, change: Change, note:
     assert report.passed(0.01)
     assert note in [f"{each.kind} {each.what}" for each in report.notes]
     for lang, begin in (("en", "not judged"), ("zh", "未判断")):
-        assert sum(line.startswith(begin) for line in check_lines(report, 0.01, lang)) == len(report.notes)
+        assert sum(line.startswith(begin) for line in check_lines(report, lang)) == len(report.notes)
 
 
 MISLEADING: dict[str, Change] = {

@@ -414,3 +414,15 @@ def test_the_sheet_says_in_signs_what_was_found(name: str, condition: str, lang:
     assert told[0] == first
     assert all(line.startswith("  ") for line in told[1:])
     assert not [line for line in told if "\0" in line or " deg" in line]
+
+
+@pytest.mark.parametrize(("condition", "said"), [
+    ("v E > 0.1", True), ("v E = -0.1", True), ("v E = 0", False), ("omega 4 = 0.5", False), ("max v E", False),
+])  # fmt: skip
+def test_which_way_counts_as_positive_is_said(condition: str, said: bool):
+    """Of what a guide leads, where a sign decides what is found."""
+    import graphkin
+
+    english, chinese = (graphkin.lines_of(graphkin.find("ex3-7", condition), lang) for lang in ("en", "zh"))
+    assert ("  along its guide v_E is positive horizontally to the right" in english) is said
+    assert ("  v_E 沿导路取值，水平向右为正" in chinese) is said

@@ -165,6 +165,7 @@ PHRASES: Phrases = {
     "finding.turn": (", a full turn", "，即整周"),
     "finding.stopped": (", as far as it gets ({ends})", "，即可到达的范围（{ends}）"),
     "finding.low end": ("dead point at {value}", "{value} 处为死点"),
+    "finding.along": ("along its guide {name} is positive {way}", "{name} 沿导路取值，{way}为正"),
     "finding.none": ("not met in this range", "在此范围内不成立"),
     "finding.not passed": ("not passed in this range", "在此范围内没有超过"),
     "finding.nearest": ("it comes nearest at {at}: {values}", "最接近处 {at}：{values}"),
