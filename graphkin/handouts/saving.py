@@ -66,6 +66,7 @@ def handout(
 ) -> SavedHandout:  # fmt: skip
     """Problems on paper: stage "problem", "blank" (with room to draw), "half" (solved as far as `upto` equations), or
     "solution"; several make a book. The rest is as the command has it."""
-    made = in_languages([*map(load, (mechanism, *more))], stage, ("zh", "en") if both else (lang,), upto=upto, answers=answers,
-                        seed=seed, duplex=duplex, number=number)  # fmt: skip
+    every = [*map(load, (mechanism, *more))]
+    made = in_languages(every, stage, ("zh", "en") if both else (lang,), upto=upto, answers=answers, seed=seed,
+                        duplex=duplex, number=number)  # fmt: skip
     return SavedHandout(**vars(made))
