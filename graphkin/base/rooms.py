@@ -122,4 +122,3 @@ class RoundRoom(NamedTuple):
         half = (self.radius**2 - aside**2) ** 0.5 / abs(along)
         first, last = max(0.0, foot - half), min(1.0, foot + half)
         return (start + first * along, start + last * along) if first < last else None
-

@@ -144,7 +144,8 @@ class _DetailDrawing:
         room = Room(at.real, at.imag, at.real, at.imag).inset(*[-view.shown.radius - _AROUND] * 3)  # with its letters
         alone = Panel(Figure(marks, named), view.window, room)
         inside = alone.near.burdens(named) + tangled(named, _SEEN)
-        inside += _LED * np.bincount(alone.near.led, minlength=len(named)) + (np.arange(-len(named), 0) >= -len(heads))
+        inside += _LED * np.bincount(alone.near.led, minlength=len(named))
+        inside[len(named) - len(heads) :] += 1.0  # named far from most of its arrow: as on a leader
         burdens = np.concatenate([self.burdens[stay], inside, [0.0]])
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
         magnified = *self.panel.magnified, (view.window.value(at), view.shown.radius * view.window.scale)
