@@ -38,7 +38,7 @@ _AROUND, _HEAD = 6.0, 4.0  # room for letters around a detail, and for its own h
 _FEW = 3  # labels, of one arrow and its ends, are no knot
 SAVED, _CLOSE = 4.0, 1e-6  # the burden that a detail saves at least, but for rounding
 _LED, _SEEN = 3.0, 0.8  # the additional burden of a leader in a detail; a shorter arrow is hidden even there [mm]
-_ROUND = 1.2  # a circle is so many times as large as what it is to show
+_ROUND = 1.2, _RADII[0]  # a circle is so many times as large as what it is to show, and no smaller [mm]
 _OWN = 2  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
 _NUMERALS = ("I", "II", "III")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
@@ -72,8 +72,7 @@ def detailed(
 
 def lens(panel: Panel, draw: Callable[[Window], Figure], plane: Plane, about: Sequence[Place]) -> Panel:
     """The panel with a detail of the part that holds these places; as it is where it has no room for one."""
-    part = RoundRoom.about(about, _ROUND, _RADII[0])
-    return _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens).showing(part).panel
+    return _DetailDrawing(panel, draw, _PRIMES[plane], panel.burdens).showing(RoundRoom.about(about, *_ROUND)).panel
 
 
 @frozen
@@ -170,7 +169,7 @@ def knots(figure: Figure, burdens: Array) -> dict[RoundRoom, float]:
         knot = np.count_nonzero(inside) > _FEW or nameless[inside].any()
         if burdens[inside].sum() >= SAVED and knot:
             lighter = burden(burdens) - burden(np.where(inside, 0.0, burdens))
-            found[RoundRoom.about([*start[inside], *end[inside]], _ROUND, _RADII[0])] = lighter
+            found[RoundRoom.about([*start[inside], *end[inside]], *_ROUND)] = lighter
     return found
 
 
