@@ -25,7 +25,7 @@ from graphkin.files.values import quantity_at
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.readout import Readable, read_off
-from graphkin.model.units import Measured, Number, Vector, driven
+from graphkin.model.units import EDGE, Measured, Number, Vector, driven
 from graphkin.planning import Method
 
 if TYPE_CHECKING:
@@ -306,7 +306,10 @@ class Drawing(Readable[Number, Vector]):
             return None
 
     def __repr__(self) -> str:
-        return f"<Drawing of {self.mechanism.name}>"
+        stands = zip(self.mechanism.drivers, map(number, self.plot.facts.values))
+        units = ((driver.name, EDGE[driven(driver.kind == "slide")], value) for driver, value in stands)
+        at = ", ".join(f"{name} = {unit.shown(value)}" for name, unit, value in units)
+        return f"<Drawing of {self.mechanism.name}{at and ' at ' + at}>"
 
 
 def solved(drawing: Drawing) -> Mapping[str, Plain]:

@@ -152,7 +152,7 @@ def test_short_reprs():
     trial = graphkin.trial(mechanism, "AB", over=[[10, 20, 30]])
     assert repr(trial) == "<Trial of mine: AB at 3 position(s)>"
     assert repr(graphkin.Mechanism.new("mine").fix(A=(0, 0))) == "<Builder of mine: frame>"
-    assert repr(graphkin.Drawing.of(mechanism)) == "<Drawing of mine>"
+    assert repr(graphkin.Drawing.of(mechanism)) == "<Drawing of mine at AB = 60°>"
     assert repr(graphkin.Drawing.of(mechanism).sheet(tight=True)).startswith("<Sheet of mine on ")
     assert len(repr(graphkin.motion(mechanism).motions)) < 200
 
