@@ -130,7 +130,7 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
 
 
 def sweep_notes(sweep: Sweep, lang: Lang) -> Iterator[str]:
-    """How far it gets and what stops it, positions that are left out, extremes."""
+    """Where it ends and why, positions that are left out, extremes."""
     yield from remarks(sweep.course, lang)
     yield from left_out(sweep.course, sweep.undefined, lang)
     yield from extremes(sweep, lang)

@@ -116,8 +116,11 @@ def test_another_file_is_not_replaced(tmp_path: Path):
 
 @pytest.mark.parametrize("wrong", [None, {"frame": {}}, graphkin.Mechanism.new(), 3], ids=["None", "dict", "Builder", "int"])
 def test_what_is_no_mechanism(wrong: object):
+    def trial(mechanism: object) -> object:
+        return graphkin.trial(mechanism, "AB")  # type: ignore[arg-type]
+
     calls = (graphkin.load, graphkin.plan, graphkin.Drawing.of, graphkin.replay, graphkin.motion, graphkin.sweep,
-             graphkin.trial, graphkin.centres, graphkin.tolerance, graphkin.handout, graphkin.loads)  # fmt: skip
+             trial, graphkin.centres, graphkin.tolerance, graphkin.handout, graphkin.loads)  # fmt: skip
     for call in calls:
         with pytest.raises(NotAMechanism, match=type(wrong).__name__):
             call(wrong)  # type: ignore[operator]
