@@ -197,7 +197,7 @@ class DimensionLines:
 
     def _dimension(self, start: Place, end: Place, along: complex, label: Label, step: int | None) -> Iterator[_Trial]:
         """A dimension line with two heads between extension lines, beyond what it measures or between its ends."""
-        if abs(end - start) < 0.5:
+        if abs(((end - start) / along).real) < 0.5:
             return
         along *= math.copysign(1, ((end - start) / along).real)
         wide, long = box(label, LABEL)[0], ((end - start) / along).real

@@ -507,6 +507,14 @@ def test_where_a_track_begins_has_a_cross_too() -> None:
     assert {min(abs(end - place) for place in (begin, *track.places)) < 0.05 for end in line.places} == {True}
 
 
+def test_a_place_beside_another_by_nothing_to_speak_of_is_told() -> None:
+    """The two ends of such a dimension lie at one place: it is written, and the other one is drawn."""
+    page = sheet(*solved(UPHILL.replace("through = [60, -60]", "through = [0.007, -60]")))
+    told = [plain_text(mark.label) for mark in page.marks if isinstance(mark, Text)]
+    assert any("0.007 mm" in text for text in told)
+    assert any("60 mm" in text for text in told)
+
+
 def test_an_arrow_of_many_names_bears_one_where_all_have_no_room() -> None:
     """The letters at its head, and the equations, tell what moves alike; all names stand where there is room."""
     page = sheet(*solved(LIFT))
