@@ -78,12 +78,13 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     if np.any(change):
         from graphkin.analytic.moving import moved
 
-        q, limits = moved(closure, start.q, closure.weights @ start.q, change)
+        now = closure.weights @ start.q
+        q, limits = moved(closure, start.q, now, change)
         if (lost := _lost(mechanism, q, change)).size:  # an angle and one a turn from it are the same position
             other = change[lost]
             turning = [False] * first + [driver.kind == "angle" for driver in mechanism.drivers]
             other -= np.where(turning & (other != 0), np.copysign(2 * np.pi, other), 0.0)
-            q[lost], more = moved(closure, start.q, closure.weights @ start.q, other)
+            q[lost], more = moved(closure, start.q, now, other)
             limits += [replace(limit, rows=lost[limit.rows]) for limit in more]
     result = _rates_of(mechanism, closure, first, q, single=shape == ())
     for limit in limits:

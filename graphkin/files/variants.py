@@ -273,9 +273,10 @@ def _laid_out(base: Mapping[str, complex], measures: Mapping[tuple[str, ...], Ar
         near, far = (lengths[arm] for arm in arms)
         lengths[frozenset((one, other))] = np.sqrt(near * near + far * far - 2 * near * far * np.exp(1j * angle).real)
     first, second, *waiting = base
-    if len(measures) != 2 * len(base) - 3 or frozenset((first, second)) not in lengths:
+    apart = lengths.get(frozenset((first, second)))
+    if apart is None or len(measures) != 2 * len(base) - 3:
         raise OneByOne
-    points = {first: lengths[frozenset((first, second))] * 0j, second: lengths[frozenset((first, second))] + 0j}
+    points = {first: apart * 0j, second: apart + 0j}
     while waiting:
         found = ((third, one, other) for third in waiting for one, other in combinations(points, 2)
                  if lengths.keys() >= {frozenset((one, third)), frozenset((other, third))})  # fmt: skip

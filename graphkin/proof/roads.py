@@ -126,20 +126,21 @@ def _hold(method: Method, mechanism: Mechanism, plot: Plot, values: Sequence[np.
     given = clear & (apart_each(mechanism, drawn, drawn) == 0)
     worst = apart_each(mechanism, drawn, exact)
     alone = mechanism is method.mechanism
-    for k in np.flatnonzero(given & (np.isnan(worst) if alone else ~(worst < AGREE))) if worst.ndim == 1 else ():
+    doubtful = given & (np.isnan(worst) if alone else ~(worst < AGREE))
+    for k in map(int, np.flatnonzero(doubtful) if worst.ndim == 1 else ()):
         at = [float(value[k]) for value in values or ()]  # a dead point lies before it, on this way at least
-        there = proved(method, at).exact if alone else _standing(mechanism, at, drawn.position, int(k))
-        worst[k] = apart(mechanism, readings(method, rows_of(plot, int(k), Plot(plot.facts))), there)
+        row = rows_of(plot, k, Plot(plot.facts))
+        there = proved(method, at).exact if alone else _standing(mechanism, at, row.position)
+        worst[k] = apart(mechanism, readings(method, row), there)
     if (given & ~(worst < AGREE)).any():
         raise RoadsDiffer(mechanism.where("driver", 0), float(np.max(np.nan_to_num(worst, nan=1.0)[given])))
 
 
-def _standing(mechanism: Mechanism, at: Sequence[float], drawn: Mapping[str, Value], k: int) -> Motion:
+def _standing(mechanism: Mechanism, at: Sequence[float], drawn: Mapping[str, Value]) -> Motion:
     """The analysis of a mechanism that is assembled where it is drawn, wherever a way from its own position leads: one
     of many stands on its own side of all its dead points and change points."""
     drivers = tuple(replace(driver, value=value) for driver, value in zip(mechanism.drivers, at, strict=True))
-    places = {point: np.atleast_1d(drawn[point]) for point in mechanism.sketch}
-    sketch = {point: complex(place[k % place.size]) for point, place in places.items()}
+    sketch = {point: complex(drawn[point]) for point in mechanism.sketch}
     return motion(replace(mechanism, drivers=drivers, sketch=sketch))
 
 
